@@ -1,0 +1,32 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+
+#include <inkedge/export.h>
+#include <inkedge/scene.h>
+#include <inkedge/settings.h>
+
+namespace inkedge {
+
+/// Where the picture is taken from, and how.
+struct Camera {
+    glm::dmat4 view{1.0};             ///< world -> view space: right-handed, looks along -Z
+    double viewAngle = 35.0;          ///< vertical, degrees, over 0 and under 180; perspective only
+    double orthographicHeight = 0.0;  ///< scene units across the picture's height; 0: perspective
+    double near = 0.0;                ///< distance of the near plane along the view direction, scene units
+    double far = 0.0;                 ///< and of the far plane
+
+    [[nodiscard]] bool orthographic() const noexcept { return orthographicHeight > 0.0; }
+
+    /// View space -> OpenGL clip space (-w <= z <= w), for pictures of this size; pixels are square.
+    [[nodiscard]] INKEDGE_API glm::dmat4 projection(Size) const noexcept;
+};
+
+/// Turns a wish into a camera: what the wish leaves open is chosen so that the whole model fills the picture, and near
+/// and far are fitted to the scene's bounding sphere, so that depths scaled between them mean the same for a model of
+/// any size.
+/// @throws Error  (Kind::Usage) if the wish contradicts itself: position = focal point, up along the view direction, an
+///                angle out of range, a camera index that the file does not have, two ways to say one thing
+[[nodiscard]] INKEDGE_API Camera frameCamera(const Scene&, const CameraSettings&, Size);
+
+}  // namespace inkedge

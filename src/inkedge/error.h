@@ -1,0 +1,32 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include <inkedge/export.h>
+
+namespace inkedge {
+
+/// Every failure that crosses the public interface. what() is one line that says what was expected and what was
+/// found, and the remedy where there is one.
+class INKEDGE_API Error : public std::runtime_error {
+public:
+    /// Who can mend it. The command turns a kind into its exit code (the number beside it).
+    enum class Kind {
+        Runtime = 1,  ///< something failed while rendering: out of memory, a GL error
+        Usage = 2,    ///< a setting or an argument is wrong
+        Input = 3,    ///< a file cannot be read or holds what we do not support
+        Context = 4,  ///< no usable OpenGL context
+        Output = 5,   ///< a result cannot be written
+    };
+
+    Error(Kind kind, const std::string& message) : std::runtime_error{message}, kind_{kind} {}
+    ~Error() override;
+
+    [[nodiscard]] Kind kind() const noexcept { return kind_; }
+
+private:
+    Kind kind_;
+};
+
+}  // namespace inkedge

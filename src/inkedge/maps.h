@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <inkedge/camera.h>
+#include <inkedge/image.h>
+
+namespace inkedge {
+
+/// What drew a picture.
+struct BackendInfo {
+    std::string backend;   ///< "egl" or "osmesa"
+    std::string platform;  ///< "device 0", "surfaceless" or "osmesa"
+    std::string vendor;    ///< GL_VENDOR
+    std::string renderer;  ///< GL_RENDERER
+    std::string version;   ///< GL_VERSION
+    bool software = false;
+};
+
+/// Wall time of one stage, milliseconds.
+struct StageTime {
+    std::string stage;
+    double milliseconds = 0.0;
+};
+
+/// The result of one render. Every image has the picture's size, row 0 at the top; maps that were not asked for are
+/// empty. The masks hold 255 on an edge and 0 off it.
+struct Maps {
+    Image<std::uint8_t> picture;        ///< 1 channel if line and background are grey, 3 (RGB), or 4 (RGBA, not
+                                        ///< premultiplied) if the background is transparent
+    Image<float> depth;                 ///< eye-space depth, scene units; background: camera.far
+    Image<float> windowDepth;           ///< 0 at near, 1 at far; background: 1
+    Image<float> normal;                ///< 3 channels, -1..1, unit length, turned to the side that is seen; background: 0
+    Image<float> depthMagnitude;        ///< equation 6 on the depth map
+    Image<float> normalMagnitude;       ///< equation 6 on the normal map: the largest of the three channels
+    Image<std::uint8_t> depthEdges;     ///< equation 7 on the depth map
+    Image<std::uint8_t> normalEdges;    ///< equation 7 on the normal map
+    Image<std::uint8_t> edges;          ///< either: Figure 1(e)
+
+    Camera camera;
+    BackendInfo backend;
+    std::vector<StageTime> times;
+};
+
+}  // namespace inkedge

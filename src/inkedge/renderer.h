@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <inkedge/camera.h>
+#include <inkedge/error.h>
+#include <inkedge/export.h>
+#include <inkedge/maps.h>
+#include <inkedge/scene.h>
+#include <inkedge/settings.h>
+
+namespace inkedge {
+
+/// Owns one offscreen OpenGL context and draws any number of scenes and views with it.
+///
+/// Use by one thread at a time; several renderers may work side by side. The context is current only during a call, and
+/// whatever context was current before it is current again after it.
+class INKEDGE_API Renderer {
+public:
+    /// @throws Error  (Kind::Context) if no context can be had; the message says why for each backend tried
+    explicit Renderer(const BackendSettings& = {});
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+    ~Renderer();
+
+    /// Draws one view: the picture and the maps that settings.maps names. settings.load, .camera and .backend are not
+    /// looked at. The last scene's upload is kept for the next call.
+    /// @throws Error  (Kind::Usage) if the size is 0 or over the context's limit, or the camera is unusable;
+    ///                (Kind::Runtime) if the context runs out of memory
+    [[nodiscard]] Maps render(const Scene&, const Camera&, const Settings& = {});
+
+    [[nodiscard]] const BackendInfo& backend() const noexcept;
+    /// The largest width and height of a picture, pixels.
+    [[nodiscard]] int maximumSize() const noexcept;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// One way to a context, tried.
+struct BackendReport {
+    BackendInfo info;     ///< GL strings are empty where it failed
+    std::string failure;  ///< why, and what to do about it; empty where it works
+    [[nodiscard]] bool works() const noexcept { return failure.empty(); }
+};
+
+/// Tries every backend, in the order in which Backend::Auto tries them.
+[[nodiscard]] INKEDGE_API std::vector<BackendReport> probeBackends();
+
+}  // namespace inkedge

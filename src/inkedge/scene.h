@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <inkedge/export.h>
+#include <inkedge/settings.h>
+
+namespace inkedge {
+
+/// Triangles in a space of their own.
+struct Mesh {
+    std::string name;
+    glm::dvec3 origin{0.0};              ///< added to every position: keeps floats near zero, however far off the mesh lies
+    std::vector<glm::vec3> positions;    ///< mesh space, less origin
+    std::vector<glm::vec3> normals;      ///< unit length, one for each position; empty: made by completeNormals()
+    std::vector<std::uint32_t> indices;  ///< three a triangle, into positions
+};
+
+/// A mesh placed in the world.
+struct Instance {
+    std::string name;
+    std::uint32_t mesh = 0;      ///< into Scene::meshes()
+    glm::dmat4 transform{1.0};   ///< mesh space -> world, affine; may mirror and shear
+};
+
+/// A camera that the file brings along.
+struct SceneCamera {
+    std::string name;
+    glm::dmat4 transform{1.0};        ///< camera space -> world; the camera looks along its -Z, its up is +Y
+    double viewAngle = 35.0;          ///< vertical, degrees; perspective only
+    double orthographicHeight = 0.0;  ///< scene units across the picture's height; 0: perspective
+};
+
+struct Sphere {
+    glm::dvec3 centre{0.0};
+    double radius = 0.0;
+};
+
+/// Axis-aligned box; empty while min > max.
+struct Box {
+    glm::dvec3 min{1.0};
+    glm::dvec3 max{-1.0};
+    [[nodiscard]] bool empty() const noexcept { return min.x > max.x; }
+};
+
+/// An immutable set of meshes, their placements and cameras. Copies are cheap and share the data.
+/// Safe to read from several threads.
+class INKEDGE_API Scene {
+public:
+    struct Data {
+        std::vector<Mesh> meshes;
+        std::vector<Instance> instances;
+        std::vector<SceneCamera> cameras;
+        std::vector<std::string> warnings;  ///< one line each: what the file holds that is not drawn
+    };
+
+    /// Checks the data, and makes the normals that are missing, split at settings.creaseAngle.
+    /// @throws Error  (Kind::Input) if an index, a count or a coordinate is out of range or not finite, or if no
+    ///                triangle is drawn; the message names the mesh and the element
+    explicit Scene(Data data, const LoadSettings& settings = {});
+
+    [[nodiscard]] const std::vector<Mesh>& meshes() const noexcept { return data_->meshes; }
+    [[nodiscard]] const std::vector<Instance>& instances() const noexcept { return data_->instances; }
+    [[nodiscard]] const std::vector<SceneCamera>& cameras() const noexcept { return data_->cameras; }
+    [[nodiscard]] const std::vector<std::string>& warnings() const noexcept { return data_->warnings; }
+
+    /// The box of mesh i's positions less its origin.
+    [[nodiscard]] const Box& meshBox(std::size_t i) const noexcept { return data_->meshBoxes[i]; }
+    /// A sphere in world space around everything drawn.
+    [[nodiscard]] const Sphere& bounds() const noexcept { return data_->bounds; }
+    /// Triangles drawn: every instance counts.
+    [[nodiscard]] std::uint64_t triangleCount() const noexcept { return data_->triangleCount; }
+
+    /// The same for all copies of one scene and for no other scene alive.
+    [[nodiscard]] std::weak_ptr<const void> identity() const noexcept { return data_; }
+
+private:
+    struct Prepared : Data {
+        std::vector<Box> meshBoxes;
+        Sphere bounds;
+        std::uint64_t triangleCount = 0;
+    };
+    std::shared_ptr<const Prepared> data_;
+};
+
+/// Reads a glTF 2.0 file (.glb or .gltf).
+/// @throws Error  (Kind::Input) if it is missing, is no glTF, is truncated or inconsistent, or draws no triangle
+[[nodiscard]] INKEDGE_API Scene loadScene(const std::filesystem::path& file, const LoadSettings& settings = {});
+
+}  // namespace inkedge

@@ -1,0 +1,147 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include <inkedge/export.h>
+#include <inkedge/image.h>
+
+namespace inkedge {
+
+/// How a mesh comes by its normals.
+enum class Normals {
+    Auto,      ///< the file's; where it has none, smooth ones split at the crease angle
+    Authored,  ///< the file's; where it has none, one per face, as glTF 2.0 prescribes
+    Flat,      ///< one per face
+};
+
+/// What the loader makes of a file.
+struct LoadSettings {
+    Normals normals = Normals::Auto;
+    double creaseAngle = 30.0;  ///< degrees, 0 to 180: faces that meet at more than this meet in a crease
+};
+
+/// From where to look. World space of the file: right-handed, Y up, the front of a model towards +Z.
+/// What is not given is chosen so that the whole model is framed.
+struct CameraSettings {
+    std::optional<glm::dvec3> position;
+    std::optional<glm::dvec3> focalPoint;
+    std::optional<glm::dvec3> viewUp;
+    std::optional<glm::dvec3> direction;       ///< from the camera into the scene
+    std::optional<double> azimuthAngle;        ///< degrees about +Y, from the front (+Z) towards +X
+    std::optional<double> elevationAngle;      ///< degrees above the horizon
+    double viewAngle = 35.0;                   ///< vertical, degrees
+    std::optional<double> orthographicHeight;  ///< scene units across the picture's height; 0 frames the model
+    std::optional<int> index;                  ///< a camera of the file
+    double zoomFactor = 1.0;                   ///< over 1 magnifies
+};
+
+/// An 8-bit sRGB colour.
+struct Color {
+    std::uint8_t red = 0;
+    std::uint8_t green = 0;
+    std::uint8_t blue = 0;
+    [[nodiscard]] bool grey() const noexcept { return red == green && green == blue; }
+    friend bool operator==(const Color&, const Color&) = default;
+};
+
+struct PictureSettings {
+    Size size{1024, 1024};
+    Color lineColor{0, 0, 0};
+    std::optional<Color> background = Color{255, 255, 255};  ///< none: transparent
+};
+
+enum class Detector {
+    Classic,  ///< gradients of the depth map and of the normal map, Hertzmann 1999, appendix A
+};
+enum class Kernel {
+    Sobel,  ///< 3 x 3, equation 5
+    Farid,  ///< 5 x 5, equation 8
+};
+enum class DepthMap {
+    Linear,  ///< eye-space depth scaled to 0..1 between near and far; background 1
+    Window,  ///< window-space depth, 0 at near and 1 at far; background 1
+};
+enum class NormalLights {
+    Single,   ///< six lights, three of them negative, in one pass into a float target
+    TwoPass,  ///< the positive lights, then the negative ones, each into an 8-bit target; combined
+};
+enum class LightSpace { Camera, World };
+
+struct DetectorSettings {
+    Detector detector = Detector::Classic;
+    Kernel kernel = Kernel::Sobel;
+    DepthMap depthMap = DepthMap::Linear;
+    std::optional<float> depthThreshold;   ///< T of equation 7 for the depth map; none: the kernel's default
+    std::optional<float> normalThreshold;  ///< T of equation 7 for each normal channel; none: the kernel's default
+    NormalLights normalLights = NormalLights::Single;
+    LightSpace lightSpace = LightSpace::Camera;
+};
+
+/// The thresholds in force: those given, else the defaults for the kernel in force.
+struct Thresholds {
+    float depth;
+    float normal;
+};
+[[nodiscard]] INKEDGE_API Thresholds thresholds(const DetectorSettings&) noexcept;
+
+/// A map that a render can give beside the picture.
+enum class Map { Depth, Normal, DepthEdges, NormalEdges, Edges };
+inline constexpr int mapCount = 5;
+
+/// The name of a map on the command line, in file names and as EXR layer: "depth", "normal", "depth-edges", ...
+[[nodiscard]] INKEDGE_API std::string_view name(Map) noexcept;
+
+enum class Backend { Auto, Egl, Osmesa };
+
+struct BackendSettings {
+    Backend backend = Backend::Auto;
+    std::optional<int> device;  ///< an EGL device's number, as `inkedge doctor` lists them
+};
+
+/// Everything that can be set about a render. The table below describes each field once.
+struct Settings {
+    LoadSettings load;
+    CameraSettings camera;
+    PictureSettings picture;
+    DetectorSettings detector;
+    std::vector<Map> maps;
+    BackendSettings backend;
+};
+
+/// One setting: what flags, environment variables, configuration files, metadata and the manual derive from.
+struct SettingDescription {
+    std::string_view name;          ///< as on the command line without its dashes: "line-color"
+    std::string_view shortName;     ///< a second name, or empty: "eye" for "camera-position"
+    std::string_view group;         ///< heading in the help: "camera"
+    std::string_view values;        ///< what it takes, with unit: "DEG" or "sobel|farid"
+    std::string_view range;         ///< what is allowed, in words
+    std::string_view defaultValue;  ///< in words where it depends on something
+    std::string_view help;          ///< one line
+    void (*set)(Settings&, std::string_view text);
+    std::string (*get)(const Settings&);  ///< as text that set() takes; empty where not given
+};
+
+/// All settings in the order of the manual.
+[[nodiscard]] INKEDGE_API std::span<const SettingDescription> settingTable() noexcept;
+
+/// Sets one setting from text.
+/// @param source  where the text comes from, for the message: "--kernel" or "INKEDGE_KERNEL"
+/// @throws Error  (Kind::Usage) if no setting bears the name or it cannot take the text
+INKEDGE_API void set(Settings&, std::string_view name, std::string_view text, std::string_view source);
+
+/// A named set of settings.
+struct Preset {
+    std::string_view name;
+    std::string_view help;
+    std::vector<std::pair<std::string_view, std::string_view>> values;  ///< setting, text
+};
+[[nodiscard]] INKEDGE_API const std::vector<Preset>& presets();
+
+}  // namespace inkedge

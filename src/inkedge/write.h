@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <inkedge/export.h>
+#include <inkedge/maps.h>
+#include <inkedge/scene.h>
+#include <inkedge/settings.h>
+
+namespace inkedge {
+
+/// A picture as a PNG file's bytes: 1 channel grey, 3 RGB, 4 RGBA; 8 bits each.
+[[nodiscard]] INKEDGE_API std::vector<std::uint8_t> encodePng(const Image<std::uint8_t>&);
+
+/// What a render was asked for and what it did, as one JSON object: camera (view and projection as row-major 4 x 4 for
+/// column vectors, OpenGL clip space; near, far), size, bounds, settings, backend, GL strings, milliseconds of each stage.
+[[nodiscard]] INKEDGE_API std::string metadataJson(const Scene&, const Maps&, const Settings&);
+
+/// The files that writeMaps() writes: first the picture's, then one for each map if the format holds one map a file.
+/// "{map}" in output stands for "outline" or the map's name; without it a map's name goes before the extension
+/// ("gear.png", "gear.depth.png"). Formats by extension: .png, .tif, .tiff; .exr holds every map in one file.
+/// @throws Error  (Kind::Usage) if the extension is none of these: the message lists them
+[[nodiscard]] INKEDGE_API std::vector<std::filesystem::path> outputFiles(const std::filesystem::path& output,
+                                                                         std::span<const Map> maps);
+
+/// Writes the picture and the named maps; every file appears whole or not at all. 8-bit files are for looking: depth as
+/// grey from near (black) to far (white), normals as (n + 1) / 2, edges black on white. EXR holds the float maps in
+/// layers depth.Z (scene units), normal.X/Y/Z, depth-edges.Y, normal-edges.Y, edges.Y beside the picture's Y or R, G, B, A,
+/// with near, far, view and projection in its header.
+/// @return        the files written, as outputFiles() gives them
+/// @throws Error  (Kind::Output) if one cannot be written; none is left half-written
+INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<const Map> maps,
+                                                         const std::filesystem::path& output);
+
+/// Writes bytes to a file by way of a temporary one in the same folder, so that it appears whole or not at all.
+/// @throws Error  (Kind::Output) with the system's reason
+INKEDGE_API void writeFile(const std::filesystem::path&, std::span<const std::uint8_t>);
+
+}  // namespace inkedge
