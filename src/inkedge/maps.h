@@ -10,11 +10,11 @@ namespace inkedge {
 
 /// What drew a picture.
 struct BackendInfo {
-    std::string backend;   ///< "egl" or "osmesa"
-    std::string platform;  ///< "device 0", "surfaceless" or "osmesa"
-    std::string vendor;    ///< GL_VENDOR
-    std::string renderer;  ///< GL_RENDERER
-    std::string version;   ///< GL_VERSION
+    std::string backend{};   ///< "egl" or "osmesa"
+    std::string platform{};  ///< "device 0", "surfaceless" or "osmesa"
+    std::string vendor{};    ///< GL_VENDOR
+    std::string renderer{};  ///< GL_RENDERER
+    std::string version{};   ///< GL_VERSION
     bool software = false;
 };
 

@@ -35,10 +35,7 @@ def expand(glslang, shaders, stage, defines, files):
             files.append(name)
         return f"#line {match.group(1)} {files.index(name)}"
 
-    text = re.sub(r'^#line (\d+) "([^"]*)"$', number, text, flags=re.M)
-    if stage not in files:
-        files.insert(0, stage)
-    return re.sub(r"\n{3,}", "\n\n", text)
+    return re.sub(r'^#line (\d+) "([^"]*)"$', number, text, flags=re.M)
 
 
 def main():
@@ -58,7 +55,7 @@ def main():
         names.append(name)
         parts, expanded = [], []
         for stage in stages.split("+"):
-            files = []
+            files = [stage]
             text = expand(arguments.glslang, arguments.shaders, stage, defines, files)
             suffix = pathlib.Path(stage).suffix
             path = arguments.out / "expanded" / f"{name}{suffix}"

@@ -1,0 +1,16 @@
+// Between eye-space depth (scene units, along the view direction) and window-space depth (0 at near, 1 at far).
+// In perspective window depth is linear in 1/z; in an orthographic view it is linear in z.
+struct Depths {
+    float near;
+    float far;
+    bool orthographic;
+};
+
+float windowDepthFromEye(float z, Depths d) {
+    float linear = (z - d.near) / (d.far - d.near);
+    return d.orthographic ? linear : linear * d.far / z;
+}
+
+float eyeDepthFromWindow(float w, Depths d) {
+    return d.orthographic ? mix(d.near, d.far, w) : d.near * d.far / (d.far - w * (d.far - d.near));
+}

@@ -1,0 +1,27 @@
+#include <inkedge/camera.h>
+
+#include <cmath>
+
+#include <glm/trigonometric.hpp>
+
+namespace inkedge {
+
+glm::dmat4 Camera::projection(Size size) const noexcept {
+    const double aspect = static_cast<double>(size.width) / size.height;
+    glm::dmat4 p{0.0};
+    if (orthographic()) {
+        p[1][1] = 2.0 / orthographicHeight;
+        p[2][2] = -2.0 / (far - near);
+        p[3][2] = -(far + near) / (far - near);
+        p[3][3] = 1.0;
+    } else {
+        p[1][1] = 1.0 / std::tan(glm::radians(viewAngle) / 2.0);
+        p[2][2] = -(far + near) / (far - near);
+        p[2][3] = -1.0;
+        p[3][2] = -2.0 * far * near / (far - near);
+    }
+    p[0][0] = p[1][1] / aspect;
+    return p;
+}
+
+}  // namespace inkedge

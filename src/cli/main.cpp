@@ -1,0 +1,54 @@
+// Turns outcomes into exit codes: 0 success, 1 to 5 an Error's kind, 1 also when pictures differ.
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include <fmt/format.h>
+
+#include <inkedge/error.h>
+
+#include "cli/verbs.h"
+
+namespace {
+
+constexpr int runtimeFailure = static_cast<int>(inkedge::Error::Kind::Runtime);
+constexpr int usageFailure = static_cast<int>(inkedge::Error::Kind::Usage);
+
+int report(const std::string& message, int exitCode) {
+    fmt::print(stderr, "inkedge: error: {}\n", message);
+    return exitCode;
+}
+
+std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+int run(CLI::App& app, int argc, char** argv) {
+    inkedge::cli::Action action;
+    inkedge::cli::addRender(app, action);
+    inkedge::cli::addCompare(app, action);
+    inkedge::cli::addDoctor(app, action);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& helpOrVersion) {
+        return app.exit(helpOrVersion);
+    } catch (const CLI::ParseError& error) {
+        return report(fmt::format("{}; see inkedge --help", firstLine(error.what())), usageFailure);
+    }
+    return action();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Clean line drawings of 3D models, without a screen.", "inkedge"};
+    app.set_version_flag("--version", "inkedge " INKEDGE_VERSION);
+    app.require_subcommand(1);
+    try {
+        return run(app, argc, argv);
+    } catch (const inkedge::Error& error) {
+        return report(error.what(), static_cast<int>(error.kind()));
+    } catch (const std::bad_alloc&) {
+        return report("expected enough memory, found too little; use a smaller model or --size", runtimeFailure);
+    } catch (const std::exception& error) {
+        return report(firstLine(error.what()), runtimeFailure);
+    }
+}

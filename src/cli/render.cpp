@@ -1,0 +1,128 @@
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <inkedge/renderer.h>
+#include <inkedge/write.h>
+
+#include "cli/settings_sources.h"
+#include "cli/verbs.h"
+
+namespace inkedge::cli {
+namespace {
+
+struct RenderArguments {
+    std::string model;
+    std::string output;
+    std::string metadataFile;
+    bool json = false;
+    bool quiet = false;
+    bool verbose = false;
+    SettingsSources settings;
+};
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point begin) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+// Fills {model} and {view}; {map} is filled by outputFiles().
+std::string expandTemplate(std::string text, const std::filesystem::path& model) {
+    const std::pair<std::string, std::string> fields[]{{"{model}", model.stem().string()}, {"{view}", "0"}};
+    for (const auto& [field, value] : fields) {
+        for (std::size_t at = 0; (at = text.find(field, at)) != std::string::npos; at += value.size()) {
+            text.replace(at, field.size(), value);
+        }
+    }
+    return text;
+}
+
+void checkStandardOutput(const RenderArguments& arguments, const Settings& settings) {
+    if (arguments.output != "-") return;
+    if (arguments.json) throw Error{Error::Kind::Usage, "--json: expected --output FILE, found - (both use stdout)"};
+    if (!settings.maps.empty()) throw Error{Error::Kind::Usage, "--maps: expected --output FILE, found -"};
+}
+
+void writeToStandardOutput(const std::vector<std::uint8_t>& bytes) {
+    std::cout.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    std::cout.flush();
+    if (!std::cout) throw Error{Error::Kind::Output, "-: expected stdout to take the picture, found it closed or full"};
+}
+
+void printSummary(const Maps& maps, const std::vector<std::filesystem::path>& files) {
+    fmt::print(stderr, "inkedge: drawn by {} ({}): {}, OpenGL {}\n", maps.backend.backend, maps.backend.platform,
+               maps.backend.renderer, maps.backend.version);
+    for (const StageTime& time : maps.times) fmt::print(stderr, "inkedge: {:>10} {:8.1f} ms\n", time.stage, time.milliseconds);
+    for (const auto& file : files) fmt::print(stderr, "inkedge: wrote {}\n", file.string());
+}
+
+int render(const RenderArguments& arguments) {
+    const Settings settings = arguments.settings.resolve();
+    checkStandardOutput(arguments, settings);
+    const std::filesystem::path output = expandTemplate(arguments.output, arguments.model);
+    if (output != "-") static_cast<void>(outputFiles(output, settings.maps));  // a wrong extension fails before the work
+
+    auto begin = Clock::now();
+    const Scene scene = loadScene(arguments.model, settings.load);
+    const StageTime loading{"load", millisecondsSince(begin)};
+    if (!arguments.quiet) {
+        for (const std::string& warning : scene.warnings()) {
+            fmt::print(stderr, "inkedge: warning: {}: {}\n", arguments.model, warning);
+        }
+    }
+    const Camera camera = frameCamera(scene, settings.camera, settings.picture.size);
+
+    begin = Clock::now();
+    Renderer renderer{settings.backend};
+    const StageTime makingContext{"context", millisecondsSince(begin)};
+    Maps maps = renderer.render(scene, camera, settings);
+    maps.times.insert(maps.times.begin(), {loading, makingContext});
+
+    begin = Clock::now();
+    std::vector<std::filesystem::path> files;
+    if (output == "-") {
+        writeToStandardOutput(encodePng(maps.picture));
+    } else {
+        files = writeMaps(maps, settings.maps, output);
+    }
+    maps.times.push_back({"write", millisecondsSince(begin)});
+
+    const std::string metadata = metadataJson(scene, maps, settings);
+    if (!arguments.metadataFile.empty()) {
+        writeFile(arguments.metadataFile, {reinterpret_cast<const std::uint8_t*>(metadata.data()), metadata.size()});
+    }
+    if (arguments.json) {
+        nlohmann::ordered_json summary = nlohmann::ordered_json::parse(metadata);
+        summary["model"] = arguments.model;
+        for (const auto& file : files) summary["files"].push_back(file.string());
+        fmt::print("{}\n", summary.dump(2));
+    }
+    if (arguments.verbose) printSummary(maps, files);
+    return 0;
+}
+
+}  // namespace
+
+void addRender(CLI::App& app, Action& action) {
+    const auto arguments = std::make_shared<RenderArguments>();
+    CLI::App* verb = app.add_subcommand("render", "Draw the outlines of a model.");
+    verb->add_option("MODEL", arguments->model, "glTF 2.0 file, .glb or .gltf")->required();
+    verb->add_option("-o,--output", arguments->output,
+                     "picture to write, .png .tif .exr, or - for PNG on stdout; {model}, {view} and {map} are filled in")
+        ->required()
+        ->type_name("FILE");
+    verb->add_option("--metadata", arguments->metadataFile, "write camera, settings, backend and timings as JSON")
+        ->type_name("FILE");
+    verb->add_flag("--json", arguments->json, "print the metadata and the files written on stdout");
+    verb->add_flag("-q,--quiet", arguments->quiet, "no warnings");
+    verb->add_flag("-v,--verbose", arguments->verbose, "say what drew the picture, the timings and the files written");
+    arguments->settings.addTo(*verb);
+    verb->callback([arguments, &action] { action = [arguments] { return render(*arguments); }; });
+}
+
+}  // namespace inkedge::cli

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+namespace inkedge::cli {
+
+/// What the parsed command line asks for: does it and returns the exit code.
+using Action = std::function<int()>;
+
+/// Each adds its verb to the command line; parsing it sets the action.
+void addRender(CLI::App&, Action&);
+void addCompare(CLI::App&, Action&);
+void addDoctor(CLI::App&, Action&);
+
+}  // namespace inkedge::cli

@@ -1,0 +1,86 @@
+#include "gl/context.h"
+
+#include <fmt/format.h>
+
+#include <inkedge/error.h>
+
+namespace inkedge {
+namespace gl {
+namespace {
+
+constexpr int requiredVersion = 45;
+
+// A context is worth having only if shaders can be compiled in it, so "works" is decided by what load() finds.
+std::vector<Candidate> candidates(const BackendSettings& wish, std::vector<std::string>& failures) {
+    std::vector<Candidate> all;
+    if (wish.backend != Backend::Osmesa) {
+        std::string why;
+        all = eglCandidates(why);
+        if (!why.empty()) failures.push_back("egl: " + why);
+    }
+    if (wish.backend != Backend::Egl && !wish.device) all.push_back(osmesaCandidate());
+    if (!wish.device || !failures.empty()) return all;
+    const auto count = std::erase_if(all, [&](const Candidate& c) { return c.device != wish.device; });
+    if (all.empty()) {
+        throw Error{Error::Kind::Usage,
+                    fmt::format("device: expected an EGL device that `inkedge doctor` lists, found {} among {}",
+                                *wish.device, count == 0 ? 0 : count - 1)};
+    }
+    return all;
+}
+
+}  // namespace
+
+void Context::load(GLADapiproc (*loader)(const char* name)) {
+    const int version = gladLoadGLContext(&api_, loader);
+    const auto found = GLAD_VERSION_MAJOR(version) * 10 + GLAD_VERSION_MINOR(version);
+    if (found < requiredVersion) {
+        throw Error{Error::Kind::Context,
+                    fmt::format("expected OpenGL 4.5 core, found {}.{}; update the graphics driver or Mesa", found / 10,
+                                found % 10)};
+    }
+    const auto text = [&](GLenum name) { return std::string{reinterpret_cast<const char*>(api_.GetString(name))}; };
+    info_.vendor = text(GL_VENDOR);
+    info_.renderer = text(GL_RENDERER);
+    info_.version = text(GL_VERSION);
+    info_.software = info_.renderer.find("llvmpipe") != std::string::npos ||
+                     info_.renderer.find("softpipe") != std::string::npos ||
+                     info_.renderer.find("swrast") != std::string::npos;
+}
+
+std::unique_ptr<Context> createContext(const BackendSettings& wish) {
+    if (wish.backend == Backend::Osmesa && wish.device) {
+        throw Error{Error::Kind::Usage, "device: expected it with the egl backend only, found it with osmesa"};
+    }
+    std::vector<std::string> failures;
+    for (const Candidate& candidate : candidates(wish, failures)) {
+        try {
+            return candidate.create(candidate);
+        } catch (const Error& error) {
+            failures.push_back(fmt::format("{} ({}): {}", candidate.info.backend, candidate.info.platform, error.what()));
+        }
+    }
+    std::string message = "expected a context for offscreen OpenGL 4.5, found none";
+    for (const std::string& failure : failures) message += "; " + failure;
+    throw Error{Error::Kind::Context, message};
+}
+
+}  // namespace gl
+
+std::vector<BackendReport> probeBackends() {
+    std::vector<BackendReport> reports;
+    std::string why;
+    std::vector<gl::Candidate> all = gl::eglCandidates(why);
+    if (!why.empty()) reports.push_back({{.backend = "egl", .platform = "any"}, why});
+    all.push_back(gl::osmesaCandidate());
+    for (const gl::Candidate& candidate : all) {
+        try {
+            reports.push_back({candidate.create(candidate)->info(), {}});
+        } catch (const Error& error) {
+            reports.push_back({candidate.info, error.what()});
+        }
+    }
+    return reports;
+}
+
+}  // namespace inkedge

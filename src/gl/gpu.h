@@ -1,0 +1,19 @@
+#pragma once
+
+#include "gl/context.h"
+#include "gl/programs.h"
+#include "gl/textures.h"
+
+namespace inkedge::gl {
+
+/// What a pass draws with: a context, which is current, its programs and its textures.
+struct Gpu {
+    explicit Gpu(const Api& functions) : api{functions}, programs{functions}, textures{functions} {}
+
+    const Api& api;
+    Programs programs;
+    TexturePool textures;
+    VertexArray emptyVertices = createVertexArray(api);  // core profiles draw nothing without one
+};
+
+}  // namespace inkedge::gl

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <inkedge/image.h>
+
+#include "gl/gpu.h"
+
+namespace inkedge::gl {
+
+/// Copies a texture to host memory, row 0 first.
+/// @param channels  how many of the texture's channels to take, from the first: 1 to 4
+[[nodiscard]] Image<float> readFloats(const Api&, const Texture&, int channels);
+[[nodiscard]] Image<std::uint8_t> readBytes(const Api&, const Texture&, int channels);
+/// A depth texture's values.
+[[nodiscard]] Image<float> readDepth(const Api&, const Texture&);
+
+}  // namespace inkedge::gl

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <inkedge/image.h>
+
+#include "gl/objects.h"
+
+namespace inkedge::gl {
+
+class TexturePool;
+
+/// A texture with one level, borrowed from a pool: its storage goes back there when it dies.
+class Texture {
+public:
+    Texture(Texture&& from) noexcept = default;
+    Texture& operator=(Texture&& from) noexcept = default;
+    ~Texture();
+
+    [[nodiscard]] GLuint id() const noexcept { return name_.id(); }
+    [[nodiscard]] Size size() const noexcept { return size_; }
+    [[nodiscard]] GLenum format() const noexcept { return format_; }
+
+private:
+    friend class TexturePool;
+    Texture(TexturePool& pool, TextureName name, Size size, GLenum format) noexcept
+        : pool_{&pool}, name_{std::move(name)}, size_{size}, format_{format} {}
+
+    TexturePool* pool_;
+    TextureName name_;
+    Size size_;
+    GLenum format_;
+};
+
+/// Textures that views of one size draw into again and again, allocated once. Must outlive its textures.
+class TexturePool {
+public:
+    explicit TexturePool(const Api& api) : api_{api} {}
+
+    /// @param format  a sized internal format, for example GL_RGBA32F. The contents are undefined.
+    /// @throws Error  (Kind::Runtime) if the context is out of memory
+    [[nodiscard]] Texture acquire(Size size, GLenum format);
+
+    /// Frees what the views since the last call did not use.
+    void trim();
+
+private:
+    friend class Texture;
+    struct Free {
+        TextureName name;
+        Size size;
+        GLenum format;
+        int trims;  // calls of trim() since its last use
+    };
+    const Api& api_;
+    std::vector<Free> free_;
+};
+
+}  // namespace inkedge::gl

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <span>
+
+#include <inkedge/camera.h>
+#include <inkedge/export.h>
+#include <inkedge/image.h>
+#include <inkedge/scene.h>
+#include <inkedge/settings.h>
+
+/// The CPU definition of every pass, in plain loops and double precision: what the graphics processor must compute. Made to
+/// be read and to test against, not to be fast. All functions are pure and thread-safe.
+namespace inkedge::reference {
+
+/// Equation 5: [1 2 1] and [-1 0 1].
+inline constexpr double sobelSmoothing[] = {1.0, 2.0, 1.0};
+inline constexpr double sobelDerivative[] = {-1.0, 0.0, 1.0};
+/// Equation 8, after Farid and Simoncelli 1997. The paper's text lost the minus signs of d: it is antisymmetric.
+inline constexpr double faridSmoothing[] = {0.036470, 0.248968, 0.429123, 0.248968, 0.036470};
+inline constexpr double faridDerivative[] = {-0.108385, -0.280349, 0.0, 0.280349, 0.108385};
+
+/// What is seen through each pixel's centre: sections 2.1.1 and 2.1.2.
+struct Surface {
+    Image<double> depth;        ///< eye-space depth, scene units; background: camera.far
+    Image<double> windowDepth;  ///< 0 at near, 1 at far; background: 1
+    Image<double> normal;       ///< 3 channels: the interpolated normal, unit length, turned to the side that is seen;
+                                ///< background: 0
+};
+
+/// Casts each pixel's centre onto every triangle (homogeneous rasterisation) and keeps the nearest between near and far.
+/// The GPU twin is drawSurface(); the two may differ at pixels whose centre lies within 1/256 pixel of a triangle's edge,
+/// since graphics processors snap vertices to such a grid.
+/// O(pixels covered by each triangle's bounds).
+[[nodiscard]] INKEDGE_API Surface drawSurface(const Scene&, const Camera&, LightSpace, Size);
+
+/// The light that a white diffuse surface receives from a red, a green and a blue directional light along +X, +Y and +Z and
+/// from lights of negative intensity along -X, -Y and -Z. Equals the normal. Section 2.1.2.
+[[nodiscard]] INKEDGE_API glm::dvec3 sixLights(glm::dvec3 unitNormal) noexcept;
+
+/// The depth that edges are found in: 0..1 from near to far.
+/// @param depth  eye-space depth, scene units
+[[nodiscard]] INKEDGE_API Image<double> scaledDepth(const Image<double>& depth, const Camera&, DepthMap);
+
+/// Gradient magnitude (equation 6) of one channel of an image, with the kernels I_x = d along x, p along y and I_y the
+/// other way round, used as printed. Beyond the border the border pixel is repeated.
+/// @return        height x width, row-major, row 0 at the top; the image's unit times the kernel's gain
+/// @throws Error  (Kind::Usage) if there is no such channel
+[[nodiscard]] INKEDGE_API Image<double> gradientMagnitude(const Image<double>& image, int channel, Kernel);
+
+/// Appendix A on both maps.
+struct Edges {
+    Image<double> depthMagnitude;
+    Image<double> normalMagnitude;  ///< the largest of the three channels
+    Image<std::uint8_t> depthEdges;   ///< 255 where the magnitude >= T, else 0: equation 7
+    Image<std::uint8_t> normalEdges;
+    Image<std::uint8_t> edges;      ///< either
+};
+
+/// GPU twin: shaders/detect_edges.frag.
+/// @param depth   eye-space depth, scene units
+/// @param normal  3 channels
+/// @throws Error  (Kind::Usage) if the sizes differ
+[[nodiscard]] INKEDGE_API Edges detectEdges(const Image<double>& depth, const Image<double>& normal, const Camera&,
+                                            const DetectorSettings&);
+
+/// The outline picture. GPU twin: shaders/composite.frag.
+/// @return  1, 3 or 4 channels, as Maps::picture
+[[nodiscard]] INKEDGE_API Image<std::uint8_t> composite(const Image<std::uint8_t>& edges, const PictureSettings&);
+
+}  // namespace inkedge::reference

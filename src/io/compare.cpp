@@ -1,0 +1,122 @@
+#include <inkedge/compare.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <inkedge/error.h>
+#include <inkedge/write.h>
+
+#include "io/file.h"
+#include "io/image_module.h"
+#include "io/picture.h"
+
+namespace fs = std::filesystem;
+
+namespace inkedge {
+namespace {
+
+/// An 8-bit level n / 255 is not exact in float: differences of such levels stray from theirs by less than this.
+constexpr double integerRounding = 1e-6;
+
+io::ReadPicture read(const fs::path& file) {
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    std::string failure;
+    io::ReadPicture picture;
+    if (!fs::exists(status)) {
+        failure = error ? error.message() : "No such file or directory";
+    } else if (fs::is_directory(status)) {
+        failure = "expected a file, found a folder";
+    } else {
+        picture = io::imageFormats(Error::Kind::Input).read(file);
+        failure = picture.failure;
+    }
+    if (!failure.empty()) {
+        throw Error{Error::Kind::Input, fmt::format("{}: cannot be read as a picture: {}", file.string(), failure)};
+    }
+    return picture;
+}
+
+std::string shape(const Image<float>& image) {
+    return fmt::format("{} x {} pixels of {} channel{}", image.size.width, image.size.height, image.channels,
+                       image.channels == 1 ? "" : "s");
+}
+
+void expectSameShape(const fs::path& a, const Image<float>& left, const fs::path& b, const Image<float>& right) {
+    if (left.size == right.size && left.channels == right.channels) return;
+    throw Error{Error::Kind::Input,
+                fmt::format("{}: expected {}, as {} has, found {}", b.string(), shape(left), a.string(), shape(right))};
+}
+
+/// The largest difference over a pixel's channels; infinite where one value is a number and the other one none.
+float pixelDifference(const Image<float>& a, const Image<float>& b, int x, int y) {
+    float largest = 0.0F;
+    for (int c = 0; c < a.channels; ++c) {
+        const float left = a.at(x, y, c);
+        const float right = b.at(x, y, c);
+        if (left == right || (std::isnan(left) && std::isnan(right))) continue;
+        const float difference = std::abs(left - right);
+        largest = std::isnan(difference) ? INFINITY : std::max(largest, difference);
+    }
+    return largest;
+}
+
+/// Grey: each pixel's difference as a share of the largest finite one; infinite ones are white.
+Image<std::uint8_t> differencePicture(const Image<float>& a, const Image<float>& b) {
+    Image<float> differences{a.size, 1};
+    float largest = 0.0F;
+    for (int y = 0; y < a.size.height; ++y) {
+        for (int x = 0; x < a.size.width; ++x) {
+            const float difference = differences.at(x, y) = pixelDifference(a, b, x, y);
+            if (std::isfinite(difference)) largest = std::max(largest, difference);
+        }
+    }
+    Image<std::uint8_t> picture{a.size, 1};
+    std::transform(differences.pixels.begin(), differences.pixels.end(), picture.pixels.begin(), [&](float value) {
+        if (value == 0.0F) return std::uint8_t{0};
+        return std::isfinite(value) ? static_cast<std::uint8_t>(std::lround(255.0F * (value / largest)))
+                                    : std::uint8_t{255};
+    });
+    return picture;
+}
+
+Comparison judge(const io::Differences& found, const Image<float>& image, const Tolerance& tolerance, double rounding) {
+    Comparison result{.size = image.size,
+                      .channels = image.channels,
+                      .pixelsOverLevel = found.pixelsOverLevel,
+                      .maximum = found.maximum,
+                      .mean = found.mean};
+    const double pixels = static_cast<double>(image.size.width) * image.size.height;
+    result.shareOverLevel = static_cast<double>(found.pixelsOverLevel) / pixels;
+    result.maximumX = found.maximumX;
+    result.maximumY = found.maximumY;
+    result.same = result.shareOverLevel <= tolerance.share &&
+                  result.maximum <= std::max(tolerance.level, tolerance.hardLimit) + rounding;
+    return result;
+}
+
+}  // namespace
+
+Comparison compare(const fs::path& a, const fs::path& b, const Tolerance& tolerance,
+                   const std::optional<fs::path>& difference) {
+    if (difference) io::pictureFormat(*difference);  // refuse a wrong name before the work
+    const io::ReadPicture left = read(a);
+    const io::ReadPicture right = read(b);
+    expectSameShape(a, left.image, b, right.image);
+
+    const double rounding = left.integers && right.integers ? integerRounding : 0.0;
+    const io::Differences found =
+        io::imageFormats(Error::Kind::Input).compare(left.image, right.image, tolerance.level + rounding);
+    if (!found.failure.empty()) {
+        throw Error{Error::Kind::Runtime,
+                    fmt::format("{} and {} cannot be compared: {}", a.string(), b.string(), found.failure)};
+    }
+    if (difference) {
+        writeFile(*difference, io::encodePicture(differencePicture(left.image, right.image), *difference));
+    }
+    return judge(found, left.image, tolerance, rounding);
+}
+
+}  // namespace inkedge

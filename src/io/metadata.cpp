@@ -1,0 +1,72 @@
+#include <glm/matrix.hpp>
+#include <nlohmann/json.hpp>
+
+#include <inkedge/write.h>
+
+namespace inkedge {
+namespace {
+
+using Json = nlohmann::ordered_json;  // keys in the order in which they are told
+
+Json vectorJson(const glm::dvec3& vector) { return {vector.x, vector.y, vector.z}; }
+
+/// Four rows of four, for column vectors.
+Json matrixJson(const glm::dmat4& matrix) {
+    Json rows = Json::array();
+    for (int row = 0; row < 4; ++row) {
+        rows.push_back({matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]});
+    }
+    return rows;
+}
+
+Json cameraJson(const Camera& camera, Size size) {
+    Json json{{"view", matrixJson(camera.view)},
+              {"projection", matrixJson(camera.projection(size))},
+              {"near", camera.near},
+              {"far", camera.far}};
+    if (camera.orthographic()) {
+        json["orthographic_height"] = camera.orthographicHeight;
+    } else {
+        json["view_angle"] = camera.viewAngle;
+    }
+    json["eye"] = vectorJson(glm::dvec3{glm::inverse(camera.view)[3]});
+    return json;
+}
+
+Json settingsJson(const Settings& settings) {
+    Json json = Json::object();
+    for (const SettingDescription& setting : settingTable()) {
+        const std::string text = setting.get(settings);
+        json[std::string{setting.name}] = text.empty() ? Json{} : Json(text);
+    }
+    return json;
+}
+
+Json backendJson(const BackendInfo& info) {
+    return {{"backend", info.backend},   {"platform", info.platform}, {"vendor", info.vendor},
+            {"renderer", info.renderer}, {"version", info.version},   {"software", info.software}};
+}
+
+Json timesJson(const std::vector<StageTime>& times) {
+    Json json = Json::object();
+    for (const auto& [stage, milliseconds] : times) json[stage] = json.value(stage, 0.0) + milliseconds;
+    return json;
+}
+
+}  // namespace
+
+std::string metadataJson(const Scene& scene, const Maps& maps, const Settings& settings) {
+    const Size size = maps.picture.size;
+    const Json json{{"camera", cameraJson(maps.camera, size)},
+                    {"size", {size.width, size.height}},
+                    {"bounds", {{"centre", vectorJson(scene.bounds().centre)}, {"radius", scene.bounds().radius}}},
+                    {"triangles", scene.triangleCount()},
+                    {"settings", settingsJson(settings)},
+                    {"warnings", scene.warnings()},
+                    {"backend", backendJson(maps.backend)},
+                    {"milliseconds", timesJson(maps.times)}};
+    // Names inside a model need not be UTF-8; a broken one must not cost the metadata.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace inkedge

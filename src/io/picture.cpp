@@ -1,0 +1,90 @@
+#include "io/picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <string>
+
+#include <inkedge/error.h>
+#include <inkedge/write.h>
+
+#include "io/file.h"
+#include "io/image_module.h"
+
+namespace inkedge::io {
+namespace {
+
+/// IEC 61966-2-1, equation 7.
+float linearLight(std::uint8_t value) {
+    const double encoded = value / 255.0;
+    return static_cast<float>(encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
+}
+
+const std::array<float, 256>& linearLights() {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> values{};
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] = linearLight(static_cast<std::uint8_t>(i));
+        return values;
+    }();
+    return table;
+}
+
+std::vector<std::uint8_t> encodeWithModule(FileFormat format, const Layer& layer, const std::filesystem::path& target) {
+    EncodedPicture encoded = imageFormats(Error::Kind::Output).encode(format, {&layer, 1}, {});
+    if (!encoded.failure.empty()) failToWrite(target, encoded.failure);
+    return std::move(encoded.bytes);
+}
+
+}  // namespace
+
+PictureFormat pictureFormat(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (extension == ".png") return PictureFormat::Png;
+    if (extension == ".tif" || extension == ".tiff") return PictureFormat::Tiff;
+    if (extension == ".exr") return PictureFormat::OpenExr;
+    throw Error{Error::Kind::Usage, fmt::format("{}: expected a name that ends in .png, .tif, .tiff or .exr, found {}",
+                                                file.string(), extension.empty() ? "no extension" : extension)};
+}
+
+std::vector<std::uint8_t> encodePicture(const Image<std::uint8_t>& picture, const std::filesystem::path& target) {
+    switch (pictureFormat(target)) {
+        case PictureFormat::Png:
+            break;
+        case PictureFormat::Tiff:
+            return encodeWithModule(FileFormat::Tiff, {&picture, channelNames(picture.channels), SampleType::Uint8},
+                                    target);
+        case PictureFormat::OpenExr: {
+            const Image<float> linear = linearPicture(picture);
+            return encodeWithModule(FileFormat::OpenExr, {&linear, channelNames(linear.channels), SampleType::Half},
+                                    target);
+        }
+    }
+    return encodePng(picture);
+}
+
+Image<float> linearPicture(const Image<std::uint8_t>& picture) {
+    const std::array<float, 256>& lights = linearLights();
+    Image<float> linear{picture.size, picture.channels};
+    std::transform(picture.pixels.begin(), picture.pixels.end(), linear.pixels.begin(),
+                   [&](std::uint8_t value) { return lights[value]; });
+    if (picture.channels != 4) return linear;
+    for (std::size_t i = 0; i < linear.pixels.size(); i += 4) {
+        const float alpha = static_cast<float>(picture.pixels[i + 3]) / 255.0F;
+        for (std::size_t c = 0; c < 3; ++c) linear.pixels[i + c] *= alpha;
+        linear.pixels[i + 3] = alpha;
+    }
+    return linear;
+}
+
+std::vector<std::string> channelNames(int channels) {
+    if (channels == 1) return {"Y"};
+    if (channels == 3) return {"R", "G", "B"};
+    return {"R", "G", "B", "A"};
+}
+
+}  // namespace inkedge::io

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include <inkedge/image.h>
+
+namespace inkedge::io {
+
+/// The formats that are written, each known by its extensions.
+enum class PictureFormat { Png, Tiff, OpenExr };
+
+/// @throws Error  (Kind::Usage) if the extension, in whatever case, is none of .png .tif .tiff .exr
+PictureFormat pictureFormat(const std::filesystem::path&);
+
+/// An 8-bit picture of 1, 3 or 4 channels as the bytes of a file. OpenEXR holds linear light and premultiplied alpha,
+/// so its values are converted from sRGB; the other formats keep the picture's values.
+/// @param target  gives the format by its extension, and the message its name
+/// @throws Error  (Kind::Usage) if the extension is none of ours; (Kind::Output) if the picture cannot be encoded
+std::vector<std::uint8_t> encodePicture(const Image<std::uint8_t>&, const std::filesystem::path& target);
+
+/// sRGB as linear light, 0..1, with alpha, where there is one, multiplied in.
+Image<float> linearPicture(const Image<std::uint8_t>&);
+
+/// "Y", or "R", "G", "B" and, where there is one, "A".
+std::vector<std::string> channelNames(int channels);
+
+}  // namespace inkedge::io

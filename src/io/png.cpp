@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+#include <png.h>
+#include <zlib.h>
+
+#include <csetjmp>
+#include <exception>
+#include <new>
+#include <string>
+#include <utility>
+
+#include <inkedge/error.h>
+#include <inkedge/write.h>
+
+namespace inkedge {
+namespace {
+
+/// Owns libpng's two writing structures and the bytes that they produce.
+struct Encoder {
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    std::vector<std::uint8_t> bytes;
+    std::string failure;
+
+    Encoder() = default;
+    Encoder(const Encoder&) = delete;
+    Encoder& operator=(const Encoder&) = delete;
+    ~Encoder() { png_destroy_write_struct(&png, &info); }
+};
+
+// libpng leaves an error by longjmp; no object with a destructor may live in the frames that it jumps over.
+[[noreturn]] void leave(png_structp png, png_const_charp message) {
+    static_cast<Encoder*>(png_get_error_ptr(png))->failure = message;
+    png_longjmp(png, 1);
+}
+
+void ignoreWarning(png_structp, png_const_charp) {}
+
+void append(png_structp png, png_bytep data, png_size_t size) {
+    bool stored = false;
+    try {
+        auto& bytes = static_cast<Encoder*>(png_get_io_ptr(png))->bytes;
+        bytes.insert(bytes.end(), data, data + size);
+        stored = true;
+    } catch (const std::exception&) {
+    }
+    if (!stored) png_error(png, "out of memory");
+}
+
+void flush(png_structp) {}
+
+int colorType(int channels) {
+    switch (channels) {
+        case 1:
+            return PNG_COLOR_TYPE_GRAY;
+        case 3:
+            return PNG_COLOR_TYPE_RGB;
+        case 4:
+            return PNG_COLOR_TYPE_RGB_ALPHA;
+        default:
+            throw Error{Error::Kind::Usage,
+                        fmt::format("PNG: expected a picture of 1, 3 or 4 channels, found {}", channels)};
+    }
+}
+
+/// Of the quick ways the one that is small on line pictures (1024 x 1024, 8-bit grey: 2.5 ms and 25 kB; libpng's own
+/// choice takes 12 ms and 27 kB) and does not fall down on the smooth ones of depths and normals.
+void chooseQuickCompression(png_structp png) {
+    png_set_compression_level(png, 1);
+    png_set_compression_strategy(png, Z_RLE);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+}
+
+/// @return whether libpng finished; if not, encoder.failure says why
+bool encode(Encoder& encoder, const Image<std::uint8_t>& image, int color) {
+    if (setjmp(png_jmpbuf(encoder.png)) != 0) return false;
+    // The picture was drawn within our own limits; libpng's guard against files from elsewhere is off.
+    png_set_user_limits(encoder.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    png_set_write_fn(encoder.png, &encoder, append, flush);
+    chooseQuickCompression(encoder.png);
+    png_set_IHDR(encoder.png, encoder.info, static_cast<png_uint_32>(image.size.width),
+                 static_cast<png_uint_32>(image.size.height), 8, color, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_write_info(encoder.png, encoder.info);
+    for (int y = 0; y < image.size.height; ++y) png_write_row(encoder.png, &image.at(0, y));
+    png_write_end(encoder.png, encoder.info);
+    return true;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encodePng(const Image<std::uint8_t>& image) {
+    const int color = colorType(image.channels);
+    if (image.empty()) throw Error{Error::Kind::Usage, "PNG: expected a picture of at least one pixel, found none"};
+    Encoder encoder;
+    encoder.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &encoder, leave, ignoreWarning);
+    if (encoder.png != nullptr) encoder.info = png_create_info_struct(encoder.png);
+    if (encoder.info == nullptr) throw std::bad_alloc{};
+    if (!encode(encoder, image, color)) {
+        throw Error{Error::Kind::Runtime, fmt::format("PNG: a picture of {} x {} cannot be encoded: {}",
+                                                      image.size.width, image.size.height, encoder.failure)};
+    }
+    return std::move(encoder.bytes);
+}
+
+}  // namespace inkedge

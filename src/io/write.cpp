@@ -1,0 +1,184 @@
+#include <inkedge/write.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <inkedge/error.h>
+
+#include "io/file.h"
+#include "io/image_module.h"
+#include "io/picture.h"
+
+namespace fs = std::filesystem;
+
+namespace inkedge {
+namespace {
+
+constexpr std::string_view placeholder = "{map}";
+constexpr std::string_view pictureName = "outline";
+
+std::vector<Map> distinct(std::span<const Map> maps) {
+    std::vector<Map> result;
+    for (const Map map : maps) {
+        if (std::find(result.begin(), result.end(), map) == result.end()) result.push_back(map);
+    }
+    return result;
+}
+
+/// @return whether output held the placeholder
+bool substitute(std::string& output, std::string_view value) {
+    bool found = false;
+    for (std::size_t at = 0; (at = output.find(placeholder, at)) != std::string::npos; at += value.size()) {
+        output.replace(at, placeholder.size(), value);
+        found = true;
+    }
+    return found;
+}
+
+fs::path pictureFile(const fs::path& output) {
+    std::string text = output.string();
+    substitute(text, pictureName);
+    return text;
+}
+
+fs::path mapFile(const fs::path& output, Map map) {
+    std::string text = output.string();
+    if (substitute(text, name(map))) return text;
+    return output.parent_path() /
+           fmt::format("{}.{}{}", output.stem().string(), name(map), output.extension().string());
+}
+
+/// NaN counts as 0.
+std::uint8_t level(double share) {
+    return static_cast<std::uint8_t>(std::lround(share > 0.0 ? 255.0 * std::min(share, 1.0) : 0.0));
+}
+
+Image<std::uint8_t> depthPicture(const Image<float>& depth, const Camera& camera) {
+    const double range = camera.far - camera.near;
+    Image<std::uint8_t> picture{depth.size, 1};
+    std::transform(depth.pixels.begin(), depth.pixels.end(), picture.pixels.begin(),
+                   [&](float value) { return level((value - camera.near) / range); });
+    return picture;
+}
+
+Image<std::uint8_t> normalPicture(const Image<float>& normal) {
+    Image<std::uint8_t> picture{normal.size, normal.channels};
+    std::transform(normal.pixels.begin(), normal.pixels.end(), picture.pixels.begin(),
+                   [](float value) { return level((value + 1.0) / 2.0); });
+    return picture;
+}
+
+Image<std::uint8_t> edgePicture(const Image<std::uint8_t>& mask) {
+    Image<std::uint8_t> picture{mask.size, 1};
+    std::transform(mask.pixels.begin(), mask.pixels.end(), picture.pixels.begin(),
+                   [](std::uint8_t value) { return static_cast<std::uint8_t>(255 - value); });
+    return picture;
+}
+
+Image<std::uint8_t> mapPicture(const Maps& maps, Map map) {
+    switch (map) {
+        case Map::Depth:
+            return depthPicture(maps.depth, maps.camera);
+        case Map::Normal:
+            return normalPicture(maps.normal);
+        case Map::DepthEdges:
+            return edgePicture(maps.depthEdges);
+        case Map::NormalEdges:
+            return edgePicture(maps.normalEdges);
+        case Map::Edges:
+            break;
+    }
+    return edgePicture(maps.edges);
+}
+
+io::Layer mapLayer(const Maps& maps, Map map) {
+    using io::SampleType;
+    switch (map) {
+        case Map::Depth:
+            return {&maps.depth, {"depth.Z"}, SampleType::Float};
+        case Map::Normal:
+            return {&maps.normal, {"normal.X", "normal.Y", "normal.Z"}, SampleType::Float};
+        case Map::DepthEdges:
+            return {&maps.depthEdges, {"depth-edges.Y"}, SampleType::Half};
+        case Map::NormalEdges:
+            return {&maps.normalEdges, {"normal-edges.Y"}, SampleType::Half};
+        case Map::Edges:
+            break;
+    }
+    return {&maps.edges, {"edges.Y"}, SampleType::Half};
+}
+
+std::vector<float> rowMajor(const glm::dmat4& matrix) {
+    std::vector<float> values;
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) values.push_back(static_cast<float>(matrix[column][row]));
+    }
+    return values;
+}
+
+std::vector<io::HeaderEntry> cameraEntries(const Camera& camera, Size size) {
+    return {{"inkedge:near", {static_cast<float>(camera.near)}},
+            {"inkedge:far", {static_cast<float>(camera.far)}},
+            {"inkedge:view", rowMajor(camera.view)},
+            {"inkedge:projection", rowMajor(camera.projection(size))}};
+}
+
+std::vector<std::uint8_t> encodeLayers(const Maps& maps, std::span<const Map> wanted, const fs::path& target) {
+    const Image<float> picture = io::linearPicture(maps.picture);
+    std::vector<io::Layer> layers{{&picture, io::channelNames(picture.channels), io::SampleType::Half}};
+    for (const Map map : wanted) layers.push_back(mapLayer(maps, map));
+    io::EncodedPicture encoded = io::imageFormats(Error::Kind::Output)
+                                     .encode(io::FileFormat::OpenExr, layers, cameraEntries(maps.camera, picture.size));
+    if (!encoded.failure.empty()) io::failToWrite(target, encoded.failure);
+    return std::move(encoded.bytes);
+}
+
+void expectSize(Size found, Size expected, std::string_view map) {
+    if (found == expected) return;
+    throw Error{Error::Kind::Usage, fmt::format("map {}: expected {} x {} pixels, found {} x {}; was it rendered?", map,
+                                                expected.width, expected.height, found.width, found.height)};
+}
+
+void expectRendered(const Maps& maps, std::span<const Map> wanted) {
+    if (maps.picture.empty()) {
+        throw Error{Error::Kind::Usage, "picture: expected at least one pixel, found none; was it rendered?"};
+    }
+    for (const Map map : wanted) {
+        const Size size = std::visit([](const auto* image) { return image->size; }, mapLayer(maps, map).image);
+        expectSize(size, maps.picture.size, name(map));
+    }
+}
+
+}  // namespace
+
+std::vector<fs::path> outputFiles(const fs::path& output, std::span<const Map> maps) {
+    const io::PictureFormat format = io::pictureFormat(output);
+    std::vector<fs::path> files{pictureFile(output)};
+    if (format == io::PictureFormat::OpenExr) return files;
+    for (const Map map : distinct(maps)) files.push_back(mapFile(output, map));
+    return files;
+}
+
+std::vector<fs::path> writeMaps(const Maps& maps, std::span<const Map> wanted, const fs::path& output) {
+    const std::vector<fs::path> files = outputFiles(output, wanted);
+    const std::vector<Map> each = distinct(wanted);
+    expectRendered(maps, each);
+
+    io::StagedFiles staged;
+    if (io::pictureFormat(output) == io::PictureFormat::OpenExr) {
+        staged.add(files.front(), encodeLayers(maps, each, files.front()));
+    } else {
+        staged.add(files.front(), io::encodePicture(maps.picture, files.front()));
+        for (std::size_t i = 0; i < each.size(); ++i) {
+            staged.add(files[i + 1], io::encodePicture(mapPicture(maps, each[i]), files[i + 1]));
+        }
+    }
+    staged.commit();
+    return files;
+}
+
+}  // namespace inkedge

@@ -1,0 +1,157 @@
+#include "scene/gltf_accessor.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+#include "scene/gltf_message.h"
+
+namespace inkedge::gltf {
+namespace {
+
+constexpr std::uint64_t maximumElements = std::uint64_t{1} << 28;
+
+using Decode = double (*)(const std::uint8_t*);
+
+template <class T>
+double decode(const std::uint8_t* at) {
+    T value;
+    std::memcpy(&value, at, sizeof value);
+    return static_cast<double>(value);
+}
+
+template <class T>
+double decodeNormalized(const std::uint8_t* at) {
+    if constexpr (std::is_floating_point_v<T>) return decode<T>(at);
+    return std::max(decode<T>(at) / static_cast<double>(std::numeric_limits<T>::max()), -1.0);
+}
+
+struct ComponentFormat {
+    std::string_view name;
+    std::uint64_t size;
+    double largest;  // of unsigned components: the primitive restart value
+    Decode decode;
+    Decode decodeNormalized;
+};
+
+template <class T>
+constexpr ComponentFormat formatOf(std::string_view name) {
+    return {name, sizeof(T), static_cast<double>(std::numeric_limits<T>::max()), decode<T>, decodeNormalized<T>};
+}
+
+ComponentFormat formatOf(Component component) {
+    switch (component) {
+        case Component::Int8:
+            return formatOf<std::int8_t>("BYTE");
+        case Component::Uint8:
+            return formatOf<std::uint8_t>("UNSIGNED_BYTE");
+        case Component::Int16:
+            return formatOf<std::int16_t>("SHORT");
+        case Component::Uint16:
+            return formatOf<std::uint16_t>("UNSIGNED_SHORT");
+        case Component::Uint32:
+            return formatOf<std::uint32_t>("UNSIGNED_INT");
+        case Component::Float:
+            return formatOf<float>("FLOAT");
+    }
+    refuse(fmt::format("expected componentType 5120, 5121, 5122, 5123, 5125 or 5126, found {}",
+                       static_cast<int>(component)));
+}
+
+void checkExpected(const Accessor& accessor, const Expected& expected) {
+    const std::string_view found = formatOf(accessor.component).name;
+    if (accessor.type == expected.type && std::ranges::count(expected.components, accessor.component) == 1) return;
+    std::string names;
+    for (const Component component : expected.components) {
+        if (!names.empty()) names += " or ";
+        names += formatOf(component).name;
+    }
+    refuse(fmt::format("expected {} of {}, found {} of {}", expected.type.name, names, accessor.type.name, found));
+}
+
+// The distance between elements, once all of them are known to lie within their bytes.
+std::uint64_t checkedStride(const Elements& elements, std::uint64_t count, std::uint64_t elementSize) {
+    const std::uint64_t stride = elements.stride == 0 ? elementSize : elements.stride;
+    const std::uint64_t size = elements.bytes.size();
+    if (stride < elementSize)
+        refuse(fmt::format("expected a byteStride of at least {}, found {}", elementSize, stride));
+    const bool fits = count == 0 || (elements.offset <= size && size - elements.offset >= elementSize &&
+                                     (size - elements.offset - elementSize) / stride >= count - 1);
+    if (!fits)
+        refuse(fmt::format(
+            "expected {} elements of {} bytes, {} bytes apart, from byte {}, found a bufferView of {} bytes", count,
+            elementSize, stride, elements.offset, size));
+    return stride;
+}
+
+void readSparse(const Accessor& accessor, const Accessor::Sparse& sparse, std::vector<double>& numbers) {
+    const std::uint64_t components = accessor.type.components;
+    const Accessor places{scalar, sparse.indexComponent, false, sparse.count, sparse.indices, {}};
+    const Accessor replacements{accessor.type, accessor.component, accessor.normalized,
+                                sparse.count,  sparse.values,      {}};
+    const std::vector<double> at =
+        readNumbers(places, {scalar, {Component::Uint8, Component::Uint16, Component::Uint32}});
+    const std::vector<double> values = readNumbers(replacements, {accessor.type, {accessor.component}});
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        if (!(at[i] < static_cast<double>(accessor.count)))
+            refuse(fmt::format("expected sparse indices below {}, found {}", accessor.count, at[i]));
+        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * components), components,
+                    numbers.begin() + static_cast<std::ptrdiff_t>(static_cast<std::uint64_t>(at[i]) * components));
+    }
+}
+
+}  // namespace
+
+std::span<const std::uint8_t> partOf(std::span<const std::uint8_t> buffer, std::uint64_t offset, std::uint64_t length) {
+    if (offset > buffer.size() || length > buffer.size() - offset)
+        refuse(
+            fmt::format("expected {} bytes from byte {}, found a buffer of {} bytes", length, offset, buffer.size()));
+    return buffer.subspan(offset, length);
+}
+
+std::vector<double> readNumbers(const Accessor& accessor, const Expected& expected) {
+    checkExpected(accessor, expected);
+    if (accessor.count > maximumElements)
+        refuse(fmt::format("expected at most {} elements, found {}", maximumElements, accessor.count));
+    const ComponentFormat format = formatOf(accessor.component);
+    const std::uint64_t components = accessor.type.components;
+
+    std::uint64_t stride = 0;
+    if (accessor.elements) stride = checkedStride(*accessor.elements, accessor.count, components * format.size);
+    std::vector<double> numbers(accessor.count * components);
+    if (accessor.elements) {
+        const Decode decodeOne = accessor.normalized ? format.decodeNormalized : format.decode;
+        for (std::uint64_t i = 0; i < accessor.count; ++i) {
+            const std::uint8_t* element = accessor.elements->bytes.data() + accessor.elements->offset + i * stride;
+            for (std::uint64_t c = 0; c < components; ++c)
+                numbers[i * components + c] = decodeOne(element + c * format.size);
+        }
+    }
+    if (accessor.sparse) readSparse(accessor, *accessor.sparse, numbers);
+    return numbers;
+}
+
+std::vector<std::uint32_t> readIndices(const Accessor& accessor, std::uint64_t vertexCount) {
+    const std::vector<double> numbers =
+        readNumbers(accessor, {scalar, {Component::Uint8, Component::Uint16, Component::Uint32}});
+    if (accessor.normalized) refuse("expected indices that are not normalized, found normalized ones");
+    const double restart = formatOf(accessor.component).largest;
+    std::vector<std::uint32_t> indices;
+    indices.reserve(numbers.size());
+    for (const double number : numbers) {
+        if (number == restart)
+            refuse(fmt::format("expected vertex indices, found the primitive restart value {} at index {}", number,
+                               indices.size()));
+        if (number >= static_cast<double>(vertexCount))
+            refuse(fmt::format("expected vertex indices below {}, found {} at index {}", vertexCount, number,
+                               indices.size()));
+        indices.push_back(static_cast<std::uint32_t>(number));
+    }
+    return indices;
+}
+
+}  // namespace inkedge::gltf

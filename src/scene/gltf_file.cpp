@@ -1,0 +1,287 @@
+#include "scene/gltf_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "scene/gltf_message.h"
+#include "scene/gltf_uri.h"
+
+namespace inkedge::gltf {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using Bytes = std::vector<std::uint8_t>;
+using namespace std::string_view_literals;
+
+constexpr std::uint64_t maximumBytes =
+    std::numeric_limits<std::int32_t>::max();  // of the model and its buffers together
+constexpr int maximumDepth = 500;
+
+// Reads a file whole and takes its size off what is left.
+Bytes readBytes(const fs::path& path, std::uint64_t& bytesLeft) {
+    std::error_code failure;
+    const fs::file_status status = fs::status(path, failure);
+    if (status.type() == fs::file_type::not_found) refuse("expected a file, found none");
+    if (failure) refuse("expected a readable file, found: " + failure.message());
+    if (fs::is_directory(status)) refuse("expected a file, found a folder");
+    if (!fs::is_regular_file(status)) refuse("expected a regular file, found a device, pipe or socket");
+
+    const std::uint64_t size = fs::file_size(path, failure);
+    if (failure) refuse("expected a readable file, found: " + failure.message());
+    if (size == 0) refuse("expected a glTF file, found an empty one");
+    if (size > bytesLeft)
+        refuse(fmt::format("expected at most {} bytes in all files of a model, found {} more", maximumBytes,
+                           size - bytesLeft));
+    bytesLeft -= size;
+
+    std::ifstream stream{path, std::ios::binary};
+    if (!stream) refuse("expected a readable file, found one that does not open");
+    Bytes bytes(size);
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+    if (static_cast<std::uint64_t>(stream.gcount()) != size)
+        refuse(fmt::format("expected {} bytes, found {} that can be read", size, stream.gcount()));
+    return bytes;
+}
+
+std::string_view textOf(std::span<const std::uint8_t> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+// What a file is that is no glTF, by its first bytes.
+std::string_view kindOf(std::string_view content) {
+    struct Signature {
+        std::string_view start;
+        std::string_view kind;
+    };
+    constexpr std::array signatures{
+        Signature{"\x89PNG"sv, "a PNG picture"},
+        Signature{"\xff\xd8\xff"sv, "a JPEG picture"},
+        Signature{"<"sv, "HTML or XML"},
+        Signature{"version https://git-lfs"sv, "a Git LFS pointer instead of the file"},
+        Signature{"PK\x03\x04"sv, "a ZIP archive"},
+        Signature{"\x1f\x8b"sv, "gzip data"},
+        Signature{"ply"sv, "a PLY file"},
+        Signature{"solid "sv, "an STL file"},
+        Signature{"Kaydara FBX"sv, "an FBX file"},
+        Signature{"\xff\xfe"sv, "UTF-16 text"},
+        Signature{"\xfe\xff"sv, "UTF-16 text"},
+    };
+    for (const Signature& signature : signatures)
+        if (content.starts_with(signature.start)) return signature.kind;
+    const bool binary = std::ranges::any_of(content.substr(0, 512),
+                                            [](char c) { return static_cast<unsigned char>(c) < 0x09 || c == 0x7f; });
+    return binary ? "other data" : "other text";
+}
+
+// Where the chunks of a .glb lie.
+struct Chunks {
+    std::string_view json;
+    std::span<const std::uint8_t> binary;
+};
+
+std::uint32_t littleEndianAt(std::span<const std::uint8_t> bytes, std::size_t at) {
+    return static_cast<std::uint32_t>(bytes[at]) | static_cast<std::uint32_t>(bytes[at + 1]) << 8 |
+           static_cast<std::uint32_t>(bytes[at + 2]) << 16 | static_cast<std::uint32_t>(bytes[at + 3]) << 24;
+}
+
+Chunks splitGlb(std::span<const std::uint8_t> bytes) {
+    constexpr std::size_t headerSize = 12;
+    constexpr std::size_t chunkHeaderSize = 8;
+    constexpr std::uint32_t jsonChunk = 0x4e4f534a;
+    constexpr std::uint32_t binaryChunk = 0x004e4942;
+    if (bytes.size() < headerSize + chunkHeaderSize)
+        refuse(fmt::format("expected a .glb of at least 20 bytes, found {}: the file is truncated", bytes.size()));
+    if (const std::uint32_t version = littleEndianAt(bytes, 4); version != 2)
+        refuse(fmt::format("expected version 2 of binary glTF, found version {}", version));
+    const std::uint32_t length = littleEndianAt(bytes, 8);
+    if (length > bytes.size())
+        refuse(
+            fmt::format("expected {} bytes as the header says, found {}: the file is truncated", length, bytes.size()));
+    bytes = bytes.first(length);
+
+    Chunks chunks;
+    std::size_t at = headerSize;
+    for (int chunk = 0; chunk < 2 && at + chunkHeaderSize <= bytes.size(); ++chunk) {
+        const std::uint32_t size = littleEndianAt(bytes, at);
+        const std::uint32_t type = littleEndianAt(bytes, at + 4);
+        at += chunkHeaderSize;
+        if (size > bytes.size() - at)
+            refuse(fmt::format("expected {} bytes in chunk {}, found {}", size, chunk, bytes.size() - at));
+        if (chunk == 0 && type != jsonChunk)
+            refuse(fmt::format("expected a JSON chunk first, found type 0x{:08x}", type));
+        if (chunk == 0) chunks.json = textOf(bytes.subspan(at, size));
+        if (chunk == 1 && type == binaryChunk) chunks.binary = bytes.subspan(at, size);
+        at += size;
+    }
+    while (chunks.json.ends_with('\0')) chunks.json.remove_suffix(1);  // some writers pad with zeros, not spaces
+    return chunks;
+}
+
+bool isUsed(std::string_view key, int depth) {
+    constexpr std::array notGeometry{"animations"sv, "images"sv, "materials"sv, "samplers"sv, "textures"sv};
+    return key != "extras" && !(depth == 1 && std::ranges::find(notGeometry, key) != notGeometry.end());
+}
+
+// tinygltf takes 12.0 for a missing value where it reads an integer, and cuts integers to 32 bits.
+void normalizeNumber(Json& value) {
+    constexpr std::int64_t largest = std::numeric_limits<std::int32_t>::max();
+    if (value.is_number_float()) {
+        const double number = value.get<double>();
+        if (number < 0 || number > static_cast<double>(largest) || number != std::floor(number)) return;
+        value = static_cast<std::uint64_t>(number);
+    } else if (value.is_number_unsigned()) {
+        value = std::min(value.get<std::uint64_t>(), static_cast<std::uint64_t>(largest));
+    } else if (value.is_number_integer()) {
+        value = std::max(value.get<std::int64_t>(), -largest);
+    }
+}
+
+Json parseJson(std::string_view text) {
+    const auto keep = [](int depth, Json::parse_event_t event, Json& value) {
+        if (depth > maximumDepth)
+            refuse(fmt::format("expected JSON nested at most {} deep, found deeper", maximumDepth));
+        if (event == Json::parse_event_t::value) normalizeNumber(value);
+        return event != Json::parse_event_t::key || isUsed(value.get_ref<const std::string&>(), depth);
+    };
+    try {
+        return Json::parse(text.begin(), text.end(), keep);
+    } catch (const Json::exception& error) {
+        const std::string_view message = error.what();  // "[json.exception.parse_error.101] parse error at ..."
+        const std::size_t end = message.find("] ");
+        refuse("expected JSON, found " +
+               printable(message.substr(end == std::string_view::npos ? 0 : end + 2).substr(0, 300)));
+    }
+}
+
+// The string member of an object, or nothing.
+std::string stringIn(const Json& object, const char* key) {
+    if (!object.is_object() || !object.contains(key) || !object[key].is_string()) return {};
+    return object[key].get<std::string>();
+}
+
+void checkVersion(const Json& document) {
+    if (!document.is_object()) refuse(fmt::format("expected a JSON object, found {}", document.type_name()));
+    const Json asset = document.value("asset", Json::object());
+    const std::string version = stringIn(asset, "version");
+    const std::string minimum = stringIn(asset, "minVersion");
+    if (version.empty()) refuse("expected glTF 2.0, found JSON without asset.version");
+    if (!version.starts_with("2.")) refuse("expected glTF 2.0, found version " + quote(version));
+    if (!minimum.empty() && minimum != "2.0") refuse("expected glTF 2.0, found minVersion " + quote(minimum));
+}
+
+bool isCompression(std::string_view extension) {
+    return extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression";
+}
+
+bool isRead(std::string_view extension) {
+    constexpr std::array names{"KHR_mesh_quantization"sv, "EXT_mesh_gpu_instancing"sv, "KHR_texture_transform"sv,
+                               "KHR_texture_basisu"sv,    "EXT_texture_webp"sv,        "KHR_lights_punctual"sv,
+                               "KHR_animation_pointer"sv};
+    return std::ranges::find(names, extension) != names.end() || extension.starts_with("KHR_materials_") ||
+           extension.starts_with("KHR_xmp");
+}
+
+void checkRequiredExtensions(const Json& document) {
+    const Json required = document.value("extensionsRequired", Json::array());
+    if (!required.is_array())
+        refuse(fmt::format("extensionsRequired: expected an array, found {}", required.type_name()));
+    std::string unread;
+    bool onlyCompressions = true;
+    for (const Json& entry : required) {
+        if (!entry.is_string()) refuse(fmt::format("extensionsRequired: expected names, found {}", entry.type_name()));
+        const auto& extension = entry.get_ref<const std::string&>();
+        if (isRead(extension)) continue;
+        onlyCompressions = onlyCompressions && isCompression(extension);
+        unread += (unread.empty() ? "" : ", ") + printable(std::string_view{extension}.substr(0, 80));
+    }
+    if (unread.empty()) return;
+    if (onlyCompressions) refuse("the geometry is compressed with " + unread + ", which this version does not read");
+    refuse("expected only required extensions that this version reads, found " + unread);
+}
+
+Bytes bufferBytes(const fs::path& model, const Json& buffer, std::optional<Bytes> binaryChunk,
+                  std::uint64_t& bytesLeft) {
+    if (buffer.contains("uri")) {
+        if (!buffer["uri"].is_string())
+            refuse(fmt::format("expected a string as uri, found {}", buffer["uri"].type_name()));
+        const auto& uri = buffer["uri"].get_ref<const std::string&>();
+        if (isDataUri(uri)) return decodeDataUri(uri);
+        const fs::path file = fileOfUri(model, uri);
+        return within(quote(uri), [&] { return readBytes(file, bytesLeft); });
+    }
+    if (buffer.value("extensions", Json::object()).contains("EXT_meshopt_compression"))
+        refuse("it stands in for data compressed with EXT_meshopt_compression, which this version does not read");
+    if (!binaryChunk) refuse("expected a uri or the binary chunk of a .glb, found neither");
+    return std::move(*binaryChunk);
+}
+
+// Takes the buffers' bytes, leaving numbers in place of their URIs.
+std::vector<Bytes> takeBuffers(const fs::path& model, Json& document, std::optional<Bytes> binaryChunk,
+                               std::uint64_t bytesLeft) {
+    std::vector<Bytes> buffers;
+    if (!document.contains("buffers")) return buffers;
+    Json& list = document["buffers"];
+    if (!list.is_array()) refuse(fmt::format("buffers: expected an array, found {}", list.type_name()));
+    for (Json& buffer : list) {
+        const std::size_t number = buffers.size();
+        within(label("buffer", number), [&] {
+            if (!buffer.is_object()) refuse(fmt::format("expected an object, found {}", buffer.type_name()));
+            const Json length = buffer.value("byteLength", Json{});
+            if (!length.is_number_unsigned() || length == 0)
+                refuse("expected a byteLength over 0, found " + printable(length.dump().substr(0, 80)));
+            Bytes bytes = bufferBytes(model, buffer, number == 0 ? std::move(binaryChunk) : std::nullopt, bytesLeft);
+            if (bytes.size() < length.get<std::uint64_t>())
+                refuse(fmt::format("expected {} bytes, found {}", length.get<std::uint64_t>(), bytes.size()));
+            bytes.resize(length.get<std::uint64_t>());
+            buffer["uri"] = std::to_string(number);
+            buffers.push_back(std::move(bytes));
+        });
+    }
+    return buffers;
+}
+
+// The bytes of a chunk, moved to the front of the file's.
+Bytes keepOnly(Bytes&& bytes, std::span<const std::uint8_t> chunk) {
+    const auto start = chunk.data() - bytes.data();
+    bytes.resize(static_cast<std::size_t>(start) + chunk.size());
+    bytes.erase(bytes.begin(), bytes.begin() + start);
+    return std::move(bytes);
+}
+
+bool looksLikeJson(std::string_view text) {
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    const std::size_t start = text.find_first_not_of(" \t\r\n");
+    return start != std::string_view::npos && text[start] == '{';
+}
+
+}  // namespace
+
+File readFile(const fs::path& model) {
+    std::uint64_t bytesLeft = maximumBytes;
+    Bytes bytes = readBytes(model, bytesLeft);
+    const std::string_view content = textOf(bytes);
+    const bool binary = content.starts_with("glTF");
+    if (!binary && !looksLikeJson(content))
+        refuse(fmt::format("expected glTF 2.0 (.glb or .gltf), found {}", kindOf(content)));
+
+    const Chunks chunks = binary ? splitGlb(bytes) : Chunks{content, {}};
+    Json document = parseJson(chunks.json);
+    checkVersion(document);
+    checkRequiredExtensions(document);
+    std::optional<Bytes> binaryChunk;
+    if (!chunks.binary.empty()) binaryChunk = keepOnly(std::move(bytes), chunks.binary);
+    std::vector<Bytes> buffers = takeBuffers(model, document, std::move(binaryChunk), bytesLeft);
+    return {document.dump(), std::move(buffers)};
+}
+
+}  // namespace inkedge::gltf

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include <inkedge/error.h>
+
+namespace inkedge::gltf {
+
+/// @throws Error  (Kind::Input) always, with this message
+[[noreturn]] void refuse(const std::string& message);
+
+/// Foreign text on one line: control characters become '?'.
+[[nodiscard]] std::string printable(std::string_view text);
+
+/// Foreign text for a message: printable, between quotes, cut after about 80 bytes.
+[[nodiscard]] std::string quote(std::string_view text);
+
+/// "node 3 'wheel'", or "node 3" without a name.
+[[nodiscard]] std::string label(std::string_view kind, std::size_t index, std::string_view name = {});
+
+/// Runs an action; an Error out of it goes on with "where: " before its message.
+template <class Action>
+auto within(const std::string& where, Action&& action) -> decltype(action()) {
+    try {
+        return action();
+    } catch (const Error& error) {
+        refuse(where + ": " + error.what());
+    }
+}
+
+}  // namespace inkedge::gltf

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace inkedge::gltf {
+
+/// primitive.mode
+enum class Mode : int { Points, Lines, LineLoop, LineStrip, Triangles, TriangleStrip, TriangleFan };
+
+/// "TRIANGLE_STRIP".
+/// @throws Error  (Kind::Input) if glTF has no such mode
+[[nodiscard]] std::string_view name(Mode);
+
+[[nodiscard]] constexpr bool drawsTriangles(Mode mode) noexcept { return mode >= Mode::Triangles; }
+
+/// The triangles of a primitive, three indices each, wound as glTF 2.0, section 3.7.2.1, prescribes. Triangles with a
+/// repeated index, as strips are joined with, are left out.
+/// @param mode     one that draws triangles
+/// @param corners  the primitive's vertex indices in the order of the file; a rest too short for a triangle is not used
+[[nodiscard]] std::vector<std::uint32_t> triangleList(Mode mode, std::span<const std::uint32_t> corners);
+
+}  // namespace inkedge::gltf

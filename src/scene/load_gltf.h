@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+
+#include <inkedge/scene.h>
+
+namespace inkedge {
+
+/// Reads the default scene of a glTF 2.0 file; .glb is told from .gltf by content. External buffers are read only from
+/// the model's own folder. Every mesh's triangles (lists, strips and fans) become one triangle list; morph targets
+/// stand at their default weights, skins in their default pose.
+///
+/// Normals are the file's, unit length, (0, 0, 0) where it has none; a mesh without any has no normals at all. Points
+/// and lines are left out with one warning. A file without triangles gives no meshes and no instances.
+///
+/// @throws Error  (Kind::Input) if the file is missing, unreadable, over 2 GiB with its buffers, no glTF 2.0, truncated
+///                or inconsistent, or needs an extension that is not read; the message starts with the path as given
+/// Thread-safe.
+[[nodiscard]] Scene::Data loadGltf(const std::filesystem::path& file);
+
+}  // namespace inkedge

@@ -1,0 +1,109 @@
+#include <inkedge/scene.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <inkedge/error.h>
+
+#include "scene/extent.h"
+#include "scene/normals.h"
+
+namespace inkedge {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw Error{Error::Kind::Input, message}; }
+
+bool finite(glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+void check(const Mesh& mesh, std::size_t number) {
+    const std::string who = fmt::format("mesh {} '{}'", number, mesh.name);
+    if (!finite(mesh.origin)) refuse(fmt::format("{}: expected a finite origin, found one that is not", who));
+    if (mesh.indices.size() % 3 != 0) {
+        refuse(fmt::format("{}: expected three indices a triangle, found {} indices", who, mesh.indices.size()));
+    }
+    if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size()) {
+        refuse(fmt::format("{}: expected {} normals, one a position, found {}", who, mesh.positions.size(),
+                           mesh.normals.size()));
+    }
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        if (!finite(mesh.positions[i])) {
+            refuse(fmt::format("{}: expected finite positions, found vertex {} at ({}, {}, {})", who, i,
+                               mesh.positions[i].x, mesh.positions[i].y, mesh.positions[i].z));
+        }
+    }
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        if (mesh.indices[i] >= mesh.positions.size()) {
+            refuse(fmt::format("{}: expected indices below {}, found {} at {}", who, mesh.positions.size(),
+                               mesh.indices[i], i));
+        }
+    }
+}
+
+void check(const Instance& instance, std::size_t number, std::size_t meshCount) {
+    if (instance.mesh >= meshCount) {
+        refuse(fmt::format("instance {} '{}': expected a mesh below {}, found {}", number, instance.name, meshCount,
+                           instance.mesh));
+    }
+    for (int column = 0; column < 4; ++column) {
+        if (!finite(glm::dvec3{instance.transform[column]})) {
+            refuse(fmt::format("instance {} '{}': expected a finite transform, found one that is not", number,
+                               instance.name));
+        }
+    }
+}
+
+Box boxOf(const std::vector<glm::vec3>& positions) {
+    if (positions.empty()) return {};
+    glm::vec3 low = positions.front();
+    glm::vec3 high = low;
+    for (const glm::vec3 p : positions) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    return {low, high};
+}
+
+Sphere boundingSphere(const Scene& scene) {
+    constexpr std::array axes{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}};
+    glm::dvec3 low{};
+    glm::dvec3 high{};
+    for (int i = 0; i < 3; ++i) {
+        high[i] = support(scene, axes[static_cast<std::size_t>(i)]);
+        low[i] = -support(scene, -axes[static_cast<std::size_t>(i)]);
+    }
+    const glm::dvec3 centre = 0.5 * (low + high);
+    return {centre, farthestDistance(scene, centre)};
+}
+
+}  // namespace
+
+Scene::Scene(Data data, const LoadSettings& settings) {
+    for (std::size_t i = 0; i < data.meshes.size(); ++i) check(data.meshes[i], i);
+    for (std::size_t i = 0; i < data.instances.size(); ++i) check(data.instances[i], i, data.meshes.size());
+
+    auto prepared = std::make_shared<Prepared>();
+    static_cast<Data&>(*prepared) = std::move(data);
+    std::erase_if(prepared->instances, [&](const Instance& i) { return prepared->meshes[i.mesh].indices.empty(); });
+    if (prepared->instances.empty()) refuse("expected at least one triangle to draw, found none");
+    for (Mesh& mesh : prepared->meshes) {
+        completeNormals(mesh, settings);
+        prepared->meshBoxes.push_back(boxOf(mesh.positions));
+    }
+    for (const Instance& instance : prepared->instances) {
+        prepared->triangleCount += prepared->meshes[instance.mesh].indices.size() / 3;
+    }
+    Prepared& filled = *prepared;
+    data_ = std::move(prepared);
+    filled.bounds = boundingSphere(*this);
+    if (!std::isfinite(filled.bounds.radius)) refuse("expected finite bounds, found coordinates that overflow");
+}
+
+}  // namespace inkedge

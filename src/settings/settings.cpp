@@ -1,0 +1,316 @@
+#include <inkedge/settings.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <inkedge/error.h>
+
+namespace inkedge {
+namespace {
+
+// What a setting's text should have been; set() adds the name and the text itself.
+struct Expected {
+    std::string what;
+};
+
+double parseNumber(std::string_view text) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) throw Expected{"a number"};
+    return value;
+}
+
+double parseNumber(std::string_view text, double low, double high) {
+    const double value = parseNumber(text);
+    if (value < low || value > high) throw Expected{fmt::format("a number from {} to {}", low, high)};
+    return value;
+}
+
+double parsePositive(std::string_view text) {
+    const double value = parseNumber(text);
+    if (value <= 0.0) throw Expected{"a number over 0"};
+    return value;
+}
+
+int parseCount(std::string_view text) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || value < 0) throw Expected{"a whole number from 0"};
+    return value;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (std::size_t begin = 0;;) {
+        const std::size_t end = text.find(separator, begin);
+        parts.push_back(text.substr(begin, end - begin));
+        if (end == std::string_view::npos) return parts;
+        begin = end + 1;
+    }
+}
+
+glm::dvec3 parseVector(std::string_view text) {
+    const auto parts = split(text, ',');
+    if (parts.size() != 3) throw Expected{"three numbers x,y,z"};
+    return {parseNumber(parts[0]), parseNumber(parts[1]), parseNumber(parts[2])};
+}
+
+Size parseSize(std::string_view text) {
+    const auto parts = split(text, 'x');
+    if (parts.size() != 2) throw Expected{"WIDTHxHEIGHT in pixels, for example 1024x768"};
+    const Size size{parseCount(parts[0]), parseCount(parts[1])};
+    if (size.width == 0 || size.height == 0) throw Expected{"a width and a height of at least 1 pixel"};
+    return size;
+}
+
+struct NamedColor {
+    std::string_view name;
+    Color color;
+};
+constexpr std::array namedColors{
+    NamedColor{"black", {0, 0, 0}},  NamedColor{"white", {255, 255, 255}}, NamedColor{"grey", {128, 128, 128}},
+    NamedColor{"red", {255, 0, 0}},  NamedColor{"green", {0, 128, 0}},     NamedColor{"blue", {0, 0, 255}},
+};
+
+Color parseColor(std::string_view text) {
+    const auto* named = std::ranges::find(namedColors, text, &NamedColor::name);
+    if (named != namedColors.end()) return named->color;
+    const Expected expected{"a colour #RGB, #RRGGBB, black, white, grey, red, green or blue"};
+    if ((text.size() != 4 && text.size() != 7) || text[0] != '#') throw expected;
+    const std::size_t digits = text.size() == 4 ? 1 : 2;
+    std::array<std::uint8_t, 3> channels{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const char* begin = text.data() + 1 + i * digits;
+        unsigned value = 0;
+        const auto [end, error] = std::from_chars(begin, begin + digits, value, 16);
+        if (error != std::errc{} || end != begin + digits) throw expected;
+        channels[i] = static_cast<std::uint8_t>(digits == 1 ? value * 17 : value);
+    }
+    return {channels[0], channels[1], channels[2]};
+}
+
+std::string text(Color color) { return fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue); }
+std::string text(glm::dvec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
+std::string text(double value) { return fmt::format("{}", value); }
+std::string text(float value) { return fmt::format("{}", value); }
+std::string text(int value) { return fmt::format("{}", value); }
+
+template <class T>
+std::string text(const std::optional<T>& value) {
+    return value ? text(*value) : std::string{};
+}
+
+template <class T>
+struct Choice {
+    std::string_view name;
+    T value;
+};
+constexpr std::array normalsChoices{Choice{"auto", Normals::Auto}, Choice{"authored", Normals::Authored},
+                                    Choice{"flat", Normals::Flat}};
+constexpr std::array detectorChoices{Choice{"classic", Detector::Classic}};
+constexpr std::array kernelChoices{Choice{"sobel", Kernel::Sobel}, Choice{"farid", Kernel::Farid}};
+constexpr std::array depthMapChoices{Choice{"linear", DepthMap::Linear}, Choice{"window", DepthMap::Window}};
+constexpr std::array lightsChoices{Choice{"single", NormalLights::Single}, Choice{"two-pass", NormalLights::TwoPass}};
+constexpr std::array lightSpaceChoices{Choice{"camera", LightSpace::Camera}, Choice{"world", LightSpace::World}};
+constexpr std::array backendChoices{Choice{"auto", Backend::Auto}, Choice{"egl", Backend::Egl},
+                                    Choice{"osmesa", Backend::Osmesa}};
+constexpr std::array<Choice<Map>, mapCount> mapChoices{Choice{"depth", Map::Depth}, Choice{"normal", Map::Normal},
+                                                       Choice{"depth-edges", Map::DepthEdges},
+                                                       Choice{"normal-edges", Map::NormalEdges},
+                                                       Choice{"edges", Map::Edges}};
+
+template <class T, std::size_t n>
+T parseChoice(const std::array<Choice<T>, n>& choices, std::string_view text) {
+    for (const Choice<T>& choice : choices) {
+        if (choice.name == text) return choice.value;
+    }
+    std::vector<std::string_view> names;
+    for (const Choice<T>& choice : choices) names.push_back(choice.name);
+    throw Expected{n == 1 ? std::string{names[0]} : fmt::format("one of {}", fmt::join(names, ", "))};
+}
+
+template <class T, std::size_t n>
+std::string choiceName(const std::array<Choice<T>, n>& choices, T value) {
+    return std::string{std::ranges::find(choices, value, &Choice<T>::value)->name};
+}
+
+std::vector<Map> parseMaps(std::string_view text) {
+    std::vector<Map> maps;
+    for (const std::string_view part : split(text, ',')) {
+        const Map map = parseChoice(mapChoices, part);
+        if (std::ranges::find(maps, map) == maps.end()) maps.push_back(map);
+    }
+    return maps;
+}
+
+std::string text(const std::vector<Map>& maps) {
+    std::vector<std::string_view> names;
+    for (const Map map : maps) names.push_back(name(map));
+    return fmt::format("{}", fmt::join(names, ","));
+}
+
+// A step of 1 has magnitude 4 under the Sobel kernels and d1 + d2 of equation 8 under Farid's.
+constexpr float sobelStep = 4.0F;
+constexpr float faridStep = 0.388734F;
+constexpr Thresholds sobelThresholds{0.1F, 1.6F};
+
+using S = Settings;
+using Text = std::string_view;
+
+constexpr std::array table{
+    SettingDescription{"maps", "", "output", "MAP,...", "depth, normal, depth-edges, normal-edges, edges", "",
+                       "maps to write beside the picture; layers of one file if it is an EXR",
+                       [](S& s, Text t) { s.maps = parseMaps(t); }, [](const S& s) { return text(s.maps); }},
+
+    SettingDescription{"size", "", "picture", "WIDTHxHEIGHT", "1x1 to the context's limit", "1024x1024",
+                       "picture size in pixels", [](S& s, Text t) { s.picture.size = parseSize(t); },
+                       [](const S& s) {
+                           return fmt::format("{}x{}", s.picture.size.width, s.picture.size.height);
+                       }},
+    SettingDescription{"line-color", "", "picture", "COLOR", "#RGB, #RRGGBB or a name", "black", "colour of the lines",
+                       [](S& s, Text t) { s.picture.lineColor = parseColor(t); },
+                       [](const S& s) { return text(s.picture.lineColor); }},
+    SettingDescription{"background", "", "picture", "COLOR|none", "#RGB, #RRGGBB, a name or none", "white",
+                       "colour behind the lines; none is transparent",
+                       [](S& s, Text t) {
+                           s.picture.background = t == "none" ? std::nullopt : std::optional{parseColor(t)};
+                       },
+                       [](const S& s) {
+                           return s.picture.background ? text(*s.picture.background) : std::string{"none"};
+                       }},
+
+    SettingDescription{"camera-position", "eye", "camera", "X,Y,Z", "any point", "frames the model",
+                       "where the camera stands, world space", [](S& s, Text t) { s.camera.position = parseVector(t); },
+                       [](const S& s) { return text(s.camera.position); }},
+    SettingDescription{"camera-focal-point", "target", "camera", "X,Y,Z", "any point but the position",
+                       "the model's centre", "what the camera looks at, world space",
+                       [](S& s, Text t) { s.camera.focalPoint = parseVector(t); },
+                       [](const S& s) { return text(s.camera.focalPoint); }},
+    SettingDescription{"camera-view-up", "up", "camera", "X,Y,Z", "not along the view direction", "0,1,0",
+                       "which way is up in the picture, world space",
+                       [](S& s, Text t) { s.camera.viewUp = parseVector(t); },
+                       [](const S& s) { return text(s.camera.viewUp); }},
+    SettingDescription{"camera-view-angle", "fov", "camera", "DEG", "over 0, under 180", "35",
+                       "vertical view angle, degrees",
+                       [](S& s, Text t) {
+                           const double angle = parseNumber(t);
+                           if (angle <= 0.0 || angle >= 180.0) throw Expected{"degrees over 0 and under 180"};
+                           s.camera.viewAngle = angle;
+                       },
+                       [](const S& s) { return text(s.camera.viewAngle); }},
+    SettingDescription{"camera-orthographic", "", "camera", "HEIGHT", "0 or more", "perspective",
+                       "orthographic view, HEIGHT scene units tall; 0 frames the model",
+                       [](S& s, Text t) {
+                           s.camera.orthographicHeight = parseNumber(t, 0.0, std::numeric_limits<double>::max());
+                       },
+                       [](const S& s) { return text(s.camera.orthographicHeight); }},
+    SettingDescription{"camera-direction", "", "camera", "X,Y,Z", "not 0,0,0", "three-quarter view",
+                       "view direction, from the camera into the scene",
+                       [](S& s, Text t) { s.camera.direction = parseVector(t); },
+                       [](const S& s) { return text(s.camera.direction); }},
+    SettingDescription{"camera-azimuth-angle", "azimuth", "camera", "DEG", "any angle", "30",
+                       "view from this angle about +Y, from the front (+Z) towards +X",
+                       [](S& s, Text t) { s.camera.azimuthAngle = parseNumber(t); },
+                       [](const S& s) { return text(s.camera.azimuthAngle); }},
+    SettingDescription{"camera-elevation-angle", "elevation", "camera", "DEG", "-90 to 90", "20",
+                       "view from this angle above the horizon",
+                       [](S& s, Text t) { s.camera.elevationAngle = parseNumber(t, -90.0, 90.0); },
+                       [](const S& s) { return text(s.camera.elevationAngle); }},
+    SettingDescription{"camera-index", "", "camera", "N", "0 to the file's last camera", "none",
+                       "a camera of the file", [](S& s, Text t) { s.camera.index = parseCount(t); },
+                       [](const S& s) { return text(s.camera.index); }},
+    SettingDescription{"camera-zoom-factor", "zoom", "camera", "FACTOR", "over 0", "1", "over 1 magnifies",
+                       [](S& s, Text t) { s.camera.zoomFactor = parsePositive(t); },
+                       [](const S& s) { return text(s.camera.zoomFactor); }},
+
+    SettingDescription{"normals", "", "model", "auto|authored|flat", "one of these", "auto",
+                       "auto: the file's, smooth ones where it has none; authored: flat where it has none",
+                       [](S& s, Text t) { s.load.normals = parseChoice(normalsChoices, t); },
+                       [](const S& s) { return choiceName(normalsChoices, s.load.normals); }},
+    SettingDescription{"crease-angle", "", "model", "DEG", "0 to 180", "30",
+                       "faces that meet at more than this meet in a crease",
+                       [](S& s, Text t) { s.load.creaseAngle = parseNumber(t, 0.0, 180.0); },
+                       [](const S& s) { return text(s.load.creaseAngle); }},
+
+    SettingDescription{"detector", "", "detector", "classic", "one of these", "classic",
+                       "how edges are found; classic: gradients of the depth and normal maps over thresholds",
+                       [](S& s, Text t) { s.detector.detector = parseChoice(detectorChoices, t); },
+                       [](const S& s) { return choiceName(detectorChoices, s.detector.detector); }},
+    SettingDescription{"kernel", "", "detector", "sobel|farid", "one of these", "sobel",
+                       "gradient kernels: Sobel 3x3 (eq. 5) or Farid-Simoncelli 5x5 (eq. 8)",
+                       [](S& s, Text t) { s.detector.kernel = parseChoice(kernelChoices, t); },
+                       [](const S& s) { return choiceName(kernelChoices, s.detector.kernel); }},
+    SettingDescription{"depth-map", "", "detector", "linear|window", "one of these", "linear",
+                       "depth that edges are found in: eye-space scaled to 0..1, or window-space",
+                       [](S& s, Text t) { s.detector.depthMap = parseChoice(depthMapChoices, t); },
+                       [](const S& s) { return choiceName(depthMapChoices, s.detector.depthMap); }},
+    SettingDescription{"depth-threshold", "", "detector", "T", "0 or more", "0.1 (sobel), 0.00972 (farid)",
+                       "depth edge where the magnitude (eq. 6) is at least T (eq. 7)",
+                       [](S& s, Text t) {
+                           s.detector.depthThreshold = static_cast<float>(parseNumber(t, 0.0, 1e6));
+                       },
+                       [](const S& s) { return text(s.detector.depthThreshold); }},
+    SettingDescription{"normal-threshold", "", "detector", "T", "0 or more", "1.6 (sobel), 0.155 (farid)",
+                       "normal edge where the magnitude of any channel is at least T",
+                       [](S& s, Text t) {
+                           s.detector.normalThreshold = static_cast<float>(parseNumber(t, 0.0, 1e6));
+                       },
+                       [](const S& s) { return text(s.detector.normalThreshold); }},
+    SettingDescription{"normal-lights", "", "detector", "single|two-pass", "one of these", "single",
+                       "normal map from six lights in one float pass, or from two 8-bit passes",
+                       [](S& s, Text t) { s.detector.normalLights = parseChoice(lightsChoices, t); },
+                       [](const S& s) { return choiceName(lightsChoices, s.detector.normalLights); }},
+    SettingDescription{"light-space", "", "detector", "camera|world", "one of these", "camera",
+                       "the axes that the lights stand on",
+                       [](S& s, Text t) { s.detector.lightSpace = parseChoice(lightSpaceChoices, t); },
+                       [](const S& s) { return choiceName(lightSpaceChoices, s.detector.lightSpace); }},
+
+    SettingDescription{"backend", "", "backend", "auto|egl|osmesa", "one of these", "auto",
+                       "how the OpenGL context is made; auto: egl, then osmesa",
+                       [](S& s, Text t) { s.backend.backend = parseChoice(backendChoices, t); },
+                       [](const S& s) { return choiceName(backendChoices, s.backend.backend); }},
+    SettingDescription{"device", "", "backend", "N", "0 to the last that inkedge doctor lists",
+                       "hardware before software", "EGL device", [](S& s, Text t) { s.backend.device = parseCount(t); },
+                       [](const S& s) { return text(s.backend.device); }},
+};
+
+}  // namespace
+
+Thresholds thresholds(const DetectorSettings& detector) noexcept {
+    const float scale = detector.kernel == Kernel::Sobel ? 1.0F : faridStep / sobelStep;
+    return {detector.depthThreshold.value_or(sobelThresholds.depth * scale),
+            detector.normalThreshold.value_or(sobelThresholds.normal * scale)};
+}
+
+std::string_view name(Map map) noexcept { return mapChoices[static_cast<std::size_t>(map)].name; }
+
+std::span<const SettingDescription> settingTable() noexcept { return table; }
+
+void set(Settings& settings, std::string_view name, std::string_view text, std::string_view source) {
+    const auto* row = std::ranges::find(table, name, &SettingDescription::name);
+    if (row == table.end()) {
+        throw Error{Error::Kind::Usage, fmt::format("{}: there is no setting named '{}'", source, name)};
+    }
+    try {
+        row->set(settings, text);
+    } catch (const Expected& expected) {
+        throw Error{Error::Kind::Usage, fmt::format("{}: expected {}, found '{}'", source, expected.what, text)};
+    }
+}
+
+const std::vector<Preset>& presets() {
+    static const std::vector<Preset> all{
+        {"paper", "the classic detector with the 5x5 kernels", {{"detector", "classic"}, {"kernel", "farid"}}},
+        {"blueprint", "white lines on blue", {{"line-color", "#ffffff"}, {"background", "#1f4e8c"}}},
+        {"overlay", "black lines on nothing", {{"line-color", "#000000"}, {"background", "none"}}},
+    };
+    return all;
+}
+
+}  // namespace inkedge
