@@ -21,6 +21,7 @@ struct Mesh {
     std::vector<glm::vec3> positions;    ///< mesh space, less origin
     std::vector<glm::vec3> normals;      ///< unit length, one for each position; empty: made by completeNormals()
     std::vector<std::uint32_t> indices;  ///< three a triangle, into positions
+    std::vector<std::uint32_t> materials;  ///< one a triangle: 1 + its number in the file, 0: none; empty: all 0
 };
 
 /// A mesh placed in the world.
@@ -37,6 +38,9 @@ struct SceneCamera {
     double viewAngle = 35.0;          ///< vertical, degrees; perspective only
     double orthographicHeight = 0.0;  ///< scene units across the picture's height; 0: perspective
 };
+
+struct MeshTopology;  // internal: scene/topology.h
+struct PatchNumbers;  // internal: scene/patch_numbers.h
 
 struct Sphere {
     glm::dvec3 centre{0.0};
@@ -66,27 +70,27 @@ public:
     ///                triangle is drawn; the message names the mesh and the element
     explicit Scene(Data data, const LoadSettings& settings = {});
 
-    [[nodiscard]] const std::vector<Mesh>& meshes() const noexcept { return data_->meshes; }
-    [[nodiscard]] const std::vector<Instance>& instances() const noexcept { return data_->instances; }
-    [[nodiscard]] const std::vector<SceneCamera>& cameras() const noexcept { return data_->cameras; }
-    [[nodiscard]] const std::vector<std::string>& warnings() const noexcept { return data_->warnings; }
+    [[nodiscard]] const std::vector<Mesh>& meshes() const noexcept;
+    [[nodiscard]] const std::vector<Instance>& instances() const noexcept;
+    [[nodiscard]] const std::vector<SceneCamera>& cameras() const noexcept;
+    [[nodiscard]] const std::vector<std::string>& warnings() const noexcept;
 
     /// The box of mesh i's positions less its origin.
-    [[nodiscard]] const Box& meshBox(std::size_t i) const noexcept { return data_->meshBoxes[i]; }
+    [[nodiscard]] const Box& meshBox(std::size_t i) const noexcept;
     /// A sphere in world space around everything drawn.
-    [[nodiscard]] const Sphere& bounds() const noexcept { return data_->bounds; }
+    [[nodiscard]] const Sphere& bounds() const noexcept;
     /// Triangles drawn: every instance counts.
-    [[nodiscard]] std::uint64_t triangleCount() const noexcept { return data_->triangleCount; }
+    [[nodiscard]] std::uint64_t triangleCount() const noexcept;
+
+    /// How mesh i's triangles hang together, and the patches of all instances: for the library's own passes.
+    [[nodiscard]] const MeshTopology& topology(std::size_t i) const noexcept;
+    [[nodiscard]] const PatchNumbers& patchNumbers() const noexcept;
 
     /// The same for all copies of one scene and for no other scene alive.
-    [[nodiscard]] std::weak_ptr<const void> identity() const noexcept { return data_; }
+    [[nodiscard]] std::weak_ptr<const void> identity() const noexcept;
 
 private:
-    struct Prepared : Data {
-        std::vector<Box> meshBoxes;
-        Sphere bounds;
-        std::uint64_t triangleCount = 0;
-    };
+    struct Prepared;
     std::shared_ptr<const Prepared> data_;
 };
 

@@ -127,11 +127,6 @@ Chunks splitGlb(std::span<const std::uint8_t> bytes) {
     return chunks;
 }
 
-bool isUsed(std::string_view key, int depth) {
-    constexpr std::array notGeometry{"animations"sv, "images"sv, "materials"sv, "samplers"sv, "textures"sv};
-    return key != "extras" && !(depth == 1 && std::ranges::find(notGeometry, key) != notGeometry.end());
-}
-
 // tinygltf takes 12.0 for a missing value where it reads an integer, and cuts integers to 32 bits.
 void normalizeNumber(Json& value) {
     constexpr std::int64_t largest = std::numeric_limits<std::int32_t>::max();
@@ -146,21 +141,49 @@ void normalizeNumber(Json& value) {
     }
 }
 
+// Before parsing, since a nested value takes many times the memory of its text.
+void checkDepth(std::string_view text) {
+    int depth = 0;
+    bool inString = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"') inString = !inString;
+        if (inString) {
+            if (c == '\\') ++i;
+        } else if (c == '{' || c == '[') {
+            if (++depth > maximumDepth)
+                refuse(fmt::format("expected JSON nested at most {} deep, found deeper", maximumDepth));
+        } else if (c == '}' || c == ']') {
+            --depth;
+        }
+    }
+}
+
+// Recursion is safe: checkDepth() has bounded it.
+void simplify(Json& value) {
+    if (value.is_object()) value.erase("extras");
+    if (value.is_structured())
+        for (Json& member : value) simplify(member);
+    else
+        normalizeNumber(value);
+}
+
 Json parseJson(std::string_view text) {
-    const auto keep = [](int depth, Json::parse_event_t event, Json& value) {
-        if (depth > maximumDepth)
-            refuse(fmt::format("expected JSON nested at most {} deep, found deeper", maximumDepth));
-        if (event == Json::parse_event_t::value) normalizeNumber(value);
-        return event != Json::parse_event_t::key || isUsed(value.get_ref<const std::string&>(), depth);
-    };
+    checkDepth(text);
+    Json document;
     try {
-        return Json::parse(text.begin(), text.end(), keep);
+        document = Json::parse(text.begin(), text.end());
     } catch (const Json::exception& error) {
         const std::string_view message = error.what();  // "[json.exception.parse_error.101] parse error at ..."
         const std::size_t end = message.find("] ");
         refuse("expected JSON, found " +
                printable(message.substr(end == std::string_view::npos ? 0 : end + 2).substr(0, 300)));
     }
+    if (!document.is_object()) refuse(fmt::format("expected a JSON object, found {}", document.type_name()));
+    for (const char* notGeometry : {"animations", "extensions", "images", "materials", "samplers", "textures"})
+        document.erase(notGeometry);
+    simplify(document);
+    return document;
 }
 
 // The string member of an object, or nothing.
@@ -170,7 +193,6 @@ std::string stringIn(const Json& object, const char* key) {
 }
 
 void checkVersion(const Json& document) {
-    if (!document.is_object()) refuse(fmt::format("expected a JSON object, found {}", document.type_name()));
     const Json asset = document.value("asset", Json::object());
     const std::string version = stringIn(asset, "version");
     const std::string minimum = stringIn(asset, "minVersion");

@@ -7,9 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "scene/topology.h"
 #include "scene/union_find.h"
-#include "scene/weld.h"
 
 namespace inkedge {
 namespace {
@@ -25,15 +23,6 @@ glm::dvec3 unitOrZero(glm::dvec3 v) {
 
 glm::dvec3 position(const Mesh& mesh, std::uint32_t corner) { return {mesh.positions[mesh.indices[corner]]}; }
 
-std::vector<glm::dvec3> faceNormals(const Mesh& mesh) {
-    std::vector<glm::dvec3> normals(mesh.indices.size() / 3);
-    for (std::uint32_t t = 0; t < normals.size(); ++t) {
-        const glm::dvec3 a = position(mesh, 3 * t);
-        normals[t] = unitOrZero(glm::cross(position(mesh, 3 * t + 1) - a, position(mesh, 3 * t + 2) - a));
-    }
-    return normals;
-}
-
 double cornerAngle(const Mesh& mesh, std::uint32_t corner) {
     const std::uint32_t next = nextHalfEdge(corner);
     const glm::dvec3 p = position(mesh, corner);
@@ -43,23 +32,18 @@ double cornerAngle(const Mesh& mesh, std::uint32_t corner) {
 }
 
 // For every corner the corner that stands for all that share its normal.
-Corners smoothingGroups(const Mesh& mesh, const std::vector<glm::dvec3>& faces, double creaseAngle) {
-    const Weld weld = weldByPosition(mesh.positions);
-    Corners points(mesh.indices.size());
-    std::ranges::transform(mesh.indices, points.begin(), [&](std::uint32_t i) { return weld.point[i]; });
-    const Corners twins = twinHalfEdges(points, weld.pointCount);
-
+Corners smoothingGroups(const MeshTopology& topology, double creaseAngle) {
     const double smoothCosine = std::cos(glm::radians(creaseAngle));
-    UnionFind groups{static_cast<std::uint32_t>(points.size())};
-    for (std::uint32_t h = 0; h < twins.size(); ++h) {
-        const std::uint32_t twin = twins[h];
-        // Half-edges that run the same way have faces wound against each other: their normals say nothing of the bend.
-        if (twin == noHalfEdge || twin < h || points[h] == points[twin]) continue;
-        if (glm::dot(faces[h / 3], faces[twin / 3]) < smoothCosine) continue;
+    UnionFind groups{static_cast<std::uint32_t>(topology.points.size())};
+    for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
+        const std::uint32_t twin = topology.twins[h];
+        // Faces wound against each other have normals to opposite sides: they cannot share one.
+        if (twin == noHalfEdge || twin < h || topology.points[h] == topology.points[twin]) continue;
+        if (bendCosine(topology, h, twin) < smoothCosine) continue;
         groups.unite(h, nextHalfEdge(twin));
         groups.unite(nextHalfEdge(h), twin);
     }
-    Corners roots(points.size());
+    Corners roots(topology.points.size());
     for (std::uint32_t c = 0; c < roots.size(); ++c) roots[c] = groups.root(c);
     return roots;
 }
@@ -110,21 +94,22 @@ void windByNormals(Mesh& mesh) {
 
 }  // namespace
 
-void completeNormals(Mesh& mesh, const LoadSettings& settings) {
+void applyAuthoredNormals(Mesh& mesh, const LoadSettings& settings) {
     if (settings.normals == Normals::Flat) mesh.normals.clear();
     mesh.normals.resize(mesh.positions.size(), glm::vec3{0.0F});
+    windByNormals(mesh);
+}
+
+void completeNormals(Mesh& mesh, const MeshTopology& topology, const LoadSettings& settings) {
     std::vector<bool> wanted(mesh.positions.size());
     std::transform(mesh.normals.begin(), mesh.normals.end(), wanted.begin(),
                    [](glm::vec3 n) { return n == glm::vec3{0.0F}; });
+    if (std::ranges::find(wanted, true) == wanted.end()) return;
 
-    if (std::ranges::find(wanted, true) != wanted.end()) {
-        const std::vector<glm::dvec3> faces = faceNormals(mesh);
-        Corners groups(mesh.indices.size());
-        std::iota(groups.begin(), groups.end(), 0U);
-        if (settings.normals == Normals::Auto) groups = smoothingGroups(mesh, faces, settings.creaseAngle);
-        splitVertices(mesh, wanted, groupNormals(mesh, faces, groups), groups);
-    }
-    windByNormals(mesh);
+    Corners groups(mesh.indices.size());
+    std::iota(groups.begin(), groups.end(), 0U);
+    if (settings.normals == Normals::Auto) groups = smoothingGroups(topology, settings.creaseAngle);
+    splitVertices(mesh, wanted, groupNormals(mesh, topology.faceNormals, groups), groups);
 }
 
 }  // namespace inkedge

@@ -94,7 +94,11 @@ Scene::Scene(Data data, const LoadSettings& settings) {
     std::erase_if(prepared->instances, [&](const Instance& i) { return prepared->meshes[i.mesh].indices.empty(); });
     if (prepared->instances.empty()) refuse("expected at least one triangle to draw, found none");
     for (Mesh& mesh : prepared->meshes) {
-        completeNormals(mesh, settings);
+        applyAuthoredNormals(mesh, settings);
+        MeshTopology topology = buildTopology(mesh);
+        completeNormals(mesh, topology, settings);
+        buildPatches(mesh, settings.creaseAngle, topology);
+        prepared->topologies.push_back(std::move(topology));
         prepared->meshBoxes.push_back(boxOf(mesh.positions));
     }
     for (const Instance& instance : prepared->instances) {

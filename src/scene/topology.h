@@ -4,20 +4,39 @@
 #include <span>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
+#include <inkedge/scene.h>
+
 namespace inkedge {
 
 /// Marks a half-edge without a twin.
 inline constexpr std::uint32_t noHalfEdge = ~0U;
 
-/// For every half-edge the other one of its edge, where exactly two half-edges share the edge; else noHalfEdge.
-///
-/// Half-edge 3t + k of triangle t runs from its corner k to its corner (k + 1) % 3. Two half-edges share an edge if they
-/// join the same two points, in either direction.
-/// @param corners  three points a triangle, each below pointCount
-/// O(n) in the number of triangles, but for points with very many edges.
-[[nodiscard]] std::vector<std::uint32_t> twinHalfEdges(std::span<const std::uint32_t> corners, std::uint32_t pointCount);
-
 /// The next half-edge of the same triangle; also: the corner where half-edge h ends.
 [[nodiscard]] constexpr std::uint32_t nextHalfEdge(std::uint32_t h) noexcept { return h % 3 == 2 ? h - 2 : h + 1; }
+
+/// How the triangles of a mesh hang together once vertices at one place are one point.
+///
+/// Half-edge 3t + k of triangle t runs from its corner k to its corner (k + 1) % 3.
+struct MeshTopology {
+    std::vector<std::uint32_t> points;     ///< one a corner: its point, 0..pointCount-1
+    std::uint32_t pointCount = 0;
+    std::vector<std::uint32_t> twins;      ///< one a half-edge: the other of its edge, where exactly two share it
+    std::vector<glm::dvec3> faceNormals;   ///< one a triangle, unit, by winding; 0 without area
+    std::vector<std::uint32_t> patches;    ///< one a triangle: 0..patchCount-1
+    std::uint32_t patchCount = 0;
+};
+
+/// Fills points, twins and faceNormals. Triangles that repeat an earlier one, whatever their winding, and those with two
+/// corners at one point take no part in edges. O(n) but for points with very many edges.
+[[nodiscard]] MeshTopology buildTopology(const Mesh&);
+
+/// Two faces that share an edge bend by this much there if cos(bend) is the result; either may be wound against the other.
+[[nodiscard]] double bendCosine(const MeshTopology&, std::uint32_t halfEdge, std::uint32_t twin);
+
+/// Fills patches: the faces that hang together across edges that are no creases. A crease bends by more than the angle, or
+/// its two faces' normals are split by more than that at both ends. The mesh has all its normals. O(n).
+void buildPatches(const Mesh&, double creaseAngle, MeshTopology&);
 
 }  // namespace inkedge

@@ -1,38 +1,118 @@
 #include "scene/weld.h"
 
 #include <bit>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace inkedge {
 namespace {
 
+constexpr std::uint32_t none = ~0U;
+
+std::uint64_t mix(std::uint64_t h, std::uint64_t value) {
+    h = (h ^ value) * 0x9E3779B97F4A7C15U;
+    return h ^ (h >> 29U);
+}
+
 std::uint64_t hash(glm::vec3 p) {
     std::uint64_t h = 0;
-    for (int i = 0; i < 3; ++i) {
-        h = (h ^ std::bit_cast<std::uint32_t>(p[i] + 0.0F)) * 0x9E3779B97F4A7C15U;  // + 0: -0 and 0 hash alike
-        h ^= h >> 29U;
-    }
+    for (int i = 0; i < 3; ++i) h = mix(h, std::bit_cast<std::uint32_t>(p[i] + 0.0F));  // + 0: -0 and 0 hash alike
     return h;
 }
+
+struct Places {
+    Weld weld;
+    std::vector<std::uint32_t> first;  // a position of each place
+};
+
+Places weldEqual(std::span<const glm::vec3> positions) {
+    Places places{{std::vector<std::uint32_t>(positions.size()), 0}, {}};
+    // Open addressing at a load of at most one half; a slot names a place.
+    std::vector<std::uint32_t> slots(std::bit_ceil(2 * positions.size() + 1), none);
+    const std::uint64_t mask = slots.size() - 1;
+    for (std::uint32_t i = 0; i < positions.size(); ++i) {
+        std::uint64_t slot = hash(positions[i]) & mask;
+        while (slots[slot] != none && positions[places.first[slots[slot]]] != positions[i]) slot = (slot + 1) & mask;
+        if (slots[slot] == none) {
+            slots[slot] = places.weld.pointCount++;
+            places.first.push_back(i);
+        }
+        places.weld.point[i] = slots[slot];
+    }
+    return places;
+}
+
+double diagonal(std::span<const glm::vec3> positions) {
+    if (positions.empty()) return 0.0;
+    glm::vec3 low = positions.front();
+    glm::vec3 high = low;
+    for (const glm::vec3 p : positions) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    return glm::length(glm::dvec3{high} - glm::dvec3{low});
+}
+
+// Cells as wide as two tolerances, so that what is near a point lies in the eight cells around the nearest cell corner.
+class CellGrid {
+public:
+    CellGrid(std::span<const glm::vec3> positions, const std::vector<std::uint32_t>& first, double tolerance)
+        : positions_{positions},
+          first_{first},
+          tolerance_{tolerance},
+          heads_(std::bit_ceil(2 * first.size() + 1), none),
+          next_(first.size(), none) {}
+
+    // A place added before that lies within the tolerance of this one, or none; this one is then added.
+    std::uint32_t nearOrAdd(std::uint32_t place) {
+        const glm::dvec3 p{positions_[first_[place]]};
+        const glm::dvec3 scaled = p / (2.0 * tolerance_);
+        const glm::dvec3 corner = glm::floor(scaled + 0.5);
+        for (int i = 0; i < 8; ++i) {
+            const glm::dvec3 cell = corner - glm::dvec3{i & 1, (i >> 1) & 1, (i >> 2) & 1};
+            for (std::uint32_t other = heads_[slot(cell)]; other != none; other = next_[other]) {
+                if (glm::length(glm::dvec3{positions_[first_[other]]} - p) <= tolerance_) return other;
+            }
+        }
+        std::uint32_t& head = heads_[slot(glm::floor(scaled))];
+        next_[place] = head;
+        head = place;
+        return none;
+    }
+
+private:
+    [[nodiscard]] std::uint64_t slot(glm::dvec3 cell) const {
+        std::uint64_t h = 0;
+        for (int i = 0; i < 3; ++i) h = mix(h, static_cast<std::uint64_t>(static_cast<std::int64_t>(cell[i])));
+        return h & (heads_.size() - 1);
+    }
+
+    std::span<const glm::vec3> positions_;
+    const std::vector<std::uint32_t>& first_;
+    double tolerance_;
+    std::vector<std::uint32_t> heads_;
+    std::vector<std::uint32_t> next_;
+};
 
 }  // namespace
 
 Weld weldByPosition(std::span<const glm::vec3> positions) {
-    constexpr std::uint32_t free = ~0U;
-    Weld weld{std::vector<std::uint32_t>(positions.size()), 0};
-    // Open addressing at a load of at most one half; a slot names the first vertex seen at its place.
-    std::vector<std::uint32_t> slots(std::bit_ceil(2 * positions.size() + 1), free);
-    const std::uint64_t mask = slots.size() - 1;
-    for (std::uint32_t i = 0; i < positions.size(); ++i) {
-        std::uint64_t slot = hash(positions[i]) & mask;
-        while (slots[slot] != free && positions[slots[slot]] != positions[i]) slot = (slot + 1) & mask;
-        if (slots[slot] == free) {
-            slots[slot] = i;
-            weld.point[i] = weld.pointCount++;
-        } else {
-            weld.point[i] = weld.point[slots[slot]];
-        }
+    Places places = weldEqual(positions);
+    const double tolerance = weldTolerance * diagonal(positions);
+    if (tolerance == 0.0) return std::move(places.weld);
+
+    CellGrid grid{positions, places.first, tolerance};
+    std::vector<std::uint32_t> merged(places.weld.pointCount);
+    std::uint32_t count = 0;
+    for (std::uint32_t place = 0; place < merged.size(); ++place) {
+        const std::uint32_t near = grid.nearOrAdd(place);
+        merged[place] = near == none ? count++ : merged[near];
     }
-    return weld;
+    for (std::uint32_t& point : places.weld.point) point = merged[point];
+    places.weld.pointCount = count;
+    return std::move(places.weld);
 }
 
 }  // namespace inkedge

@@ -14,7 +14,11 @@ struct Weld {
     std::uint32_t pointCount = 0;
 };
 
-/// Welds positions that are exactly equal (-0 equals 0). O(n).
+/// Positions that differ by no more than this share of the diagonal of their box are one place. It is about the rounding
+/// that a float leaves in a coordinate: exporters that compute a shared corner twice are off by so much.
+inline constexpr double weldTolerance = 5e-7;
+
+/// Welds positions that are equal (-0 equals 0) or within weldTolerance of one already met. O(n).
 [[nodiscard]] Weld weldByPosition(std::span<const glm::vec3> positions);
 
 }  // namespace inkedge
