@@ -15,8 +15,19 @@
 
 #include "scene/extent.h"
 #include "scene/normals.h"
+#include "scene/patch_numbers.h"
+#include "scene/topology.h"
 
 namespace inkedge {
+
+struct Scene::Prepared : Scene::Data {
+    std::vector<Box> meshBoxes;
+    std::vector<MeshTopology> topologies;
+    Sphere bounds;
+    std::uint64_t triangleCount = 0;
+    PatchNumbers patchNumbers;
+};
+
 namespace {
 
 [[noreturn]] void refuse(const std::string& message) { throw Error{Error::Kind::Input, message}; }
@@ -108,6 +119,18 @@ Scene::Scene(Data data, const LoadSettings& settings) {
     data_ = std::move(prepared);
     filled.bounds = boundingSphere(*this);
     if (!std::isfinite(filled.bounds.radius)) refuse("expected finite bounds, found coordinates that overflow");
+    filled.patchNumbers = numberPatches(*this, settings.creaseAngle);
 }
+
+const std::vector<Mesh>& Scene::meshes() const noexcept { return data_->meshes; }
+const std::vector<Instance>& Scene::instances() const noexcept { return data_->instances; }
+const std::vector<SceneCamera>& Scene::cameras() const noexcept { return data_->cameras; }
+const std::vector<std::string>& Scene::warnings() const noexcept { return data_->warnings; }
+const Box& Scene::meshBox(std::size_t i) const noexcept { return data_->meshBoxes[i]; }
+const Sphere& Scene::bounds() const noexcept { return data_->bounds; }
+std::uint64_t Scene::triangleCount() const noexcept { return data_->triangleCount; }
+const MeshTopology& Scene::topology(std::size_t i) const noexcept { return data_->topologies[i]; }
+const PatchNumbers& Scene::patchNumbers() const noexcept { return data_->patchNumbers; }
+std::weak_ptr<const void> Scene::identity() const noexcept { return data_; }
 
 }  // namespace inkedge
