@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <link.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -24,7 +25,7 @@ fs::path ownFolder() {
     const bool library = map != nullptr && map->l_name != nullptr && *map->l_name != '\0';
     std::error_code error;
     const fs::path file = fs::canonical(library ? map->l_name : "/proc/self/exe", error);
-    return error ? fs::path{"."} : file.parent_path();
+    return error ? fs::path{"/"} : file.parent_path();  // never a relative path: code is loaded from here
 }
 
 /// Where the module lies relative to the code that opens it.
@@ -60,7 +61,7 @@ const ImageFormats& openImageFormats(std::span<const fs::path> folders, Error::K
     for (const fs::path& folder : folders) {
         std::error_code ignored;
         if (fs::exists(folder / imageFormatsFile, ignored)) return open(folder / imageFormatsFile, failure);
-        tried.push_back(folder.string());
+        if (std::find(tried.begin(), tried.end(), folder.string()) == tried.end()) tried.push_back(folder.string());
     }
     throw Error{failure, fmt::format("image formats: expected {} in one of {}, found none; reinstall inkedge, or use "
                                      ".png, which needs no module",

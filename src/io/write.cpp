@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string_view>
 
 #include <inkedge/error.h>
@@ -52,9 +51,9 @@ fs::path mapFile(const fs::path& output, Map map) {
            fmt::format("{}.{}{}", output.stem().string(), name(map), output.extension().string());
 }
 
-/// NaN counts as 0.
+/// Rounded; NaN counts as 0.
 std::uint8_t level(double share) {
-    return static_cast<std::uint8_t>(std::lround(share > 0.0 ? 255.0 * std::min(share, 1.0) : 0.0));
+    return static_cast<std::uint8_t>(share > 0.0 ? 255.0 * std::min(share, 1.0) + 0.5 : 0.0);
 }
 
 Image<std::uint8_t> depthPicture(const Image<float>& depth, const Camera& camera) {
