@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
 
 #include <inkedge/error.h>
 
@@ -184,6 +186,50 @@ Edges detectEdges(const Image<double>& depth, const Image<double>& normal, const
     std::ranges::transform(result.normalEdges.pixels, result.edges.pixels, result.edges.pixels.begin(),
                            [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
     return result;
+}
+
+Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength, bool orthographic, double creaseAngle) {
+    if (planes.channels != 4) {
+        throw Error{Error::Kind::Usage, fmt::format("expected planes of 4 channels, found {}", planes.channels)};
+    }
+    const auto [width, height] = planes.size;
+    const double creaseCosine = std::cos(glm::radians(creaseAngle));
+    const auto value = [&](int x, int y, int channel) { return static_cast<double>(planes.at(x, y, channel)); };
+    const auto normal = [&](int x, int y) {
+        const glm::dvec2 g{value(x, y, 1), value(x, y, 2)};
+        const glm::dvec2 fromCentre{x + 0.5 - 0.5 * width, y + 0.5 - 0.5 * height};
+        return glm::dvec3{g * focalLength, orthographic ? 1.0 : value(x, y, 0) - glm::dot(g, fromCentre)};
+    };
+    const auto between = [&](int px, int py, int qx, int qy) -> unsigned {
+        if (qx >= width || qy >= height) return 0;
+        const double patchP = value(px, py, 3);
+        const double patchQ = value(qx, qy, 3);
+        if (patchP == 0.0 || patchQ == 0.0) return patchP == patchQ ? 0 : PairMark::background;
+        unsigned marks = patchP == patchQ ? 0 : PairMark::patch;
+
+        const glm::dvec3 np = normal(px, py);
+        const glm::dvec3 nq = normal(qx, qy);
+        if (glm::dot(np, nq) < creaseCosine * glm::length(np) * glm::length(nq)) marks |= PairMark::bend;
+
+        const int axis = qx > px ? 1 : 2;
+        const double wp = value(px, py, 0);
+        const double wq = value(qx, qy, 0);
+        const double gp = value(px, py, axis);
+        const double gq = value(qx, qy, axis);
+        const double rp = wq - (wp + gp);
+        const double rq = wp - (wq - gq);
+        const double k = orthographic ? focalLength : focalLength / std::max(wp, wq);
+        const double slope = std::min(std::abs(gp), std::abs(gq)) * k;
+        if (rp * rq < 0.0 && std::min(std::abs(rp), std::abs(rq)) * k > 1.0 + slope) marks |= PairMark::jump;
+        return marks;
+    };
+    Image<std::uint8_t> marks{planes.size, 1};
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            marks.at(x, y) = static_cast<std::uint8_t>(between(x, y, x + 1, y) | between(x, y, x, y + 1) << 4U);
+        }
+    }
+    return marks;
 }
 
 Image<std::uint8_t> composite(const Image<std::uint8_t>& edges, const PictureSettings& settings) {

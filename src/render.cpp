@@ -10,14 +10,23 @@
 #include "gl/gpu.h"
 #include "gl/read_back.h"
 #include "gl/upload.h"
+#include "ink/paint_strokes.h"
+#include "ink/trace_lines.h"
 #include "passes/composite.h"
 #include "passes/detect_edges.h"
+#include "passes/detect_lines.h"
+#include "passes/draw_planes.h"
 #include "passes/draw_surface.h"
+#include "passes/placement.h"
 
 namespace inkedge {
 namespace {
 
 bool wants(const Settings& settings, Map map) { return std::ranges::find(settings.maps, map) != settings.maps.end(); }
+
+bool wantsAny(const Settings& settings, std::initializer_list<Map> maps) {
+    return std::ranges::any_of(maps, [&](Map map) { return wants(settings, map); });
+}
 
 // Times stages, and stops at the first that left a GL error.
 class StageClock {
@@ -49,7 +58,7 @@ void readSurface(const gl::Api& api, const SurfaceBuffers& buffers, const Settin
         maps.windowDepth = gl::readDepth(api, buffers.depth);
         for (float& z : maps.windowDepth.pixels) z = 1.0F - z;
     }
-    if (!wants(settings, Map::Depth) && !wants(settings, Map::Normal)) return;
+    if (!wantsAny(settings, {Map::Depth, Map::Normal})) return;
     const Image<float> surface = gl::readFloats(api, buffers.surface, 4);
     const std::size_t count = surface.pixels.size() / 4;
     if (wants(settings, Map::Depth)) {
@@ -75,11 +84,12 @@ Image<std::uint8_t> mask(const Image<std::uint8_t>& marks, unsigned bits) {
 void readEdges(const gl::Api& api, const EdgeBuffers& buffers, const Settings& settings, Maps& maps) {
     const bool depth = wants(settings, Map::DepthEdges);
     const bool normal = wants(settings, Map::NormalEdges);
-    if (!depth && !normal && !wants(settings, Map::Edges)) return;
+    const bool both = wants(settings, Map::Edges) && settings.detector.detector == Detector::Classic;
+    if (!depth && !normal && !both) return;
     const Image<std::uint8_t> marks = gl::readBytes(api, buffers.marks, 1);
     if (depth) maps.depthEdges = mask(marks, EdgeBuffers::depthEdge);
     if (normal) maps.normalEdges = mask(marks, EdgeBuffers::normalEdge);
-    if (wants(settings, Map::Edges)) maps.edges = mask(marks, EdgeBuffers::depthEdge | EdgeBuffers::normalEdge);
+    if (both) maps.edges = mask(marks, EdgeBuffers::depthEdge | EdgeBuffers::normalEdge);
     if (!buffers.magnitudes) return;
     const Image<float> magnitudes = gl::readFloats(api, *buffers.magnitudes, 2);
     if (depth) maps.depthMagnitude = Image<float>{marks.size, 1};
@@ -88,6 +98,38 @@ void readEdges(const gl::Api& api, const EdgeBuffers& buffers, const Settings& s
         if (depth) maps.depthMagnitude.pixels[i] = magnitudes.pixels[2 * i];
         if (normal) maps.normalMagnitude.pixels[i] = magnitudes.pixels[2 * i + 1];
     }
+}
+
+// A pixel's types are those of all its samples.
+Image<std::uint8_t> typesOfPixels(const Image<std::uint8_t>& samples, int samplesPerPixel) {
+    if (samplesPerPixel == 1) return samples;
+    Image<std::uint8_t> types{{samples.size.width / samplesPerPixel, samples.size.height / samplesPerPixel}, 1};
+    for (int y = 0; y < samples.size.height; ++y) {
+        for (int x = 0; x < samples.size.width; ++x) types.at(x / samplesPerPixel, y / samplesPerPixel) |= samples.at(x, y);
+    }
+    return types;
+}
+
+// A pixel's ids are those of its first sample on a line, or of its middle one.
+Image<std::uint32_t> idsOfPixels(const TracedLines& traced, int samplesPerPixel) {
+    if (samplesPerPixel == 1) return traced.ids;
+    const Size size{traced.ids.size.width / samplesPerPixel, traced.ids.size.height / samplesPerPixel};
+    Image<std::uint32_t> ids{size, traced.ids.channels};
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            int fromX = x * samplesPerPixel + samplesPerPixel / 2;
+            int fromY = y * samplesPerPixel + samplesPerPixel / 2;
+            for (int i = samplesPerPixel * samplesPerPixel - 1; i >= 0; --i) {
+                const int sampleX = x * samplesPerPixel + i % samplesPerPixel;
+                const int sampleY = y * samplesPerPixel + i / samplesPerPixel;
+                if (traced.types.at(sampleX, sampleY) == 0) continue;
+                fromX = sampleX;
+                fromY = sampleY;
+            }
+            std::copy_n(&traced.ids.at(fromX, fromY), ids.channels, &ids.at(x, y));
+        }
+    }
+    return ids;
 }
 
 Image<std::uint8_t> readPicture(const gl::Api& api, const gl::Texture& picture, const PictureSettings& settings) {
@@ -105,6 +147,68 @@ void check(const Camera& camera) {
                     fmt::format("camera: expected a view angle over 0 and under 180 and 0 < near < far, all finite, found "
                                 "{} and {}, {}",
                                 camera.viewAngle, camera.near, camera.far)};
+    }
+}
+
+// What one call draws.
+struct View {
+    gl::Gpu& gpu;
+    const gl::UploadedScene& upload;
+    const Scene& scene;
+    const Camera& camera;
+    const Settings& settings;
+};
+
+// Depth and normal maps, their edges, and, for the classic detector, the picture.
+void renderSurface(const View& view, StageClock& clock, Maps& maps) {
+    const auto& [gpu, upload, scene, camera, settings] = view;
+    const bool classic = settings.detector.detector == Detector::Classic;
+    const bool keepMagnitudes = wantsAny(settings, {Map::DepthEdges, Map::NormalEdges});
+
+    const SurfaceBuffers surface = drawSurface(gpu, upload, scene, camera, settings.detector, settings.picture.size);
+    clock.finish("surface");
+    readSurface(gpu.api, surface, settings, maps);
+    if (classic || keepMagnitudes) {
+        const EdgeBuffers edges = detectEdges(gpu, surface.surface, camera, settings.detector,
+                                              keepMagnitudes ? Magnitudes::Keep : Magnitudes::Drop);
+        clock.finish("edges");
+        if (classic) {
+            const gl::Texture picture = composite(gpu, edges.marks, settings.picture);
+            clock.finish("composite");
+            maps.picture = readPicture(gpu.api, picture, settings.picture);
+        }
+        readEdges(gpu.api, edges, settings, maps);
+    }
+    clock.finish("read-back");
+}
+
+// Lines of the planes detector: their types, ids and, unless the classic detector draws it, the picture.
+void renderPlanes(const View& view, StageClock& clock, Maps& maps) {
+    const auto& [gpu, upload, scene, camera, settings] = view;
+    const PictureSettings& picture = settings.picture;
+    const bool classic = settings.detector.detector == Detector::Classic;
+    const int samples = picture.supersampling;
+    const double unit = unitLength(scene);
+
+    const PlaneBuffers buffers =
+        drawPlanes(gpu, upload, scene, camera, {picture.size.width * samples, picture.size.height * samples});
+    clock.finish("planes");
+    LineBuffers lines;
+    lines.marks = detectLines(gpu, buffers.planes, camera, unit, settings.load.creaseAngle);
+    clock.finish("lines");
+    lines.planes = gl::readFloats(gpu.api, buffers.planes, 4);
+    lines.triangles = gl::readIntegers(gpu.api, buffers.triangles);
+    clock.finish("read-back");
+    const TracedLines traced =
+        traceLines(lines, scene, upload.firstTriangles(), camera, unit, picture.lines, samples,
+                   wants(settings, Map::Ids) ? TraceIds::Keep : TraceIds::Drop);
+    clock.finish("trace");
+    if (wants(settings, Map::Types)) maps.types = typesOfPixels(traced.types, samples);
+    if (wants(settings, Map::Ids)) maps.ids = idsOfPixels(traced, samples);
+    if (!classic) {
+        if (wants(settings, Map::Edges)) maps.edges = mask(typesOfPixels(traced.types, samples), picture.lines);
+        maps.picture = paintStrokes(traced.strokes, picture);
+        clock.finish("paint");
     }
 }
 
@@ -129,10 +233,13 @@ struct Renderer::State {
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
-    void check(Size size) const {
-        if (size.width >= 1 && size.height >= 1 && size.width <= maximumSize && size.height <= maximumSize) return;
-        throw Error{Error::Kind::Usage, fmt::format("size: expected 1x1 to {0}x{0} pixels, found {1}x{2}", maximumSize,
-                                                    size.width, size.height)};
+    void check(const PictureSettings& picture) const {
+        const Size size = picture.size;
+        const int most = maximumSize / picture.supersampling;
+        if (size.width >= 1 && size.height >= 1 && size.width <= most && size.height <= most) return;
+        throw Error{Error::Kind::Usage,
+                    fmt::format("size: expected 1x1 to {0}x{0} pixels at supersampling {1}, found {2}x{3}", most,
+                                picture.supersampling, size.width, size.height)};
     }
 
     const gl::UploadedScene& uploaded(const Scene& scene) {
@@ -158,32 +265,25 @@ const BackendInfo& Renderer::backend() const noexcept { return state_->context->
 int Renderer::maximumSize() const noexcept { return state_->maximumSize; }
 
 Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& settings) {
-    const Size size = settings.picture.size;
-    state_->check(size);
+    state_->check(settings.picture);
     check(camera);
-
     const gl::Current current{*state_->context};
-    gl::Gpu& gpu = *state_->gpu;
     Maps maps;
     maps.camera = camera;
     maps.backend = backend();
-    StageClock clock{gpu.api, maps.times};
-    const auto magnitudes = wants(settings, Map::DepthEdges) || wants(settings, Map::NormalEdges) ? Magnitudes::Keep
-                                                                                                  : Magnitudes::Drop;
-
-    const gl::UploadedScene& upload = state_->uploaded(scene);
+    StageClock clock{state_->gpu->api, maps.times};
+    const View view{*state_->gpu, state_->uploaded(scene), scene, camera, settings};
     clock.finish("upload");
-    const SurfaceBuffers surface = drawSurface(gpu, upload, scene, camera, settings.detector, size);
-    clock.finish("surface");
-    const EdgeBuffers edges = detectEdges(gpu, surface.surface, camera, settings.detector, magnitudes);
-    clock.finish("edges");
-    const gl::Texture picture = composite(gpu, edges.marks, settings.picture);
-    clock.finish("composite");
-    maps.picture = readPicture(gpu.api, picture, settings.picture);
-    readSurface(gpu.api, surface, settings, maps);
-    readEdges(gpu.api, edges, settings, maps);
-    clock.finish("read-back");
-    gpu.textures.trim();
+    if (settings.detector.detector == Detector::Planes) {
+        renderPlanes(view, clock, maps);
+        if (wantsAny(settings, {Map::Depth, Map::Normal, Map::DepthEdges, Map::NormalEdges})) {
+            renderSurface(view, clock, maps);
+        }
+    } else {
+        renderSurface(view, clock, maps);
+        if (wantsAny(settings, {Map::Types, Map::Ids})) renderPlanes(view, clock, maps);
+    }
+    state_->gpu->textures.trim();
     return maps;
 }
 

@@ -18,6 +18,7 @@ namespace {
 constexpr double threeQuarterAzimuth = 30.0;
 constexpr double threeQuarterElevation = 20.0;
 constexpr double frameShare = 0.92;      // of the picture's width or height that a framed model fills
+constexpr double clearance = 0.1;        // of the bounds' radius: a spike sharper than the view angle cannot touch the camera
 constexpr double nearestShare = 1e-4;    // of far: the near plane of a camera inside or beside the model
 constexpr double boundsMargin = 1.001;   // keeps the outermost vertex off the near and far planes
 
@@ -65,17 +66,17 @@ glm::dvec3 directionFrom(double azimuth, double elevation) {
 }
 
 glm::dvec3 viewDirection(const CameraSettings& wish, glm::dvec3 focalPoint) {
+    if (wish.direction) {
+        if (glm::length(*wish.direction) == 0.0) refuse("camera-direction: expected a direction, found 0,0,0");
+        return *wish.direction;
+    }
     if (wish.position) {
-        const glm::dvec3 direction = wish.direction.value_or(focalPoint - *wish.position);
+        const glm::dvec3 direction = focalPoint - *wish.position;
         if (glm::length(direction) == 0.0) {
             refuse(fmt::format("camera-position: expected a place other than the focal point, found both at {},{},{}",
                                focalPoint.x, focalPoint.y, focalPoint.z));
         }
         return direction;
-    }
-    if (wish.direction) {
-        if (glm::length(*wish.direction) == 0.0) refuse("camera-direction: expected a direction, found 0,0,0");
-        return *wish.direction;
     }
     return directionFrom(wish.azimuthAngle.value_or(threeQuarterAzimuth),
                          wish.elevationAngle.value_or(threeQuarterElevation));
@@ -94,6 +95,9 @@ void checkForContradictions(const CameraSettings& wish) {
             "camera-index", "another camera position or direction");
     if (wish.viewAngle <= 0.0 || wish.viewAngle >= 180.0) {
         refuse(fmt::format("camera-view-angle: expected degrees over 0 and under 180, found {}", wish.viewAngle));
+    }
+    if (wish.orthographicHeight.value_or(0.0) < 0.0) {
+        refuse(fmt::format("camera-orthographic: expected a height of 0 or more, found {}", *wish.orthographicHeight));
     }
     if (wish.zoomFactor <= 0.0) {
         refuse(fmt::format("camera-zoom-factor: expected a number over 0, found {}", wish.zoomFactor));
@@ -125,7 +129,9 @@ void frameAll(Camera& camera, const Scene& scene, const Axes& axes, Size size) {
         camera.orthographicHeight = height > 0.0 ? height : 1.0;
     } else {
         // The sides meet the reach at the camera: reach sum = -2 slope * depth of the camera.
-        const double behind = std::max((right + left) / (2.0 * slopeX), (top + bottom) / (2.0 * slopeY));
+        const double fitting = std::max((right + left) / (2.0 * slopeX), (top + bottom) / (2.0 * slopeY));
+        const double clear = support(scene, -axes.forward) + clearance * bounds.radius;
+        const double behind = std::max(fitting, clear);
         camera.view = viewFrom(across - behind * axes.forward, axes);
     }
 }

@@ -1,3 +1,5 @@
+#include <charconv>
+#include <limits>
 #include <memory>
 
 #include <fmt/format.h>
@@ -11,12 +13,14 @@ namespace inkedge::cli {
 namespace {
 
 constexpr int picturesDiffer = 1;
+constexpr double unlimited = std::numeric_limits<double>::max();
 
 struct CompareArguments {
     std::string a;
     std::string b;
     std::string differencePicture;
     Tolerance tolerance;
+    std::optional<double> hardLimit;
     bool json = false;
     bool quiet = false;
 };
@@ -41,10 +45,26 @@ void printText(const Comparison& c) {
                100.0 * c.shareOverLevel, c.maximum, c.maximumX, c.maximumY, c.mean);
 }
 
+CLI::Validator numberFrom(double low, double high) {
+    return CLI::Validator{[low, high](const std::string& text) {
+                              double value = 0.0;
+                              const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+                              const bool number = error == std::errc{} && end == text.data() + text.size();
+                              if (number && value >= low && value <= high) return std::string{};
+                              return fmt::format("expected a number {}, found '{}'",
+                                                 high == unlimited ? fmt::format("from {}", low)
+                                                                   : fmt::format("from {} to {}", low, high),
+                                                 text);
+                          },
+                          ""};
+}
+
 int compare(const CompareArguments& arguments) {
     std::optional<std::filesystem::path> differencePicture;
     if (!arguments.differencePicture.empty()) differencePicture = arguments.differencePicture;
-    const Comparison comparison = inkedge::compare(arguments.a, arguments.b, arguments.tolerance, differencePicture);
+    Tolerance tolerance = arguments.tolerance;
+    tolerance.hardLimit = arguments.hardLimit.value_or(tolerance.share > 0.0 ? unlimited : tolerance.level);
+    const Comparison comparison = inkedge::compare(arguments.a, arguments.b, tolerance, differencePicture);
     if (arguments.json) {
         printJson(comparison);
     } else if (!arguments.quiet) {
@@ -60,16 +80,17 @@ void addCompare(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand("compare", "Compare two pictures; exit status 1 when they differ.");
     verb->add_option("A", arguments->a, "a picture")->required();
     verb->add_option("B", arguments->b, "another")->required();
-    verb->add_option("-o,--output", arguments->differencePicture, "write a picture of the differences")->type_name("DIFF");
+    verb->add_option("-o,--output", arguments->differencePicture, "write a picture of the differences")
+        ->type_name("DIFF");
     verb->add_option("--level", arguments->tolerance.level, "differences up to this do not count, 0 to 1 [0]")
-        ->check(CLI::NonNegativeNumber)
+        ->check(numberFrom(0.0, unlimited))
         ->type_name("LEVEL");
     verb->add_option("--share", arguments->tolerance.share, "share of pixels that may lie over the level, 0 to 1 [0]")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(numberFrom(0.0, 1.0))
         ->type_name("SHARE");
-    verb->add_option("--hard-limit", arguments->tolerance.hardLimit,
-                     "no pixel may differ by more than this [1 where a share is allowed, else the level]")
-        ->check(CLI::NonNegativeNumber)
+    verb->add_option("--hard-limit", arguments->hardLimit,
+                     "no pixel may differ by more than this [no limit where a share is allowed, else the level]")
+        ->check(numberFrom(0.0, unlimited))
         ->type_name("LIMIT");
     verb->add_flag("--json", arguments->json, "print counts and maxima as JSON");
     verb->add_flag("-q,--quiet", arguments->quiet, "print nothing");

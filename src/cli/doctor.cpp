@@ -38,9 +38,9 @@ void printText(const std::vector<BackendReport>& reports) {
         }
     }
     const auto first = std::ranges::find_if(reports, &BackendReport::works);
-    fmt::print("{}\n", first == reports.end()
-                           ? "No backend works: nothing can be drawn on this machine yet."
-                           : fmt::format("--backend auto draws with {} ({}).", first->info.backend, first->info.platform));
+    fmt::print("{}\n", first == reports.end() ? "No backend works: nothing can be drawn on this machine yet."
+                                              : fmt::format("--backend auto draws with {} ({}).", first->info.backend,
+                                                            first->info.platform));
 }
 
 int doctor(bool json) {

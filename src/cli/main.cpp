@@ -21,6 +21,31 @@ int report(const std::string& message, int exitCode) {
 
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
+// The command line's error in the words of all our errors; the parser's own words where there are none.
+std::string explain(const CLI::App& app, const CLI::ParseError& error) {
+    const auto verbs = app.get_subcommands();
+    const std::vector<std::string> unknown = app.remaining(true);
+    const std::string text = firstLine(error.what());
+    if (verbs.empty()) {
+        return fmt::format("expected render, compare or doctor, found {}; see inkedge --help",
+                           unknown.empty() ? "nothing" : fmt::format("'{}'", unknown.front()));
+    }
+    const std::string remedy = fmt::format("see inkedge {} --help", verbs.front()->get_name());
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !unknown.empty()) {
+        return fmt::format("expected what inkedge {} takes, found '{}'; {}", verbs.front()->get_name(), unknown.front(),
+                           remedy);
+    }
+    constexpr std::string_view required = " is required";
+    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && text.ends_with(required)) {
+        return fmt::format("expected {}, found none; {}", text.substr(0, text.size() - required.size()), remedy);
+    }
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+        return fmt::format("{}: expected one value, found {}; {}", text.substr(0, text.find(':')),
+                           text.ends_with("missing") ? "none" : "several", remedy);
+    }
+    return fmt::format("{}; {}", text, remedy);
+}
+
 int run(CLI::App& app, int argc, char** argv) {
     inkedge::cli::Action action;
     inkedge::cli::addRender(app, action);
@@ -31,7 +56,7 @@ int run(CLI::App& app, int argc, char** argv) {
     } catch (const CLI::Success& helpOrVersion) {
         return app.exit(helpOrVersion);
     } catch (const CLI::ParseError& error) {
-        return report(fmt::format("{}; see inkedge --help", firstLine(error.what())), usageFailure);
+        return report(explain(app, error), usageFailure);
     }
     return action();
 }

@@ -48,6 +48,24 @@ void checkStandardOutput(const RenderArguments& arguments, const Settings& setti
     if (!settings.maps.empty()) throw Error{Error::Kind::Usage, "--maps: expected --output FILE, found -"};
 }
 
+// A folder that is missing fails before the work, and before another file is written.
+void expectFolderOf(const std::filesystem::path& file) {
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    std::error_code ignored;
+    if (std::filesystem::is_directory(folder, ignored)) return;
+    const bool exists = std::filesystem::exists(folder, ignored);
+    throw Error{Error::Kind::Output,
+                fmt::format("{}: cannot be written: expected a folder {}, found {}", file.string(), folder.string(),
+                            exists ? "a file in its way; choose another place" : "none; create it first")};
+}
+
+void checkOutputs(const RenderArguments& arguments, const Settings& settings, const std::filesystem::path& output) {
+    if (output != "-") {
+        for (const auto& file : outputFiles(output, settings.maps)) expectFolderOf(file);
+    }
+    if (!arguments.metadataFile.empty()) expectFolderOf(arguments.metadataFile);
+}
+
 void writeToStandardOutput(const std::vector<std::uint8_t>& bytes) {
     std::cout.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     std::cout.flush();
@@ -57,7 +75,8 @@ void writeToStandardOutput(const std::vector<std::uint8_t>& bytes) {
 void printSummary(const Maps& maps, const std::vector<std::filesystem::path>& files) {
     fmt::print(stderr, "inkedge: drawn by {} ({}): {}, OpenGL {}\n", maps.backend.backend, maps.backend.platform,
                maps.backend.renderer, maps.backend.version);
-    for (const StageTime& time : maps.times) fmt::print(stderr, "inkedge: {:>10} {:8.1f} ms\n", time.stage, time.milliseconds);
+    for (const StageTime& time : maps.times)
+        fmt::print(stderr, "inkedge: {:>10} {:8.1f} ms\n", time.stage, time.milliseconds);
     for (const auto& file : files) fmt::print(stderr, "inkedge: wrote {}\n", file.string());
 }
 
@@ -65,7 +84,7 @@ int render(const RenderArguments& arguments) {
     const Settings settings = arguments.settings.resolve();
     checkStandardOutput(arguments, settings);
     const std::filesystem::path output = expandTemplate(arguments.output, arguments.model);
-    if (output != "-") static_cast<void>(outputFiles(output, settings.maps));  // a wrong extension fails before the work
+    checkOutputs(arguments, settings, output);
 
     auto begin = Clock::now();
     const Scene scene = loadScene(arguments.model, settings.load);
@@ -112,8 +131,9 @@ void addRender(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<RenderArguments>();
     CLI::App* verb = app.add_subcommand("render", "Draw the outlines of a model.");
     verb->add_option("MODEL", arguments->model, "glTF 2.0 file, .glb or .gltf")->required();
-    verb->add_option("-o,--output", arguments->output,
-                     "picture to write, .png .tif .exr, or - for PNG on stdout; {model}, {view} and {map} are filled in")
+    verb->add_option(
+            "-o,--output", arguments->output,
+            "picture to write, .png .tif .exr, or - for PNG on stdout; {model}, {view} and {map} are filled in")
         ->required()
         ->type_name("FILE");
     verb->add_option("--metadata", arguments->metadataFile, "write camera, settings, backend and timings as JSON")

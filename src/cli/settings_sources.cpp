@@ -14,7 +14,8 @@ namespace {
 
 std::string environmentName(std::string_view setting) {
     std::string name = "INKEDGE_";
-    for (const char c : setting) name += c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    for (const char c : setting)
+        name += c == '-' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     return name;
 }
 
@@ -33,20 +34,41 @@ void applyPreset(Settings& settings, std::string_view wanted) {
     for (const auto& [name, text] : found->values) set(settings, name, text, fmt::format("preset {}", wanted));
 }
 
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r";
+    const std::size_t begin = text.find_first_not_of(blanks);
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+std::string_view unquoted(std::string_view text) {
+    const bool quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
+    return quoted ? text.substr(1, text.size() - 2) : text;
+}
+
+// Lines name = value; a comment is a line that starts with #, because a colour may start with one too.
 void applyConfigFile(Settings& settings, const std::string& file) {
     std::ifstream stream{file};
-    if (!stream) {
-        throw Error{Error::Kind::Input, fmt::format("{}: expected a configuration file, found none that can be read", file)};
+    stream.peek();  // a folder can be opened but not read
+    if (stream.fail() && !stream.eof()) {
+        throw Error{Error::Kind::Input,
+                    fmt::format("{}: expected a configuration file, found none that can be read", file)};
     }
-    std::vector<CLI::ConfigItem> items;
-    try {
-        items = CLI::ConfigTOML{}.from_config(stream);
-    } catch (const CLI::Error& error) {
-        throw Error{Error::Kind::Usage, fmt::format("{}: expected lines name = value, found {}", file, error.what())};
-    }
-    for (const CLI::ConfigItem& item : items) {
-        if (item.name == "++" || item.name == "--") continue;  // the parser's marks for sections
-        set(settings, item.name, fmt::format("{}", fmt::join(item.inputs, ",")), fmt::format("{}: {}", file, item.name));
+    int number = 1;
+    for (std::string line; std::getline(stream, line); ++number) {
+        const std::string_view text = trimmed(line);
+        if (text.empty() || text.front() == '#') continue;
+        const std::size_t equals = text.find('=');
+        if (equals == std::string_view::npos) {
+            throw Error{Error::Kind::Usage,
+                        fmt::format("{}:{}: expected name = value, found '{}'", file, number, text)};
+        }
+        const std::string_view name = trimmed(text.substr(0, equals));
+        if (std::ranges::find(settingTable(), name, &SettingDescription::name) == settingTable().end()) {
+            throw Error{Error::Kind::Usage,
+                        fmt::format("{}:{}: expected the name of a setting, found '{}'", file, number, name)};
+        }
+        set(settings, name, unquoted(trimmed(text.substr(equals + 1))), fmt::format("{}:{}: {}", file, number, name));
     }
 }
 

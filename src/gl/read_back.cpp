@@ -1,6 +1,7 @@
 #include "gl/read_back.h"
 
 #include <array>
+#include <bit>
 
 #include "gl/draw.h"
 
@@ -33,6 +34,15 @@ Image<std::uint8_t> readBytes(const Api& api, const Texture& texture, int channe
     const GLenum format = texture.format() == GL_R8UI ? GL_RED_INTEGER
                                                       : colorFormats[static_cast<std::size_t>(channels - 1)];
     return read<std::uint8_t>(api, Framebuffer{api, {&texture}}, channels, format, GL_UNSIGNED_BYTE);
+}
+
+Image<std::uint32_t> readIntegers(const Api& api, const Texture& texture) {
+    return read<std::uint32_t>(api, Framebuffer{api, {&texture}}, 1, GL_RED_INTEGER, GL_UNSIGNED_INT);
+}
+
+Image<std::uint8_t> readPacked(const Api& api, const Texture& texture) {
+    static_assert(std::endian::native == std::endian::little);
+    return read<std::uint8_t>(api, Framebuffer{api, {&texture}}, 16, GL_RGBA_INTEGER, GL_UNSIGNED_INT);
 }
 
 Image<float> readDepth(const Api& api, const Texture& texture) {

@@ -10,6 +10,10 @@ namespace inkedge::gl {
 /// @param channels  how many of the texture's channels to take, from the first: 1 to 4
 [[nodiscard]] Image<float> readFloats(const Api&, const Texture&, int channels);
 [[nodiscard]] Image<std::uint8_t> readBytes(const Api&, const Texture&, int channels);
+/// An R32UI texture's values.
+[[nodiscard]] Image<std::uint32_t> readIntegers(const Api&, const Texture&);
+/// An RGBA32UI texture as 16 bytes a texel, the low byte of the first component first (on little-endian hosts).
+[[nodiscard]] Image<std::uint8_t> readPacked(const Api&, const Texture&);
 /// A depth texture's values.
 [[nodiscard]] Image<float> readDepth(const Api&, const Texture&);
 

@@ -19,30 +19,48 @@ public:
 
     [[nodiscard]] bool holds(const Scene& scene) const noexcept;
 
-    /// What changes with the view. Rows of 3 x 4 matrices, as shaders/draw_surface.vert reads them.
+    /// What changes with the view. Rows of 3 x 4 matrices, as the vertex shaders read them.
     struct PlacedInstance {
         glm::vec4 modelView[3];
         glm::vec4 normalMatrix[3];
     };
 
+    /// Which triangles to draw.
+    enum class Part {
+        All,
+        Layers,  ///< those whose patches overlap others in one plane: PatchNumbers::layered
+    };
+
     /// The instances in the order in which placements are given to draw().
     [[nodiscard]] const std::vector<std::uint32_t>& instanceOrder() const noexcept { return instanceOrder_; }
 
-    /// Draws every triangle with what prepareDrawing() has set.
+    /// Sets where the instances stand in the coming draws.
     /// @param placements  one for each of instanceOrder()
-    void draw(const std::vector<PlacedInstance>& placements) const;
+    void place(const std::vector<PlacedInstance>& placements) const;
+
+    /// Draws with what prepareDrawing() has set. Front faces are those that the normals point away from.
+    void draw(Part) const;
+
+    [[nodiscard]] bool hasLayers() const noexcept { return layerCommandCount_ > 0; }
+
+    /// For each instance of the scene the number of its first triangle in the scene.
+    [[nodiscard]] const std::vector<std::uint32_t>& firstTriangles() const noexcept { return firstTriangles_; }
 
 private:
     const Api& api_;
     std::weak_ptr<const void> scene_;
     Buffer vertices_;
     Buffer indices_;
-    Buffer instances_;
+    Buffer placements_;
+    Buffer numberings_;
+    Buffer patchNumbers_;
     Buffer commands_;
     VertexArray vertexArray_;
     std::vector<std::uint32_t> instanceOrder_;
+    std::vector<std::uint32_t> firstTriangles_;
     GLsizei commandCount_ = 0;
     GLsizei mirroredCount_ = 0;  // the last of the commands: their instances mirror, so their front faces wind clockwise
+    GLsizei layerCommandCount_ = 0;  // stand behind the others
 };
 
 }  // namespace inkedge::gl

@@ -36,7 +36,10 @@ struct Maps {
     Image<float> normalMagnitude;       ///< equation 6 on the normal map: the largest of the three channels
     Image<std::uint8_t> depthEdges;     ///< equation 7 on the depth map
     Image<std::uint8_t> normalEdges;    ///< equation 7 on the normal map
-    Image<std::uint8_t> edges;          ///< either: Figure 1(e)
+    Image<std::uint8_t> edges;          ///< either: Figure 1(e); with the planes detector: on a line
+    Image<std::uint8_t> types;          ///< bits of LineType at pixels on the nearer side of a line, else 0
+    Image<std::uint32_t> ids;           ///< 4 channels: the pixel's patch; the patch across the line, 0 off lines; the node;
+                                        ///< the material. Each counts from 1; 0 is none or background
 
     Camera camera;
     BackendInfo backend;

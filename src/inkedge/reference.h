@@ -63,7 +63,32 @@ struct Edges {
 [[nodiscard]] INKEDGE_API Edges detectEdges(const Image<double>& depth, const Image<double>& normal, const Camera&,
                                             const DetectorSettings&);
 
-/// The outline picture. GPU twin: shaders/composite.frag.
+/// Bits of what may lie between a sample and a neighbour. The same stand in shaders/shared/marks.glsl.
+struct PairMark {
+    static constexpr unsigned background = 1;  ///< one of the two sees no surface
+    static constexpr unsigned patch = 2;       ///< the patches differ
+    static constexpr unsigned bend = 4;        ///< the faces bend by more than the crease angle
+    static constexpr unsigned jump = 8;        ///< one surface lies in front of the other
+};
+
+/// Lines without thresholds. On a plane w = 1 / z (orthographic: w = -z) is linear in the picture. With g the slope of w over
+/// the step from p to q on each one's own plane, r_p = w_q - (w_p + g_p) and r_q = w_p - (w_q - g_q) have one sign where the
+/// planes meet on the step: the surface goes on. Else it jumps if
+///
+///     min(|r_p|, |r_q|) k > 1 + min(|g_p|, |g_q|) k,    k = f / max(w_p, w_q)
+///
+/// where f is the focal length in pixels (orthographic: k = f, pixels a unit length), so that differences of w times k are
+/// pixel footprints: no unit, distance or size of the scene enters. GPU twin: shaders/detect_lines.frag.
+/// @param planes       4 channels: w, dw/dx, dw/dy a pixel, the patch's number; 0: background
+/// @param focalLength  f
+/// @param creaseAngle  degrees
+/// @return             one byte a pixel: PairMark bits, the low four for the pixel and the one to its right, the high four
+///                     for the pixel and the one below
+/// @throws Error       (Kind::Usage) if there are not 4 channels
+[[nodiscard]] INKEDGE_API Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength,
+                                                          bool orthographic, double creaseAngle);
+
+/// The outline picture of the classic detector. GPU twin: shaders/composite.frag.
 /// @return  1, 3 or 4 channels, as Maps::picture
 [[nodiscard]] INKEDGE_API Image<std::uint8_t> composite(const Image<std::uint8_t>& edges, const PictureSettings&);
 

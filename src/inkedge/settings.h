@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -51,13 +52,48 @@ struct Color {
     friend bool operator==(const Color&, const Color&) = default;
 };
 
+/// What a line is: bits of Maps::types. A place may be several at once; a line is drawn in the style of the first.
+enum class LineType : std::uint8_t {
+    Outline = 1,        ///< the model against the background
+    Occlusion = 2,      ///< a surface in front of another
+    Boundary = 4,       ///< where a surface ends: an open mesh's border
+    Crease = 8,         ///< two faces that meet at more than the crease angle
+    Intersection = 16,  ///< surfaces that run into each other, and borders of surfaces that touch
+    Object = 32,        ///< between two nodes of the scene
+};
+inline constexpr int lineTypeCount = 6;
+inline constexpr std::uint8_t allLineTypes = 63;
+
+/// "outline", "occlusion", "boundary", "crease", "intersection", "object".
+[[nodiscard]] INKEDGE_API std::string_view name(LineType) noexcept;
+
+/// A length on the picture.
+struct PictureLength {
+    double value = 0.0;
+    bool millimetres = false;  ///< else output pixels
+    friend bool operator==(const PictureLength&, const PictureLength&) = default;
+};
+
+/// How one type of line departs from the others.
+struct LineStyle {
+    std::optional<PictureLength> width;
+    std::optional<Color> color;
+    friend bool operator==(const LineStyle&, const LineStyle&) = default;
+};
+
 struct PictureSettings {
     Size size{1024, 1024};
     Color lineColor{0, 0, 0};
     std::optional<Color> background = Color{255, 255, 255};  ///< none: transparent
+    PictureLength lineWidth{1.5, false};                     ///< 0.5 to 32 pixels
+    double dpi = 96.0;                                       ///< pixels an inch, for widths in millimetres
+    int supersampling = 1;                                   ///< samples a pixel along each axis: 1, 2 or 4
+    std::uint8_t lines = allLineTypes;                       ///< which types are drawn
+    std::array<LineStyle, lineTypeCount> lineStyles;         ///< in the order of LineType's bits
 };
 
 enum class Detector {
+    Planes,   ///< where the visible faces' planes do not go on into each other; needs no threshold
     Classic,  ///< gradients of the depth map and of the normal map, Hertzmann 1999, appendix A
 };
 enum class Kernel {
@@ -75,7 +111,7 @@ enum class NormalLights {
 enum class LightSpace { Camera, World };
 
 struct DetectorSettings {
-    Detector detector = Detector::Classic;
+    Detector detector = Detector::Planes;
     Kernel kernel = Kernel::Sobel;
     DepthMap depthMap = DepthMap::Linear;
     std::optional<float> depthThreshold;   ///< T of equation 7 for the depth map; none: the kernel's default
@@ -92,8 +128,8 @@ struct Thresholds {
 [[nodiscard]] INKEDGE_API Thresholds thresholds(const DetectorSettings&) noexcept;
 
 /// A map that a render can give beside the picture.
-enum class Map { Depth, Normal, DepthEdges, NormalEdges, Edges };
-inline constexpr int mapCount = 5;
+enum class Map { Depth, Normal, DepthEdges, NormalEdges, Edges, Types, Ids };
+inline constexpr int mapCount = 7;
 
 /// The name of a map on the command line, in file names and as EXR layer: "depth", "normal", "depth-edges", ...
 [[nodiscard]] INKEDGE_API std::string_view name(Map) noexcept;

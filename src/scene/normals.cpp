@@ -97,6 +97,9 @@ void windByNormals(Mesh& mesh) {
 void applyAuthoredNormals(Mesh& mesh, const LoadSettings& settings) {
     if (settings.normals == Normals::Flat) mesh.normals.clear();
     mesh.normals.resize(mesh.positions.size(), glm::vec3{0.0F});
+    for (glm::vec3& normal : mesh.normals) {
+        if (!std::isfinite(glm::dot(normal, normal))) normal = glm::vec3{0.0F};
+    }
     windByNormals(mesh);
 }
 

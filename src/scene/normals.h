@@ -7,7 +7,7 @@
 namespace inkedge {
 
 /// Makes each triangle's winding agree with its normals, so that the side which the normals point to is the front, and
-/// drops the normals if settings ask for none of the file's.
+/// drops the normals that are not finite, or all if settings ask for none of the file's.
 void applyAuthoredNormals(Mesh&, const LoadSettings&);
 
 /// Gives every vertex without a normal (an empty array, or zero vectors) one: its face's, or, under Normals::Auto, a smooth

@@ -71,6 +71,23 @@ void check(const Instance& instance, std::size_t number, std::size_t meshCount) 
     }
 }
 
+// Primitives may share one vertex array and use a part of it each; what is not drawn must not count for the bounds.
+void dropUnusedVertices(Mesh& mesh) {
+    constexpr std::uint32_t unused = ~0U;
+    std::vector<std::uint32_t> to(mesh.positions.size(), unused);
+    for (const std::uint32_t i : mesh.indices) to[i] = 0;
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < to.size(); ++i) {
+        if (to[i] == unused) continue;
+        mesh.positions[count] = mesh.positions[i];
+        if (!mesh.normals.empty()) mesh.normals[count] = mesh.normals[i];
+        to[i] = count++;
+    }
+    mesh.positions.resize(count);
+    if (!mesh.normals.empty()) mesh.normals.resize(count);
+    for (std::uint32_t& i : mesh.indices) i = to[i];
+}
+
 Box boxOf(const std::vector<glm::vec3>& positions) {
     if (positions.empty()) return {};
     glm::vec3 low = positions.front();
@@ -105,6 +122,7 @@ Scene::Scene(Data data, const LoadSettings& settings) {
     std::erase_if(prepared->instances, [&](const Instance& i) { return prepared->meshes[i.mesh].indices.empty(); });
     if (prepared->instances.empty()) refuse("expected at least one triangle to draw, found none");
     for (Mesh& mesh : prepared->meshes) {
+        dropUnusedVertices(mesh);
         applyAuthoredNormals(mesh, settings);
         MeshTopology topology = buildTopology(mesh);
         completeNormals(mesh, topology, settings);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -113,7 +114,7 @@ struct Choice {
 };
 constexpr std::array normalsChoices{Choice{"auto", Normals::Auto}, Choice{"authored", Normals::Authored},
                                     Choice{"flat", Normals::Flat}};
-constexpr std::array detectorChoices{Choice{"classic", Detector::Classic}};
+constexpr std::array detectorChoices{Choice{"planes", Detector::Planes}, Choice{"classic", Detector::Classic}};
 constexpr std::array kernelChoices{Choice{"sobel", Kernel::Sobel}, Choice{"farid", Kernel::Farid}};
 constexpr std::array depthMapChoices{Choice{"linear", DepthMap::Linear}, Choice{"window", DepthMap::Window}};
 constexpr std::array lightsChoices{Choice{"single", NormalLights::Single}, Choice{"two-pass", NormalLights::TwoPass}};
@@ -123,7 +124,13 @@ constexpr std::array backendChoices{Choice{"auto", Backend::Auto}, Choice{"egl",
 constexpr std::array<Choice<Map>, mapCount> mapChoices{Choice{"depth", Map::Depth}, Choice{"normal", Map::Normal},
                                                        Choice{"depth-edges", Map::DepthEdges},
                                                        Choice{"normal-edges", Map::NormalEdges},
-                                                       Choice{"edges", Map::Edges}};
+                                                       Choice{"edges", Map::Edges},
+                                                       Choice{"types", Map::Types},
+                                                       Choice{"ids", Map::Ids}};
+constexpr std::array<Choice<LineType>, lineTypeCount> lineTypeChoices{
+    Choice{"outline", LineType::Outline}, Choice{"occlusion", LineType::Occlusion},
+    Choice{"boundary", LineType::Boundary}, Choice{"crease", LineType::Crease},
+    Choice{"intersection", LineType::Intersection}, Choice{"object", LineType::Object}};
 
 template <class T, std::size_t n>
 T parseChoice(const std::array<Choice<T>, n>& choices, std::string_view text) {
@@ -155,6 +162,71 @@ std::string text(const std::vector<Map>& maps) {
     return fmt::format("{}", fmt::join(names, ","));
 }
 
+constexpr std::string_view millimetreSuffix = "mm";
+constexpr std::string_view pixelSuffix = "px";
+
+PictureLength parseLength(std::string_view text) {
+    PictureLength length;
+    length.millimetres = text.ends_with(millimetreSuffix);
+    if (length.millimetres || text.ends_with(pixelSuffix)) text.remove_suffix(2);
+    length.value = length.millimetres ? parsePositive(text) : parseNumber(text, 0.5, 32.0);
+    return length;
+}
+
+std::string text(const PictureLength& length) {
+    return fmt::format("{}{}", length.value, length.millimetres ? millimetreSuffix : "");
+}
+
+std::uint8_t parseLineTypes(std::string_view text) {
+    std::uint8_t types = 0;
+    if (text == "none") return types;
+    for (const std::string_view part : split(text, ',')) {
+        types = static_cast<std::uint8_t>(types | static_cast<std::uint8_t>(parseChoice(lineTypeChoices, part)));
+    }
+    return types;
+}
+
+std::string lineTypesText(std::uint8_t types) {
+    std::vector<std::string_view> names;
+    for (const auto& choice : lineTypeChoices) {
+        if ((types & static_cast<std::uint8_t>(choice.value)) != 0) names.push_back(choice.name);
+    }
+    return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ","));
+}
+
+// TYPE:width=W,color=C;TYPE:...
+std::array<LineStyle, lineTypeCount> parseLineStyles(std::string_view text) {
+    std::array<LineStyle, lineTypeCount> styles;
+    for (const std::string_view part : split(text, ';')) {
+        const std::size_t colon = part.find(':');
+        const Expected expected{"TYPE:width=W,color=C;... with one or both of width and color"};
+        if (colon == std::string_view::npos) throw expected;
+        const LineType type = parseChoice(lineTypeChoices, part.substr(0, colon));
+        LineStyle& style = styles[static_cast<std::size_t>(std::countr_zero(static_cast<std::uint8_t>(type)))];
+        for (const std::string_view field : split(part.substr(colon + 1), ',')) {
+            if (field.starts_with("width=")) {
+                style.width = parseLength(field.substr(6));
+            } else if (field.starts_with("color=")) {
+                style.color = parseColor(field.substr(6));
+            } else {
+                throw expected;
+            }
+        }
+    }
+    return styles;
+}
+
+std::string lineStylesText(const std::array<LineStyle, lineTypeCount>& styles) {
+    std::vector<std::string> parts;
+    for (std::size_t i = 0; i < styles.size(); ++i) {
+        std::vector<std::string> fields;
+        if (styles[i].width) fields.push_back("width=" + text(*styles[i].width));
+        if (styles[i].color) fields.push_back("color=" + text(*styles[i].color));
+        if (!fields.empty()) parts.push_back(fmt::format("{}:{}", lineTypeChoices[i].name, fmt::join(fields, ",")));
+    }
+    return fmt::format("{}", fmt::join(parts, ";"));
+}
+
 // A step of 1 has magnitude 4 under the Sobel kernels and d1 + d2 of equation 8 under Farid's.
 constexpr float sobelStep = 4.0F;
 constexpr float faridStep = 0.388734F;
@@ -164,7 +236,7 @@ using S = Settings;
 using Text = std::string_view;
 
 constexpr std::array table{
-    SettingDescription{"maps", "", "output", "MAP,...", "depth, normal, depth-edges, normal-edges, edges", "",
+    SettingDescription{"maps", "", "output", "MAP,...", "depth, normal, depth-edges, normal-edges, edges, types, ids", "",
                        "maps to write beside the picture; layers of one file if it is an EXR",
                        [](S& s, Text t) { s.maps = parseMaps(t); }, [](const S& s) { return text(s.maps); }},
 
@@ -184,6 +256,31 @@ constexpr std::array table{
                        [](const S& s) {
                            return s.picture.background ? text(*s.picture.background) : std::string{"none"};
                        }},
+
+    SettingDescription{"line-width", "", "picture", "PX", "0.5 to 32, or millimetres: 0.35mm", "1.5",
+                       "width of the lines in output pixels, or in mm at --dpi; planes detector",
+                       [](S& s, Text t) { s.picture.lineWidth = parseLength(t); },
+                       [](const S& s) { return text(s.picture.lineWidth); }},
+    SettingDescription{"dpi", "", "picture", "N", "over 0", "96", "pixels an inch, for widths in mm",
+                       [](S& s, Text t) { s.picture.dpi = parsePositive(t); },
+                       [](const S& s) { return text(s.picture.dpi); }},
+    SettingDescription{"supersampling", "", "picture", "1|2|4", "one of these", "1",
+                       "samples a pixel along each axis, for detail below a pixel; planes detector",
+                       [](S& s, Text t) {
+                           const int samples = parseCount(t);
+                           if (samples != 1 && samples != 2 && samples != 4) throw Expected{"1, 2 or 4"};
+                           s.picture.supersampling = samples;
+                       },
+                       [](const S& s) { return text(s.picture.supersampling); }},
+    SettingDescription{"lines", "", "picture", "TYPE,...",
+                       "outline, occlusion, boundary, crease, intersection, object; or none", "all",
+                       "types of lines that are drawn; planes detector",
+                       [](S& s, Text t) { s.picture.lines = parseLineTypes(t); },
+                       [](const S& s) { return lineTypesText(s.picture.lines); }},
+    SettingDescription{"line-style", "", "picture", "TYPE:width=W,color=C;...", "types as for --lines", "",
+                       "width and colour of single types of lines, as in crease:width=1,color=#555; planes detector",
+                       [](S& s, Text t) { s.picture.lineStyles = parseLineStyles(t); },
+                       [](const S& s) { return lineStylesText(s.picture.lineStyles); }},
 
     SettingDescription{"camera-position", "eye", "camera", "X,Y,Z", "any point", "frames the model",
                        "where the camera stands, world space", [](S& s, Text t) { s.camera.position = parseVector(t); },
@@ -238,26 +335,26 @@ constexpr std::array table{
                        [](S& s, Text t) { s.load.creaseAngle = parseNumber(t, 0.0, 180.0); },
                        [](const S& s) { return text(s.load.creaseAngle); }},
 
-    SettingDescription{"detector", "", "detector", "classic", "one of these", "classic",
-                       "how edges are found; classic: gradients of the depth and normal maps over thresholds",
+    SettingDescription{"detector", "", "detector", "planes|classic", "one of these", "planes",
+                       "planes: where visible faces do not go on into each other; classic: gradients over thresholds",
                        [](S& s, Text t) { s.detector.detector = parseChoice(detectorChoices, t); },
                        [](const S& s) { return choiceName(detectorChoices, s.detector.detector); }},
     SettingDescription{"kernel", "", "detector", "sobel|farid", "one of these", "sobel",
-                       "gradient kernels: Sobel 3x3 (eq. 5) or Farid-Simoncelli 5x5 (eq. 8)",
+                       "gradient kernels: Sobel 3x3 (eq. 5) or Farid-Simoncelli 5x5 (eq. 8); classic detector",
                        [](S& s, Text t) { s.detector.kernel = parseChoice(kernelChoices, t); },
                        [](const S& s) { return choiceName(kernelChoices, s.detector.kernel); }},
     SettingDescription{"depth-map", "", "detector", "linear|window", "one of these", "linear",
-                       "depth that edges are found in: eye-space scaled to 0..1, or window-space",
+                       "depth that edges are found in: eye-space scaled to 0..1, or window-space; classic detector",
                        [](S& s, Text t) { s.detector.depthMap = parseChoice(depthMapChoices, t); },
                        [](const S& s) { return choiceName(depthMapChoices, s.detector.depthMap); }},
     SettingDescription{"depth-threshold", "", "detector", "T", "0 or more", "0.1 (sobel), 0.00972 (farid)",
-                       "depth edge where the magnitude (eq. 6) is at least T (eq. 7)",
+                       "depth edge where the magnitude (eq. 6) is at least T (eq. 7); classic detector",
                        [](S& s, Text t) {
                            s.detector.depthThreshold = static_cast<float>(parseNumber(t, 0.0, 1e6));
                        },
                        [](const S& s) { return text(s.detector.depthThreshold); }},
     SettingDescription{"normal-threshold", "", "detector", "T", "0 or more", "1.6 (sobel), 0.155 (farid)",
-                       "normal edge where the magnitude of any channel is at least T",
+                       "normal edge where the magnitude of any channel is at least T; classic detector",
                        [](S& s, Text t) {
                            s.detector.normalThreshold = static_cast<float>(parseNumber(t, 0.0, 1e6));
                        },
@@ -286,6 +383,10 @@ Thresholds thresholds(const DetectorSettings& detector) noexcept {
     const float scale = detector.kernel == Kernel::Sobel ? 1.0F : faridStep / sobelStep;
     return {detector.depthThreshold.value_or(sobelThresholds.depth * scale),
             detector.normalThreshold.value_or(sobelThresholds.normal * scale)};
+}
+
+std::string_view name(LineType type) noexcept {
+    return lineTypeChoices[static_cast<std::size_t>(std::countr_zero(static_cast<std::uint8_t>(type)))].name;
 }
 
 std::string_view name(Map map) noexcept { return mapChoices[static_cast<std::size_t>(map)].name; }

@@ -1,0 +1,73 @@
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+
+// Lines without thresholds: between two neighbouring pixels runs a line if the faces that they see do not go on into each
+// other. CPU definition: reference.h, detectLines(). One invocation decides 4 x 4 pixels, which share what they fetch.
+//
+//   p . | q    The planes of p and q, extended over the step between them, either meet on it (the surface goes on), or
+//   ----+--    leave a residual on both sides (it jumps).
+//   s   |
+layout(binding = 0) uniform sampler2D planes;  // as draw_planes.frag writes them
+
+layout(location = 0) uniform float focalLength;   // pixels (orthographic: pixels a unit length)
+layout(location = 1) uniform bool orthographic;
+layout(location = 2) uniform float creaseCosine;  // c |c|, c the crease angle's cosine
+
+// One byte a pixel, four pixels a component (the first in the low byte), four rows a texel.
+layout(location = 0) out uvec4 marks;
+
+#include "shared/marks.glsl"
+
+// The face normal, turned to the eye, up to a positive factor; n.xy in pixels, as the picture's axes run.
+vec3 normalOf(vec4 plane, vec2 fromCentre) {
+    return orthographic ? vec3(plane.yz * focalLength, 1.0)
+                        : vec3(plane.yz * focalLength, plane.x - dot(plane.yz, fromCentre));
+}
+
+bool jumps(float wp, float wq, float gp, float gq) {
+    float rp = wq - (wp + gp);
+    float rq = wp - (wq - gq);
+    if (rp * rq >= 0.0) return false;  // the planes meet between p and q
+    float footprints = orthographic ? focalLength : focalLength / max(wp, wq);
+    return min(abs(rp), abs(rq)) * footprints > 1.0 + min(abs(gp), abs(gq)) * footprints;
+}
+
+uint pairMarks(vec4 p, vec4 q, vec3 np, vec3 nq, float gp, float gq) {
+    if (p.w == 0.0 || q.w == 0.0) return p.w == q.w ? 0u : BACKGROUND;
+    float d = dot(np, nq);
+    uint found = p.w == q.w ? 0u : PATCH;
+    if (d * abs(d) < creaseCosine * dot(np, np) * dot(nq, nq)) found |= BEND;
+    if (jumps(p.x, q.x, gp, gq)) found |= JUMP;
+    return found;
+}
+
+void main() {
+    ivec2 size = textureSize(planes, 0);
+    ivec2 corner = 4 * ivec2(gl_FragCoord.xy);
+    vec2 centre = 0.5 * vec2(size);
+    vec4 above[5];
+    vec3 aboveNormal[5];
+    for (int x = 0; x < 5; ++x) {
+        ivec2 pixel = min(corner + ivec2(x, 0), size - 1);
+        above[x] = texelFetch(planes, pixel, 0);
+        aboveNormal[x] = normalOf(above[x], vec2(pixel) + 0.5 - centre);
+    }
+    for (int y = 0; y < 4; ++y) {
+        uint row = 0u;
+        for (int x = 0; x < 4; ++x) {
+            row |= pairMarks(above[x], above[x + 1], aboveNormal[x], aboveNormal[x + 1], above[x].y, above[x + 1].y)
+                   << (8 * x);
+        }
+        for (int x = 0; x < 5; ++x) {
+            ivec2 pixel = min(corner + ivec2(x, y + 1), size - 1);
+            vec4 below = texelFetch(planes, pixel, 0);
+            vec3 belowNormal = normalOf(below, vec2(pixel) + 0.5 - centre);
+            if (x < 4) {
+                row |= pairMarks(above[x], below, aboveNormal[x], belowNormal, above[x].z, below.z) << (8 * x + 4);
+            }
+            above[x] = below;
+            aboveNormal[x] = belowNormal;
+        }
+        marks[y] = row;
+    }
+}

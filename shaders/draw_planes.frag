@@ -1,0 +1,27 @@
+#version 450 core
+
+// The plane and the patch that each pixel sees. On a plane w = 1/z is linear in the picture (orthographic: w = -z is), so
+// its derivatives are those of the triangle and describe its whole plane.
+layout(location = 0) in float eyeDepth;
+layout(location = 1) flat in float patchNumber;
+layout(location = 2) flat in uvec2 triangles;
+
+layout(location = 2) uniform bool orthographic;
+
+#ifdef LAYERS
+layout(location = 0) out vec4 plane;  // only the last channel is written: adds the layer's number
+#else
+layout(location = 0) out vec4 plane;     // RGBA32F: w, dw/dx, dw/dy, patch number (0: background, or layers to come)
+layout(location = 1) out uint triangle;  // R32UI: 1 + the scene's triangle, 0: background
+#endif
+
+void main() {
+#ifdef LAYERS
+    plane = vec4(0.0, 0.0, 0.0, -patchNumber);
+#else
+    float w = orthographic ? -eyeDepth : gl_FragCoord.w;
+    plane = vec4(w, dFdx(w), dFdy(w), max(patchNumber, 0.0));
+    // Drivers differ in whether the count of primitives starts again with each instance.
+    triangle = triangles.x + uint(gl_PrimitiveID) % triangles.y + 1u;
+#endif
+}

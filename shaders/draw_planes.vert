@@ -1,0 +1,28 @@
+#version 450 core
+
+layout(location = 0) in vec3 position;      // mesh space
+layout(location = 2) in vec4 modelView[3];  // rows; per instance: mesh space -> view space in unit lengths
+layout(location = 8) in uint patchIndex;    // of the mesh's patches; the same at all corners of a triangle
+layout(location = 9) in uvec3 numbering;    // per instance: its first patch, its first triangle, its triangles
+
+// One an instance's patch: its number, negative where coplanar layers overlap.
+layout(std430, binding = 0) readonly buffer PatchNumbers { float patchNumbers[]; };
+
+layout(location = 0) uniform mat4 projection;  // as in draw_surface.vert
+layout(location = 1) uniform float layerLift;  // added to clip-space z: lifts a layer towards the eye
+
+layout(location = 0) out float eyeDepth;  // unit lengths
+layout(location = 1) flat out float patchNumber;
+layout(location = 2) flat out uvec2 triangles;  // the instance's first triangle; how many there are
+
+invariant gl_Position;  // layers must cover the pixels that they cover in the first pass
+
+void main() {
+    vec4 p = vec4(position, 1.0);
+    vec3 viewPosition = vec3(dot(modelView[0], p), dot(modelView[1], p), dot(modelView[2], p));
+    eyeDepth = -viewPosition.z;
+    patchNumber = patchNumbers[numbering.x + patchIndex];
+    triangles = numbering.yz;
+    gl_Position = projection * vec4(viewPosition, 1.0);
+    gl_Position.z += layerLift;
+}

@@ -1,0 +1,109 @@
+#include "ink/paint_strokes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace inkedge {
+namespace {
+
+constexpr double millimetresPerInch = 25.4;
+
+double pixels(const PictureLength& length, double dpi) {
+    return length.millimetres ? length.value / millimetresPerInch * dpi : length.value;
+}
+
+// Raises coverage to that of a stroke: a band of the pen's width around its centre line, box-filtered across.
+void cover(Image<float>& coverage, const Stroke& stroke, float width) {
+    const float reach = 0.5F * width + 0.5F;
+    const glm::vec2 low = glm::min(stroke.from, stroke.to) - reach;
+    const glm::vec2 high = glm::max(stroke.from, stroke.to) + reach;
+    const int x0 = std::max(0, static_cast<int>(std::floor(low.x)));
+    const int y0 = std::max(0, static_cast<int>(std::floor(low.y)));
+    const int x1 = std::min(coverage.size.width - 1, static_cast<int>(std::floor(high.x)));
+    const int y1 = std::min(coverage.size.height - 1, static_cast<int>(std::floor(high.y)));
+
+    const glm::vec2 along = stroke.to - stroke.from;
+    const float lengthSquared = glm::dot(along, along);
+    const glm::vec2 perLength = lengthSquared > 0.0F ? along / lengthSquared : glm::vec2{0.0F};
+    for (int y = y0; y <= y1; ++y) {
+        for (int x = x0; x <= x1; ++x) {
+            const glm::vec2 p = glm::vec2{static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F} - stroke.from;
+            const float s = std::clamp(glm::dot(p, perLength), 0.0F, 1.0F);
+            const float d = glm::length(p - s * along);
+            const float covered =
+                std::min(d + reach, 1.0F) - std::clamp(d - 0.5F * width + 0.5F, 0.0F, 1.0F);
+            float& to = coverage.at(x, y);
+            to = std::max(to, covered);
+        }
+    }
+}
+
+// Lays a colour over a picture as far as it covers.
+void blend(Image<float>& picture, const Image<float>& coverage, Color color) {
+    const float channels[3]{static_cast<float>(color.red), static_cast<float>(color.green), static_cast<float>(color.blue)};
+    for (std::size_t i = 0; i < coverage.pixels.size(); ++i) {
+        const float c = coverage.pixels[i];
+        if (c == 0.0F) continue;
+        float* pixel = &picture.pixels[i * static_cast<std::size_t>(picture.channels)];
+        if (picture.channels == 4) {  // straight alpha: the colour is that of the ink alone
+            const float alpha = c + pixel[3] / 255.0F * (1.0F - c);
+            for (int k = 0; k < 3; ++k) pixel[k] += (channels[k] - pixel[k]) * c / alpha;
+            pixel[3] = 255.0F * alpha;
+        } else {
+            for (int k = 0; k < picture.channels; ++k) pixel[k] += (channels[k] - pixel[k]) * c;
+        }
+    }
+}
+
+Image<float> emptyPicture(const PictureSettings& settings, bool grey) {
+    const Color behind = settings.background.value_or(settings.lineColor);
+    if (grey) return {settings.size, 1, static_cast<float>(behind.red)};
+    Image<float> picture{settings.size, settings.background ? 3 : 4, 0.0F};
+    const float channels[3]{static_cast<float>(behind.red), static_cast<float>(behind.green),
+                            static_cast<float>(behind.blue)};
+    for (std::size_t i = 0; i < picture.pixels.size(); i += static_cast<std::size_t>(picture.channels)) {
+        std::copy_n(channels, 3, picture.pixels.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return picture;
+}
+
+}  // namespace
+
+std::array<Pen, lineTypeCount> pens(const PictureSettings& settings) {
+    std::array<Pen, lineTypeCount> all{};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const LineStyle& style = settings.lineStyles[i];
+        all[i] = {pixels(style.width.value_or(settings.lineWidth), settings.dpi), style.color.value_or(settings.lineColor)};
+    }
+    return all;
+}
+
+Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureSettings& settings) {
+    const auto allPens = pens(settings);
+    const bool grey = settings.background && settings.background->grey() &&
+                      std::ranges::all_of(allPens, [](const Pen& pen) { return pen.color.grey(); });
+    Image<float> picture = emptyPicture(settings, grey);
+    std::vector<Color> colors;  // of the last line type first: what comes later covers
+    for (std::size_t i = allPens.size(); i-- > 0;) {
+        std::erase(colors, allPens[i].color);
+        colors.push_back(allPens[i].color);
+    }
+    for (const Color color : colors) {
+        Image<float> coverage{settings.size, 1, 0.0F};
+        for (const Stroke& stroke : strokes) {
+            const Pen& pen = allPens[stroke.style];
+            if (pen.color == color) cover(coverage, stroke, static_cast<float>(pen.width));
+        }
+        blend(picture, coverage, color);
+    }
+    Image<std::uint8_t> result{picture.size, picture.channels};
+    std::ranges::transform(picture.pixels, result.pixels.begin(),
+                           [](float v) { return static_cast<std::uint8_t>(std::lround(v)); });
+    return result;
+}
+
+}  // namespace inkedge

@@ -1,0 +1,106 @@
+#include "ink/screen_triangles.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+
+#include "scene/patch_numbers.h"
+#include "scene/topology.h"
+
+namespace inkedge {
+namespace {
+
+constexpr int longestWalk = 64;  // triangles; smaller ones are far below a pixel and where they end does not show
+
+// Clip space -> homogeneous pixels (x w, y w, w).
+glm::dmat4x3 clipToPixels(Size size) {
+    const double halfWidth = 0.5 * size.width;
+    const double halfHeight = 0.5 * size.height;
+    glm::dmat4x3 m{0.0};
+    m[0] = {halfWidth, 0.0, 0.0};
+    m[1] = {0.0, -halfHeight, 0.0};
+    m[3] = {halfWidth, halfHeight, 1.0};
+    return m;
+}
+
+}  // namespace
+
+ScreenTriangles::ScreenTriangles(const Scene& scene, const std::vector<std::uint32_t>& firstTriangles,
+                                 const Camera& camera, Size size)
+    : scene_{scene}, firstTriangles_{firstTriangles} {
+    const glm::dmat4 view = camera.projection(size) * camera.view;
+    const glm::dmat4x3 viewport = clipToPixels(size);
+    toPixels_.reserve(scene.instances().size());
+    for (const Instance& instance : scene.instances()) {
+        glm::dmat4 fromOrigin{1.0};
+        fromOrigin[3] = glm::dvec4{scene.meshes()[instance.mesh].origin, 1.0};
+        toPixels_.push_back(viewport * (view * (instance.transform * fromOrigin)));
+    }
+}
+
+SceneTriangle ScreenTriangles::locate(std::uint32_t number) const {
+    const auto after = std::ranges::upper_bound(firstTriangles_, number);
+    const auto instance = static_cast<std::uint32_t>(after - firstTriangles_.begin()) - 1;
+    return {instance, number - firstTriangles_[instance]};
+}
+
+std::uint32_t ScreenTriangles::patchOf(SceneTriangle t) const {
+    const PatchNumbers& patches = scene_.patchNumbers();
+    const std::uint32_t mesh = scene_.instances()[t.instance].mesh;
+    return patches.number[patches.base[t.instance] + scene_.topology(mesh).patches[t.triangle]];
+}
+
+glm::dvec3 ScreenTriangles::corner(std::uint32_t instance, std::uint32_t c) const {
+    const Mesh& mesh = scene_.meshes()[scene_.instances()[instance].mesh];
+    return toPixels_[instance] * glm::dvec4{glm::dvec3{mesh.positions[mesh.indices[c]]}, 1.0};
+}
+
+ScreenTriangles::EdgeLines ScreenTriangles::edgeLines(SceneTriangle t) const {
+    const glm::dvec3 a = corner(t.instance, 3 * t.triangle);
+    const glm::dvec3 b = corner(t.instance, 3 * t.triangle + 1);
+    const glm::dvec3 c = corner(t.instance, 3 * t.triangle + 2);
+    // Homogeneous lines, so that corners behind the camera need no clipping.
+    EdgeLines lines{{glm::cross(a, b), glm::cross(b, c), glm::cross(c, a)}};
+    if (glm::dot(lines.line[0], c) < 0.0) {
+        for (glm::dvec3& line : lines.line) line = -line;
+    }
+    return lines;
+}
+
+std::optional<ScreenTriangles::Exit> ScreenTriangles::walk(SceneTriangle from, glm::dvec2 start, glm::dvec2 goal) const {
+    const MeshTopology& topology = scene_.topology(scene_.instances()[from.instance].mesh);
+    const glm::dvec3 p{start, 1.0};
+    const glm::dvec3 q{goal, 1.0};
+    SceneTriangle at = from;
+    std::uint32_t entry = noHalfEdge;
+    double reached = 0.0;
+    for (int step = 0; step < longestWalk; ++step) {
+        const EdgeLines lines = edgeLines(at);
+        std::uint32_t exit = noHalfEdge;
+        double t = 1.0;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const double ep = glm::dot(lines.line[k], p);
+            const double eq = glm::dot(lines.line[k], q);
+            if (3 * at.triangle + k == entry || eq >= 0.0 || eq >= ep) continue;
+            if (const double crossed = std::max(ep / (ep - eq), reached); crossed <= t) {
+                t = crossed;
+                exit = 3 * at.triangle + k;
+            }
+        }
+        if (exit == noHalfEdge) return {};  // the goal lies on this triangle
+        const std::uint32_t twin = topology.twins[exit];
+        if (twin == noHalfEdge) return Exit{End::Border, t, 0};
+        const SceneTriangle next{at.instance, twin / 3};
+        const std::uint32_t third = nextHalfEdge(nextHalfEdge(twin));
+        if (topology.patches[next.triangle] != topology.patches[at.triangle]) return Exit{End::Patch, t, patchOf(next)};
+        if (glm::dot(lines.line[exit % 3], corner(at.instance, third)) > 0.0) return Exit{End::Fold, t, 0};
+        at = next;
+        entry = twin;
+        reached = t;
+    }
+    return {};
+}
+
+}  // namespace inkedge

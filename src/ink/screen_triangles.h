@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x3.hpp>
+#include <glm/vec2.hpp>
+
+#include <inkedge/camera.h>
+
+namespace inkedge {
+
+/// A triangle of the scene.
+struct SceneTriangle {
+    std::uint32_t instance;
+    std::uint32_t triangle;  ///< of the instance's mesh
+};
+
+/// The scene's triangles as one camera projects them. Coordinates are pixels, (0, 0) the picture's top left corner.
+class ScreenTriangles {
+public:
+    /// @param firstTriangles  for each instance the number of its first triangle in the scene
+    ScreenTriangles(const Scene&, const std::vector<std::uint32_t>& firstTriangles, const Camera&, Size);
+
+    /// @param number  of a triangle of the scene, from 0
+    [[nodiscard]] SceneTriangle locate(std::uint32_t number) const;
+
+    /// The patch's number (PatchNumbers::number).
+    [[nodiscard]] std::uint32_t patchOf(SceneTriangle) const;
+
+    /// What ends the surface that a walk across it meets.
+    enum class End {
+        Border,  ///< the mesh ends
+        Patch,   ///< another patch begins, at an edge that both share
+        Fold,    ///< the mesh turns back under itself
+    };
+    struct Exit {
+        End end;
+        double t;                   ///< where, 0 at the walk's start, 1 at its goal
+        std::uint32_t patchBeyond;  ///< End::Patch: the patch's number
+    };
+    /// Walks in the picture from a point on a triangle towards another, over the edges of its patch, to where the surface
+    /// ends; nothing if it does not end on the way.
+    [[nodiscard]] std::optional<Exit> walk(SceneTriangle from, glm::dvec2 start, glm::dvec2 goal) const;
+
+private:
+    // Row k: the line through half-edge k as (a, b, c) with a x + b y + c > 0 on the triangle's side.
+    struct EdgeLines {
+        glm::dvec3 line[3];
+    };
+    [[nodiscard]] glm::dvec3 corner(std::uint32_t instance, std::uint32_t c) const;
+    [[nodiscard]] EdgeLines edgeLines(SceneTriangle) const;
+
+    const Scene& scene_;
+    const std::vector<std::uint32_t>& firstTriangles_;
+    std::vector<glm::dmat4x3> toPixels_;  // one an instance: mesh positions less their origin -> homogeneous pixels
+};
+
+}  // namespace inkedge

@@ -1,0 +1,247 @@
+#include "ink/trace_lines.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include <glm/geometric.hpp>
+
+#include <inkedge/reference.h>
+
+#include "ink/screen_triangles.h"
+
+namespace inkedge {
+namespace {
+
+using reference::PairMark;
+
+constexpr double leastBend = 0.05;  // pixel footprints over a step: planes that bend less do not say where they meet
+
+constexpr std::uint8_t bit(LineType type) { return static_cast<std::uint8_t>(type); }
+
+// A line between two neighbouring samples.
+struct Crossing {
+    glm::vec2 place;         // samples
+    std::uint8_t types = 0;  // 0: there is none
+};
+
+// The crossings of one row of samples with their neighbours to the right and below.
+struct CrossingRow {
+    std::vector<Crossing> right;
+    std::vector<Crossing> down;
+};
+
+struct Sample {
+    int x;
+    int y;
+};
+
+class Tracer {
+public:
+    Tracer(const LineBuffers& buffers, const Scene& scene, const std::vector<std::uint32_t>& firstTriangles,
+           const Camera& camera, double unit)
+        : buffers_{buffers},
+          triangles_{scene, firstTriangles, camera, buffers.marks.size},
+          orthographic_{camera.orthographic()},
+          focalLength_{0.5 * buffers.marks.size.height * camera.projection(buffers.marks.size)[1][1] *
+                       (camera.orthographic() ? unit : 1.0)},
+          types_{buffers.marks.size, 1} {}
+
+    CrossingRow row(int y) {
+        const Size size = buffers_.marks.size;
+        CrossingRow crossings{std::vector<Crossing>(static_cast<std::size_t>(size.width)),
+                              std::vector<Crossing>(static_cast<std::size_t>(size.width))};
+        for (int x = 0; x < size.width; ++x) {
+            const unsigned marks = buffers_.marks.at(x, y);
+            if (marks == 0) continue;
+            const auto column = static_cast<std::size_t>(x);
+            if ((marks & 15U) != 0) crossings.right[column] = crossing({x, y}, {x + 1, y}, marks & 15U);
+            if ((marks >> 4U) != 0) crossings.down[column] = crossing({x, y}, {x, y + 1}, marks >> 4U);
+        }
+        return crossings;
+    }
+
+    // LineType bits at the nearer sample of each crossing traced so far.
+    Image<std::uint8_t> takeTypes() { return std::move(types_); }
+
+private:
+    using End = ScreenTriangles::End;
+    using Walk = std::optional<ScreenTriangles::Exit>;
+
+    [[nodiscard]] bool isBackground(Sample s) const { return buffers_.triangles.at(s.x, s.y) == 0; }
+    [[nodiscard]] SceneTriangle triangle(Sample s) const {
+        return triangles_.locate(buffers_.triangles.at(s.x, s.y) - 1);
+    }
+    [[nodiscard]] Walk walk(Sample from, Sample to) const {
+        return triangles_.walk(triangle(from), {from.x + 0.5, from.y + 0.5}, {to.x + 0.5, to.y + 0.5});
+    }
+
+    // Where the planes of p and q meet on the step from p to q, if they do and it can be told.
+    [[nodiscard]] std::optional<double> planesMeet(Sample p, Sample q) const {
+        const int axis = p.x == q.x ? 2 : 1;
+        const double wp = static_cast<double>(buffers_.planes.at(p.x, p.y));
+        const double wq = static_cast<double>(buffers_.planes.at(q.x, q.y));
+        const double rp = wq - (wp + static_cast<double>(buffers_.planes.at(p.x, p.y, axis)));
+        const double rq = wp - (wq - static_cast<double>(buffers_.planes.at(q.x, q.y, axis)));
+        const double footprints = orthographic_ ? focalLength_ : focalLength_ / std::max(wp, wq);
+        if (rp * rq < 0.0 || std::abs(rp + rq) * footprints <= leastBend) return {};
+        return rq / (rp + rq);
+    }
+
+    Crossing crossing(Sample p, Sample q, unsigned marks) {
+        const bool swap = isBackground(p) || (!isBackground(q) && buffers_.planes.at(q.x, q.y) > buffers_.planes.at(p.x, p.y));
+        const Sample near = swap ? q : p;
+        const Sample far = swap ? p : q;
+        const bool jumps = (marks & (PairMark::background | PairMark::jump)) != 0;
+        const Walk exit = walk(near, far);
+
+        double t = exit ? exit->t : 0.5;  // from near to far
+        if (!jumps) {
+            if (const std::optional<double> meet = planesMeet(p, q)) {
+                t = swap ? 1.0 - *meet : *meet;
+            } else if (!exit) {
+                if (const Walk back = walk(far, near)) t = 1.0 - back->t;
+            }
+        }
+        const std::uint8_t types = classify(near, far, marks, exit);
+        types_.at(near.x, near.y) |= types;
+        const glm::dvec2 from{near.x + 0.5, near.y + 0.5};
+        const glm::dvec2 to{far.x + 0.5, far.y + 0.5};
+        return {glm::vec2{from + t * (to - from)}, types};
+    }
+
+    [[nodiscard]] std::uint8_t classify(Sample near, Sample far, unsigned marks, const Walk& exit) const {
+        const bool atBorder = exit && exit->end == End::Border;
+        const std::uint8_t boundary = atBorder ? bit(LineType::Boundary) : 0;
+        if ((marks & PairMark::background) != 0) return bit(LineType::Outline) | boundary;
+        const bool otherObject = triangle(near).instance != triangle(far).instance;
+        const std::uint8_t object = otherObject ? bit(LineType::Object) : 0;
+        if ((marks & PairMark::jump) != 0) return bit(LineType::Occlusion) | boundary | object;
+        if (otherObject) return bit(LineType::Intersection) | object;
+        const bool sharedEdge = exit && (exit->end == End::Patch || atBorder);
+        const bool crease = (marks & PairMark::patch) == 0 || sharedEdge;
+        return crease ? bit(LineType::Crease) : bit(LineType::Intersection);
+    }
+
+    const LineBuffers& buffers_;
+    ScreenTriangles triangles_;
+    bool orthographic_;
+    double focalLength_;
+    Image<std::uint8_t> types_;
+};
+
+// Joins the crossings around each cell of 2 x 2 samples.
+class CellJoiner {
+public:
+    CellJoiner(std::uint8_t lines, int samplesPerPixel, Size samples, std::vector<Stroke>& strokes)
+        : lines_{lines}, scale_{1.0F / static_cast<float>(samplesPerPixel)}, samples_{samples}, strokes_{strokes} {}
+
+    //        top
+    //   (x, y) --- (x + 1, y)
+    //  left |         | right
+    //       |         |
+    //        --------- bottom
+    void join(int y, const CrossingRow& above, const CrossingRow& below) {
+        for (int x = 0; x + 1 < samples_.width; ++x) {
+            const auto column = static_cast<std::size_t>(x);
+            const Crossing* sides[4]{&above.right[column], &below.right[column], &above.down[column],
+                                     &above.down[column + 1]};
+            const auto drawnEnd = std::remove_if(sides, sides + 4, [&](const Crossing* c) { return (c->types & lines_) == 0; });
+            joinCell({sides, static_cast<std::size_t>(drawnEnd - sides)}, x, y);
+        }
+    }
+
+private:
+    [[nodiscard]] std::uint8_t styleOf(const Crossing& c) const {
+        return static_cast<std::uint8_t>(std::countr_zero(static_cast<unsigned>(c.types & lines_)));
+    }
+
+    void add(glm::vec2 from, glm::vec2 to, std::uint8_t style) { strokes_.push_back({from * scale_, to * scale_, style}); }
+
+    void joinCell(std::span<const Crossing*> crossings, int x, int y) {
+        if (crossings.empty()) return;
+        if (crossings.size() == 2 && styleOf(*crossings[0]) == styleOf(*crossings[1])) {
+            add(toBorder(*crossings[0], *crossings[1], x, y), toBorder(*crossings[1], *crossings[0], x, y),
+                styleOf(*crossings[0]));
+            return;
+        }
+        glm::vec2 centre{0.0F};
+        for (const Crossing* c : crossings) centre += c->place / static_cast<float>(crossings.size());
+        for (const Crossing* c : crossings) add(c->place, centre, styleOf(*c));
+    }
+
+    // The end of a stroke, carried on to the picture's edge if its cell is the last before it.
+    [[nodiscard]] glm::vec2 toBorder(const Crossing& end, const Crossing& other, int x, int y) const {
+        const glm::vec2 along = end.place - other.place;
+        const auto reach = [&](float place, float step, float border) {
+            return step != 0.0F ? std::clamp((border - place) / step, 0.0F, 2.0F) : 0.0F;
+        };
+        float further = 0.0F;
+        if (y == 0 && end.place.y == 0.5F) further = reach(end.place.y, along.y, 0.0F);
+        if (x == 0 && end.place.x == 0.5F) further = reach(end.place.x, along.x, 0.0F);
+        const auto width = static_cast<float>(samples_.width);
+        const auto height = static_cast<float>(samples_.height);
+        if (y + 2 == samples_.height && end.place.y == height - 0.5F) further = reach(end.place.y, along.y, height);
+        if (x + 2 == samples_.width && end.place.x == width - 0.5F) further = reach(end.place.x, along.x, width);
+        return end.place + further * along;
+    }
+
+    std::uint8_t lines_;
+    float scale_;
+    Size samples_;
+    std::vector<Stroke>& strokes_;
+};
+
+// The patch, the patch across, the node and the material of each sample.
+Image<std::uint32_t> traceIds(const LineBuffers& buffers, const Scene& scene, const ScreenTriangles& triangles) {
+    const Size size = buffers.marks.size;
+    Image<std::uint32_t> ids{size, 4};
+    const auto patchAt = [&](int x, int y) {
+        const std::uint32_t number = buffers.triangles.at(x, y);
+        return number == 0 ? 0U : triangles.patchOf(triangles.locate(number - 1));
+    };
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            if (const std::uint32_t number = buffers.triangles.at(x, y); number != 0) {
+                const SceneTriangle t = triangles.locate(number - 1);
+                const Instance& instance = scene.instances()[t.instance];
+                const auto& materials = scene.meshes()[instance.mesh].materials;
+                ids.at(x, y, 0) = triangles.patchOf(t);
+                ids.at(x, y, 2) = t.instance + 1;
+                ids.at(x, y, 3) = materials.empty() ? 0 : materials[t.triangle];
+            }
+            const unsigned marks = buffers.marks.at(x, y);
+            const auto across = [&](int qx, int qy) {
+                ids.at(x, y, 1) = patchAt(qx, qy);
+                ids.at(qx, qy, 1) = patchAt(x, y);
+            };
+            if ((marks & 15U) != 0) across(x + 1, y);
+            if ((marks >> 4U) != 0) across(x, y + 1);
+        }
+    }
+    return ids;
+}
+
+}  // namespace
+
+TracedLines traceLines(const LineBuffers& buffers, const Scene& scene, const std::vector<std::uint32_t>& firstTriangles,
+                       const Camera& camera, double unit, std::uint8_t lines, int samplesPerPixel, TraceIds ids) {
+    TracedLines traced;
+    Tracer tracer{buffers, scene, firstTriangles, camera, unit};
+    CellJoiner joiner{lines, samplesPerPixel, buffers.marks.size, traced.strokes};
+    CrossingRow above = tracer.row(0);
+    for (int y = 1; y < buffers.marks.size.height; ++y) {
+        CrossingRow below = tracer.row(y);
+        joiner.join(y - 1, above, below);
+        above = std::move(below);
+    }
+    traced.types = tracer.takeTypes();
+    if (ids == TraceIds::Keep) {
+        traced.ids = traceIds(buffers, scene, ScreenTriangles{scene, firstTriangles, camera, buffers.marks.size});
+    }
+    return traced;
+}
+
+}  // namespace inkedge

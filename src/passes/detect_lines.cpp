@@ -1,0 +1,48 @@
+#include "passes/detect_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/trigonometric.hpp>
+
+#include "gl/draw.h"
+#include "gl/read_back.h"
+
+namespace inkedge {
+namespace {
+
+constexpr int blockSide = 4;  // pixels decided by one invocation along each axis
+
+// Blocks of 4 x 4 bytes, as the shader packs them -> rows.
+Image<std::uint8_t> unpack(const Image<std::uint8_t>& blocks, Size size) {
+    Image<std::uint8_t> marks{size, 1};
+    for (int y = 0; y < size.height; ++y) {
+        const int row = y % blockSide;
+        for (int x = 0; x < size.width; x += blockSide) {
+            const std::uint8_t* from = &blocks.at(x / blockSide, y / blockSide, row * blockSide);
+            std::copy_n(from, std::min(blockSide, size.width - x), &marks.at(x, y));
+        }
+    }
+    return marks;
+}
+
+}  // namespace
+
+Image<std::uint8_t> detectLines(gl::Gpu& gpu, const gl::Texture& planes, const Camera& camera, double unit,
+                                double creaseAngle) {
+    constexpr auto program = gl::Program::DetectLines;
+    const Size size = planes.size();
+    const double creaseCosine = std::cos(glm::radians(creaseAngle));
+    const double focal = 0.5 * size.height * camera.projection(size)[1][1] * (camera.orthographic() ? unit : 1.0);
+    const GLuint id = gpu.programs.id(program);
+    gpu.api.ProgramUniform1f(id, 0, static_cast<float>(focal));
+    gpu.api.ProgramUniform1i(id, 1, camera.orthographic() ? 1 : 0);
+    gpu.api.ProgramUniform1f(id, 2, static_cast<float>(creaseCosine * std::abs(creaseCosine)));
+
+    const Size blocks{(size.width + blockSide - 1) / blockSide, (size.height + blockSide - 1) / blockSide};
+    const gl::Texture marks = gpu.textures.acquire(blocks, GL_RGBA32UI);
+    gl::drawFullscreen(gpu, program, gl::Framebuffer{gpu.api, {&marks}}, {&planes});
+    return unpack(gl::readPacked(gpu.api, marks), size);
+}
+
+}  // namespace inkedge

@@ -1,0 +1,66 @@
+#include "passes/draw_planes.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include "gl/draw.h"
+#include "passes/placement.h"
+
+namespace inkedge {
+namespace {
+
+// How far layers are lifted towards the eye, in pixel footprints: over what the depth test's rounding leaves between faces
+// in one plane, and less than any step that shows.
+constexpr double layerLift = 0.05;
+
+double focalLength(const glm::dmat4& projection, Size size) { return 0.5 * size.height * projection[1][1]; }
+
+// Clip-space z of points that much nearer to the eye, less that of the points themselves: constant, because a footprint
+// grows with depth in perspective and not at all in an orthographic view.
+double liftInClipSpace(const glm::dmat4& projection, Size size, bool orthographic) {
+    const double lift = layerLift / focalLength(projection, size);
+    return orthographic ? lift * projection[2][2] : projection[3][2] * lift / (1.0 - lift);
+}
+
+void setUniforms(gl::Gpu& gpu, gl::Program program, const glm::mat4& projection, double lift, bool orthographic) {
+    const GLuint id = gpu.programs.id(program);
+    gpu.api.ProgramUniformMatrix4fv(id, 0, 1, GL_FALSE, glm::value_ptr(projection));
+    gpu.api.ProgramUniform1f(id, 1, static_cast<float>(lift));
+    gpu.api.ProgramUniform1i(id, 2, orthographic ? 1 : 0);
+}
+
+}  // namespace
+
+PlaneBuffers drawPlanes(gl::Gpu& gpu, const gl::UploadedScene& upload, const Scene& scene, const Camera& camera,
+                        Size size) {
+    using Part = gl::UploadedScene::Part;
+    const glm::dmat4 projection = reversedProjection(camera, size, unitLength(scene));
+    upload.place(placeInstances(scene, upload, camera, LightSpace::Camera));
+
+    PlaneBuffers buffers{gpu.textures.acquire(size, GL_RGBA32F), gpu.textures.acquire(size, GL_R32UI)};
+    const gl::Texture depth = gpu.textures.acquire(size, GL_DEPTH_COMPONENT32F);
+    const gl::Framebuffer target{gpu.api, {&buffers.planes, &buffers.triangles}, &depth};
+    gl::prepareDrawing(gpu, gl::Program::DrawPlanes, target);
+    constexpr float zeros[4]{};
+    constexpr GLuint noTriangle[4]{};
+    gpu.api.ClearNamedFramebufferfv(target.id(), GL_COLOR, 0, zeros);
+    gpu.api.ClearNamedFramebufferuiv(target.id(), GL_COLOR, 1, noTriangle);
+    gpu.api.ClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, zeros);
+    setUniforms(gpu, gl::Program::DrawPlanes, glm::mat4{projection}, 0.0, camera.orthographic());
+    upload.draw(Part::All);
+    if (!upload.hasLayers()) return buffers;
+
+    const gl::Framebuffer layerTarget{gpu.api, {&buffers.planes}, &depth};
+    gl::prepareDrawing(gpu, gl::Program::DrawLayers, layerTarget);
+    gpu.api.DepthFunc(GL_GEQUAL);
+    gpu.api.DepthMask(GL_FALSE);
+    gpu.api.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+    gpu.api.Enable(GL_BLEND);
+    gpu.api.BlendEquation(GL_FUNC_ADD);
+    gpu.api.BlendFunc(GL_ONE, GL_ONE);
+    setUniforms(gpu, gl::Program::DrawLayers, glm::mat4{projection},
+                liftInClipSpace(projection, size, camera.orthographic()), camera.orthographic());
+    upload.draw(Part::Layers);
+    return buffers;
+}
+
+}  // namespace inkedge
