@@ -15,6 +15,5 @@ layout(location = 0) out vec4 surface;  // as draw_surface.frag writes it
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 light = texelFetch(positiveLight, pixel, 0).rgb - texelFetch(negativeLight, pixel, 0).rgb;
-    float z = texelFetch(reversedDepth, pixel, 0).r;
-    surface = vec4(light, eyeDepthFromWindow(1.0 - z, depths));
+    surface = vec4(light, eyeDepthFromReversed(texelFetch(reversedDepth, pixel, 0).r, depths));
 }

@@ -11,6 +11,7 @@ float windowDepthFromEye(float z, Depths d) {
     return d.orthographic ? linear : linear * d.far / z;
 }
 
-float eyeDepthFromWindow(float w, Depths d) {
-    return d.orthographic ? mix(d.near, d.far, w) : d.near * d.far / (d.far - w * (d.far - d.near));
+// From reversed window-space depth, 1 at near and 0 at far, which keeps the digits that 1 - depth would lose.
+float eyeDepthFromReversed(float w, Depths d) {
+    return d.orthographic ? mix(d.far, d.near, w) : d.near / mix(d.near / d.far, 1.0, w);
 }

@@ -91,12 +91,11 @@ std::optional<ScreenTriangles::Exit> ScreenTriangles::walk(SceneTriangle from, g
         }
         if (exit == noHalfEdge) return {};  // the goal lies on this triangle
         const std::uint32_t twin = topology.twins[exit];
-        if (twin == noHalfEdge) return Exit{End::Border, t, 0};
-        const SceneTriangle next{at.instance, twin / 3};
+        if (twin == noHalfEdge) return Exit{End::Border, t};
+        if (twin == manyHalfEdges || topology.creases[exit]) return Exit{End::Crease, t};
         const std::uint32_t third = nextHalfEdge(nextHalfEdge(twin));
-        if (topology.patches[next.triangle] != topology.patches[at.triangle]) return Exit{End::Patch, t, patchOf(next)};
-        if (glm::dot(lines.line[exit % 3], corner(at.instance, third)) > 0.0) return Exit{End::Fold, t, 0};
-        at = next;
+        if (glm::dot(lines.line[exit % 3], corner(at.instance, third)) > 0.0) return Exit{End::Fold, t};
+        at.triangle = twin / 3;
         entry = twin;
         reached = t;
     }

@@ -33,16 +33,15 @@ public:
     /// What ends the surface that a walk across it meets.
     enum class End {
         Border,  ///< the mesh ends
-        Patch,   ///< another patch begins, at an edge that both share
+        Crease,  ///< an edge that is a crease, or that more than two triangles share
         Fold,    ///< the mesh turns back under itself
     };
     struct Exit {
         End end;
-        double t;                   ///< where, 0 at the walk's start, 1 at its goal
-        std::uint32_t patchBeyond;  ///< End::Patch: the patch's number
+        double t;  ///< where, 0 at the walk's start, 1 at its goal
     };
-    /// Walks in the picture from a point on a triangle towards another, over the edges of its patch, to where the surface
-    /// ends; nothing if it does not end on the way.
+    /// Walks in the picture from a point on a triangle towards another, from triangle to triangle, to where the smooth
+    /// surface ends; nothing if it does not end on the way.
     [[nodiscard]] std::optional<Exit> walk(SceneTriangle from, glm::dvec2 start, glm::dvec2 goal) const;
 
 private:

@@ -96,6 +96,8 @@ private:
         const Sample far = swap ? p : q;
         const bool jumps = (marks & (PairMark::background | PairMark::jump)) != 0;
         const Walk exit = walk(near, far);
+        // Faces of one patch may bend by more than the crease angle in several smooth steps: that is no line.
+        if (marks == PairMark::bend && !exit) return {};
 
         double t = exit ? exit->t : 0.5;  // from near to far
         if (!jumps) {
@@ -120,9 +122,8 @@ private:
         const std::uint8_t object = otherObject ? bit(LineType::Object) : 0;
         if ((marks & PairMark::jump) != 0) return bit(LineType::Occlusion) | boundary | object;
         if (otherObject) return bit(LineType::Intersection) | object;
-        const bool sharedEdge = exit && (exit->end == End::Patch || atBorder);
-        const bool crease = (marks & PairMark::patch) == 0 || sharedEdge;
-        return crease ? bit(LineType::Crease) : bit(LineType::Intersection);
+        if (exit && exit->end == End::Fold) return bit(LineType::Occlusion);
+        return exit ? bit(LineType::Crease) : bit(LineType::Intersection);
     }
 
     const LineBuffers& buffers_;

@@ -75,6 +75,7 @@ OIIO::ImageSpec describe(FileFormat format, std::span<const Layer> layers, std::
 
 float normalised(float value) { return value; }
 float normalised(std::uint8_t value) { return static_cast<float>(value) / 255.0F; }
+float normalised(std::uint32_t value) { return static_cast<float>(value); }
 
 /// Copies rows [begin, end) of an image into interleaved rows of `stride` channels, from channel `first` on.
 template <class T>
@@ -154,7 +155,7 @@ Differences measure(const Image<float>& a, const Image<float>& b, double level) 
 
 }  // namespace
 
-extern "C" const ImageFormats* inkedge_image_formats_1() noexcept {
+extern "C" const ImageFormats* inkedge_image_formats_2() noexcept {
     static constexpr ImageFormats formats{
         [](FileFormat format, std::span<const Layer> layers, std::span<const HeaderEntry> header) {
             return guarded([&] { return encodeFile(format, layers, header); });

@@ -21,9 +21,10 @@ enum class SampleType { Uint8, Half, Float };
 
 /// Channels that come from one image.
 struct Layer {
-    std::variant<const Image<std::uint8_t>*, const Image<float>*> image;  ///< 8-bit values count as 0..1
-    std::vector<std::string> channels;                                    ///< a name for each of its channels
-    SampleType stored;                                                    ///< what the file keeps
+    /// 8-bit values count as 0..1; 32-bit integers stay what they are.
+    std::variant<const Image<std::uint8_t>*, const Image<float>*, const Image<std::uint32_t>*> image;
+    std::vector<std::string> channels;  ///< a name for each of its channels
+    SampleType stored;                  ///< what the file keeps
 };
 
 /// An entry in a file's header: one float, or 16: a 4 x 4 matrix, row-major.
@@ -67,8 +68,8 @@ struct ImageFormats {
 
 /// The module's one symbol. Its number rises with every change in this file, so that a module of another build is
 /// refused instead of misread.
-extern "C" INKEDGE_API const ImageFormats* inkedge_image_formats_1() noexcept;
-inline constexpr char imageFormatsSymbol[] = "inkedge_image_formats_1";
+extern "C" INKEDGE_API const ImageFormats* inkedge_image_formats_2() noexcept;
+inline constexpr char imageFormatsSymbol[] = "inkedge_image_formats_2";
 inline constexpr char imageFormatsFile[] = "inkedge_image_formats.so";
 
 }  // namespace inkedge::io

@@ -46,7 +46,7 @@ const ImageFormats& open(const fs::path& file, Error::Kind failure) {
         throw Error{failure, fmt::format("image formats: {} cannot be used: {}; reinstall inkedge and OpenImageIO",
                                          file.string(), reason == nullptr ? "no reason given" : reason)};
     }
-    return *reinterpret_cast<decltype(&inkedge_image_formats_1)>(symbol)();
+    return *reinterpret_cast<decltype(&inkedge_image_formats_2)>(symbol)();
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <string_view>
 
 #include <inkedge/error.h>
@@ -78,6 +79,34 @@ Image<std::uint8_t> edgePicture(const Image<std::uint8_t>& mask) {
     return picture;
 }
 
+/// One colour for each combination of bits: outlines red, occlusions green, creases blue and so on; white off lines.
+Image<std::uint8_t> typesPicture(const Image<std::uint8_t>& types) {
+    constexpr std::array<std::array<int, 3>, lineTypeCount> inks{
+        {{220, 30, 30}, {20, 150, 40}, {230, 140, 0}, {30, 70, 220}, {160, 40, 180}, {20, 170, 180}}};
+    Image<std::uint8_t> picture{types.size, 3, std::uint8_t{255}};
+    for (std::size_t i = 0; i < types.pixels.size(); ++i) {
+        const unsigned bits = types.pixels[i];
+        if (bits == 0) continue;
+        const auto& ink = inks[static_cast<std::size_t>(std::countr_zero(bits))];
+        for (std::size_t k = 0; k < 3; ++k) picture.pixels[3 * i + k] = static_cast<std::uint8_t>(ink[k]);
+    }
+    return picture;
+}
+
+/// A colour for each patch, scattered so that neighbours differ; white on the background.
+Image<std::uint8_t> patchPicture(const Image<std::uint32_t>& ids) {
+    Image<std::uint8_t> picture{ids.size, 3, std::uint8_t{255}};
+    for (std::size_t i = 0; 4 * i < ids.pixels.size(); ++i) {
+        const std::uint32_t patch = ids.pixels[4 * i];
+        if (patch == 0) continue;
+        const std::uint32_t scattered = patch * 2654435761U;
+        for (std::size_t k = 0; k < 3; ++k) {
+            picture.pixels[3 * i + k] = static_cast<std::uint8_t>(64 + ((scattered >> (8 * k + 8)) & 127U));
+        }
+    }
+    return picture;
+}
+
 Image<std::uint8_t> mapPicture(const Maps& maps, Map map) {
     switch (map) {
         case Map::Depth:
@@ -88,6 +117,10 @@ Image<std::uint8_t> mapPicture(const Maps& maps, Map map) {
             return edgePicture(maps.depthEdges);
         case Map::NormalEdges:
             return edgePicture(maps.normalEdges);
+        case Map::Types:
+            return typesPicture(maps.types);
+        case Map::Ids:
+            return patchPicture(maps.ids);
         case Map::Edges:
             break;
     }
@@ -105,6 +138,10 @@ io::Layer mapLayer(const Maps& maps, Map map) {
             return {&maps.depthEdges, {"depth-edges.Y"}, SampleType::Half};
         case Map::NormalEdges:
             return {&maps.normalEdges, {"normal-edges.Y"}, SampleType::Half};
+        case Map::Types:
+            return {&maps.types, {"types.bits"}, SampleType::Float};
+        case Map::Ids:
+            return {&maps.ids, {"ids.patch", "ids.across", "ids.object", "ids.material"}, SampleType::Float};
         case Map::Edges:
             break;
     }
@@ -126,10 +163,20 @@ std::vector<io::HeaderEntry> cameraEntries(const Camera& camera, Size size) {
             {"inkedge:projection", rowMajor(camera.projection(size))}};
 }
 
+Image<std::uint32_t> widened(const Image<std::uint8_t>& bytes) {
+    Image<std::uint32_t> words{bytes.size, bytes.channels};
+    std::copy(bytes.pixels.begin(), bytes.pixels.end(), words.pixels.begin());
+    return words;
+}
+
 std::vector<std::uint8_t> encodeLayers(const Maps& maps, std::span<const Map> wanted, const fs::path& target) {
     const Image<float> picture = io::linearPicture(maps.picture);
     std::vector<io::Layer> layers{{&picture, io::channelNames(picture.channels), io::SampleType::Half}};
-    for (const Map map : wanted) layers.push_back(mapLayer(maps, map));
+    const Image<std::uint32_t> typeBits = widened(maps.types);  // bits, not shares of 255
+    for (const Map map : wanted) {
+        layers.push_back(mapLayer(maps, map));
+        if (map == Map::Types) layers.back().image = &typeBits;
+    }
     io::EncodedPicture encoded = io::imageFormats(Error::Kind::Output)
                                      .encode(io::FileFormat::OpenExr, layers, cameraEntries(maps.camera, picture.size));
     if (!encoded.failure.empty()) io::failToWrite(target, encoded.failure);

@@ -8,27 +8,59 @@
 
 #include <fmt/format.h>
 
-#include "scene/gltf_message.h"
+#include "scene/load_message.h"
 
 namespace inkedge::gltf {
+
+using namespace load;
+
 namespace {
 
 constexpr std::uint64_t maximumElements = std::uint64_t{1} << 28;
 
-using Decode = double (*)(const std::uint8_t*);
+// Where numbers lie, once all of them are known to lie there.
+struct Source {
+    const std::uint8_t* start = nullptr;
+    std::uint64_t stride = 0;  // from element to element, bytes
+    std::uint64_t count = 0;
+    std::uint64_t components = 0;  // an element
+};
 
 template <class T>
-double decode(const std::uint8_t* at) {
+T valueAt(const std::uint8_t* at) {
     T value;
     std::memcpy(&value, at, sizeof value);
-    return static_cast<double>(value);
+    return value;
 }
 
 template <class T>
-double decodeNormalized(const std::uint8_t* at) {
-    if constexpr (std::is_floating_point_v<T>) return decode<T>(at);
-    return std::max(decode<T>(at) / static_cast<double>(std::numeric_limits<T>::max()), -1.0);
+double normalized(T value) {
+    if constexpr (std::is_floating_point_v<T>)
+        return static_cast<double>(value);
+    else
+        return std::max(static_cast<double>(value) / static_cast<double>(std::numeric_limits<T>::max()), -1.0);
 }
+
+// Calls write(place, value) for every number.
+template <class T, class Write>
+void forEachNumber(const Source& source, Write&& write) {
+    std::uint64_t place = 0;
+    for (std::uint64_t i = 0; i < source.count; ++i)
+        for (std::uint64_t c = 0; c < source.components; ++c)
+            write(place++, valueAt<T>(source.start + i * source.stride + c * sizeof(T)));
+}
+
+template <class T>
+void decode(const Source& source, double* numbers) {
+    forEachNumber<T>(source, [&](std::uint64_t i, T value) { numbers[i] = static_cast<double>(value); });
+}
+
+template <class T>
+void decodeNormalized(const Source& source, double* numbers) {
+    forEachNumber<T>(source, [&](std::uint64_t i, T value) { numbers[i] = normalized(value); });
+}
+
+using Decode = void (*)(const Source&, double* numbers);
 
 struct ComponentFormat {
     std::string_view name;
@@ -104,6 +136,12 @@ void readSparse(const Accessor& accessor, const Accessor::Sparse& sparse, std::v
     }
 }
 
+[[noreturn]] void refuseIndex(double number, std::size_t place, double restart, std::uint64_t vertexCount) {
+    if (number == restart)
+        refuse(fmt::format("expected vertex indices, found the primitive restart value {} at index {}", number, place));
+    refuse(fmt::format("expected vertex indices below {}, found {} at index {}", vertexCount, number, place));
+}
+
 }  // namespace
 
 std::span<const std::uint8_t> partOf(std::span<const std::uint8_t> buffer, std::uint64_t offset, std::uint64_t length) {
@@ -123,13 +161,10 @@ std::vector<double> readNumbers(const Accessor& accessor, const Expected& expect
     std::uint64_t stride = 0;
     if (accessor.elements) stride = checkedStride(*accessor.elements, accessor.count, components * format.size);
     std::vector<double> numbers(accessor.count * components);
-    if (accessor.elements) {
-        const Decode decodeOne = accessor.normalized ? format.decodeNormalized : format.decode;
-        for (std::uint64_t i = 0; i < accessor.count; ++i) {
-            const std::uint8_t* element = accessor.elements->bytes.data() + accessor.elements->offset + i * stride;
-            for (std::uint64_t c = 0; c < components; ++c)
-                numbers[i * components + c] = decodeOne(element + c * format.size);
-        }
+    if (accessor.elements && accessor.count > 0) {
+        const std::uint8_t* const start = accessor.elements->bytes.data() + accessor.elements->offset;
+        const Decode decodeAll = accessor.normalized ? format.decodeNormalized : format.decode;
+        decodeAll({start, stride, accessor.count, components}, numbers.data());
     }
     if (accessor.sparse) readSparse(accessor, *accessor.sparse, numbers);
     return numbers;
@@ -140,16 +175,11 @@ std::vector<std::uint32_t> readIndices(const Accessor& accessor, std::uint64_t v
         readNumbers(accessor, {scalar, {Component::Uint8, Component::Uint16, Component::Uint32}});
     if (accessor.normalized) refuse("expected indices that are not normalized, found normalized ones");
     const double restart = formatOf(accessor.component).largest;
-    std::vector<std::uint32_t> indices;
-    indices.reserve(numbers.size());
-    for (const double number : numbers) {
-        if (number == restart)
-            refuse(fmt::format("expected vertex indices, found the primitive restart value {} at index {}", number,
-                               indices.size()));
-        if (number >= static_cast<double>(vertexCount))
-            refuse(fmt::format("expected vertex indices below {}, found {} at index {}", vertexCount, number,
-                               indices.size()));
-        indices.push_back(static_cast<std::uint32_t>(number));
+    const double end = std::min(static_cast<double>(vertexCount), restart);
+    std::vector<std::uint32_t> indices(numbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (!(numbers[i] < end)) refuseIndex(numbers[i], i, restart, vertexCount);
+        indices[i] = static_cast<std::uint32_t>(numbers[i]);
     }
     return indices;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <optional>
 #include <span>
@@ -12,76 +11,21 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "scene/gltf_message.h"
 #include "scene/gltf_uri.h"
+#include "scene/load_file.h"
+#include "scene/load_message.h"
 
 namespace inkedge::gltf {
+
+using namespace load;
+
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-using Bytes = std::vector<std::uint8_t>;
 using namespace std::string_view_literals;
 
-constexpr std::uint64_t maximumBytes =
-    std::numeric_limits<std::int32_t>::max();  // of the model and its buffers together
 constexpr int maximumDepth = 500;
-
-// Reads a file whole and takes its size off what is left.
-Bytes readBytes(const fs::path& path, std::uint64_t& bytesLeft) {
-    std::error_code failure;
-    const fs::file_status status = fs::status(path, failure);
-    if (status.type() == fs::file_type::not_found) refuse("expected a file, found none");
-    if (failure) refuse("expected a readable file, found: " + failure.message());
-    if (fs::is_directory(status)) refuse("expected a file, found a folder");
-    if (!fs::is_regular_file(status)) refuse("expected a regular file, found a device, pipe or socket");
-
-    const std::uint64_t size = fs::file_size(path, failure);
-    if (failure) refuse("expected a readable file, found: " + failure.message());
-    if (size == 0) refuse("expected a glTF file, found an empty one");
-    if (size > bytesLeft)
-        refuse(fmt::format("expected at most {} bytes in all files of a model, found {} more", maximumBytes,
-                           size - bytesLeft));
-    bytesLeft -= size;
-
-    std::ifstream stream{path, std::ios::binary};
-    if (!stream) refuse("expected a readable file, found one that does not open");
-    Bytes bytes(size);
-    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-    if (static_cast<std::uint64_t>(stream.gcount()) != size)
-        refuse(fmt::format("expected {} bytes, found {} that can be read", size, stream.gcount()));
-    return bytes;
-}
-
-std::string_view textOf(std::span<const std::uint8_t> bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-// What a file is that is no glTF, by its first bytes.
-std::string_view kindOf(std::string_view content) {
-    struct Signature {
-        std::string_view start;
-        std::string_view kind;
-    };
-    constexpr std::array signatures{
-        Signature{"\x89PNG"sv, "a PNG picture"},
-        Signature{"\xff\xd8\xff"sv, "a JPEG picture"},
-        Signature{"<"sv, "HTML or XML"},
-        Signature{"version https://git-lfs"sv, "a Git LFS pointer instead of the file"},
-        Signature{"PK\x03\x04"sv, "a ZIP archive"},
-        Signature{"\x1f\x8b"sv, "gzip data"},
-        Signature{"ply"sv, "a PLY file"},
-        Signature{"solid "sv, "an STL file"},
-        Signature{"Kaydara FBX"sv, "an FBX file"},
-        Signature{"\xff\xfe"sv, "UTF-16 text"},
-        Signature{"\xfe\xff"sv, "UTF-16 text"},
-    };
-    for (const Signature& signature : signatures)
-        if (content.starts_with(signature.start)) return signature.kind;
-    const bool binary = std::ranges::any_of(content.substr(0, 512),
-                                            [](char c) { return static_cast<unsigned char>(c) < 0x09 || c == 0x7f; });
-    return binary ? "other data" : "other text";
-}
 
 // Where the chunks of a .glb lie.
 struct Chunks {
@@ -289,7 +233,7 @@ bool looksLikeJson(std::string_view text) {
 }  // namespace
 
 File readFile(const fs::path& model) {
-    std::uint64_t bytesLeft = maximumBytes;
+    std::uint64_t bytesLeft = maximumFileBytes;
     Bytes bytes = readBytes(model, bytesLeft);
     const std::string_view content = textOf(bytes);
     const bool binary = content.starts_with("glTF");

@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "scene/gltf_message.h"
+#include "scene/load_message.h"
 
 namespace inkedge::gltf {
+
+using namespace load;
 
 std::string_view name(Mode mode) {
     constexpr std::array<std::string_view, 7> names{"POINTS",    "LINES",          "LINE_LOOP",   "LINE_STRIP",

@@ -6,9 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "scene/gltf_message.h"
+#include "scene/load_message.h"
 
 namespace inkedge::gltf {
+
+using namespace load;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -27,17 +27,17 @@
 
 #include "scene/gltf_accessor.h"
 #include "scene/gltf_file.h"
-#include "scene/gltf_message.h"
 #include "scene/gltf_triangles.h"
+#include "scene/load_message.h"
 
 namespace inkedge {
 namespace {
 
 using gltf::Component;
 using gltf::Expected;
-using gltf::label;
-using gltf::refuse;
-using gltf::within;
+using load::label;
+using load::refuse;
+using load::within;
 
 constexpr std::uint64_t maximumElements = std::uint64_t{1} << 28;  // vertices and indices of all meshes drawn
 constexpr std::uint64_t maximumInstances = std::uint64_t{1} << 24;
@@ -72,7 +72,7 @@ std::string firstError(std::string_view errors) {
     while (!errors.empty()) {
         const std::string_view line = errors.substr(0, errors.find('\n'));
         if (!line.empty() && !line.starts_with("'inverseBindMatrices' property is missing"))
-            return gltf::printable(line.substr(0, 300));
+            return load::printable(line.substr(0, 300));
         errors.remove_prefix(std::min(errors.size(), line.size() + 1));
     }
     return {};
@@ -194,6 +194,13 @@ std::vector<Vector> readAttribute(const tinygltf::Model& model, const std::map<s
     if (vectors.size() != count)
         refuse(fmt::format("{}: expected as many elements as POSITION has, {}, found {}", name, count, vectors.size()));
     return vectors;
+}
+
+// 1 + the number of a primitive's material; 0: none. Which materials there are does not matter.
+std::uint32_t materialOf(const tinygltf::Primitive& primitive) {
+    if (primitive.material < -1)
+        refuse(fmt::format("expected a material of at least 0, found {}", primitive.material));
+    return static_cast<std::uint32_t>(primitive.material + 1);
 }
 
 // ---- nodes
@@ -370,7 +377,8 @@ struct Shape {
     std::vector<glm::dvec3> positions;
     std::vector<glm::dvec3> normals;  // as many; (0, 0, 0) where the file has none
     std::vector<std::uint32_t> indices;
-    bool authored = false;  // some normals are the file's
+    std::vector<std::uint32_t> materials;  // one a triangle; 0: none
+    bool authored = false;                 // some normals are the file's
 };
 
 // How a mesh is bent out of the shape that the file stores.
@@ -454,6 +462,7 @@ void append(Shape& shape, const Shape& part) {
     shape.positions.insert(shape.positions.end(), part.positions.begin(), part.positions.end());
     shape.normals.insert(shape.normals.end(), part.normals.begin(), part.normals.end());
     for (const std::uint32_t index : part.indices) shape.indices.push_back(first + index);
+    shape.materials.insert(shape.materials.end(), part.materials.begin(), part.materials.end());
     shape.authored = shape.authored || part.authored;
 }
 
@@ -468,10 +477,12 @@ glm::dvec3 centreOf(const std::vector<glm::dvec3>& positions) {
 }
 
 Mesh meshOf(Shape shape, const std::string& name) {
-    Mesh mesh{name, centreOf(shape.positions), {}, {}, std::move(shape.indices)};
+    Mesh mesh{name, centreOf(shape.positions), {}, {}, std::move(shape.indices), {}};
     mesh.positions.reserve(shape.positions.size());
     for (const glm::dvec3& position : shape.positions) mesh.positions.emplace_back(position - mesh.origin);
     if (shape.authored) mesh.normals.assign(shape.normals.begin(), shape.normals.end());
+    if (std::ranges::any_of(shape.materials, [](std::uint32_t material) { return material != 0; }))
+        mesh.materials = std::move(shape.materials);
     return mesh;
 }
 
@@ -595,6 +606,7 @@ private:
                              corners.size()));
         part.indices = gltf::triangleList(mode, corners);
         spend(part.indices.size());
+        part.materials.assign(part.indices.size() / 3, materialOf(primitive));
         morph(model_, primitive, pose.weights, part);
         if (!pose.joints.empty()) skin(model_, primitive, pose.joints, part);
         normalize(part.normals);
@@ -655,7 +667,7 @@ private:
 }  // namespace
 
 Scene::Data loadGltf(const std::filesystem::path& file) {
-    return within(gltf::printable(file.string()), [&] {
+    return within(load::printable(file.string()), [&] {
         try {
             return Loader{parse(gltf::readFile(file))}.load();
         } catch (const Error&) {
@@ -663,7 +675,7 @@ Scene::Data loadGltf(const std::filesystem::path& file) {
         } catch (const std::bad_alloc&) {
             refuse("expected a model that fits into memory, found one that does not");
         } catch (const std::exception& error) {
-            refuse("expected glTF 2.0, found: " + gltf::printable(error.what()));
+            refuse("expected glTF 2.0, found: " + load::printable(error.what()));
         }
     });
 }

@@ -38,7 +38,7 @@ Corners smoothingGroups(const MeshTopology& topology, double creaseAngle) {
     for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
         const std::uint32_t twin = topology.twins[h];
         // Faces wound against each other have normals to opposite sides: they cannot share one.
-        if (twin == noHalfEdge || twin < h || topology.points[h] == topology.points[twin]) continue;
+        if (!isHalfEdge(twin) || twin < h || topology.points[h] == topology.points[twin]) continue;
         if (bendCosine(topology, h, twin) < smoothCosine) continue;
         groups.unite(h, nextHalfEdge(twin));
         groups.unite(nextHalfEdge(h), twin);

@@ -13,6 +13,7 @@
 
 #include <inkedge/error.h>
 
+#include "scene/distortion.h"
 #include "scene/extent.h"
 #include "scene/normals.h"
 #include "scene/patch_numbers.h"

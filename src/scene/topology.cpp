@@ -79,6 +79,8 @@ std::vector<std::uint32_t> twinHalfEdges(const MeshTopology& topology, const std
             if (end - run == 2) {
                 twins[run[0].halfEdge] = run[1].halfEdge;
                 twins[run[1].halfEdge] = run[0].halfEdge;
+            } else if (end - run > 2) {
+                std::for_each(run, end, [&](const Entry& e) { twins[e.halfEdge] = manyHalfEdges; });
             }
             run = end;
         }
@@ -127,11 +129,11 @@ bool hasArea(const MeshTopology& topology, std::uint32_t t) { return topology.fa
 void joinAcrossThinFace(const MeshTopology& topology, std::uint32_t t, double creaseCosine, UnionFind& sets) {
     for (std::uint32_t i = 3 * t; i < 3 * t + 3; ++i) {
         const std::uint32_t a = topology.twins[i];
-        if (a == noHalfEdge) continue;
+        if (!isHalfEdge(a)) continue;
         sets.unite(t, a / 3);
         for (std::uint32_t j = i + 1; j < 3 * t + 3; ++j) {
             const std::uint32_t b = topology.twins[j];
-            if (b == noHalfEdge) continue;
+            if (!isHalfEdge(b)) continue;
             const double cosine = std::abs(glm::dot(topology.faceNormals[a / 3], topology.faceNormals[b / 3]));
             if (cosine >= creaseCosine) sets.unite(a / 3, b / 3);
         }
@@ -160,6 +162,7 @@ void buildPatches(const Mesh& mesh, double creaseAngle, MeshTopology& topology) 
     const double creaseCosine = std::cos(glm::radians(creaseAngle));
     const std::vector<std::uint32_t> first = firstOfItsKind(topology);
     UnionFind sets{static_cast<std::uint32_t>(first.size())};
+    topology.creases.assign(topology.twins.size(), false);
     for (std::uint32_t t = 0; t < first.size(); ++t) {
         sets.unite(t, first[t]);
         if (!hasArea(topology, t)) {
@@ -168,10 +171,12 @@ void buildPatches(const Mesh& mesh, double creaseAngle, MeshTopology& topology) 
         }
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
             const std::uint32_t twin = topology.twins[h];
-            if (twin == noHalfEdge || twin < h || !hasArea(topology, twin / 3)) continue;
-            if (bendCosine(topology, h, twin) < creaseCosine) continue;
-            if (normalsSplit(mesh, topology, h, twin, creaseCosine)) continue;
-            sets.unite(t, twin / 3);
+            if (!isHalfEdge(twin) || twin < h || !hasArea(topology, twin / 3)) continue;
+            if (bendCosine(topology, h, twin) < creaseCosine || normalsSplit(mesh, topology, h, twin, creaseCosine)) {
+                topology.creases[h] = topology.creases[twin] = true;
+            } else {
+                sets.unite(t, twin / 3);
+            }
         }
     }
     topology.patches.resize(first.size());

@@ -10,8 +10,12 @@
 
 namespace inkedge {
 
-/// Marks a half-edge without a twin.
+/// Stands for the twin of a half-edge that has none: the surface's border.
 inline constexpr std::uint32_t noHalfEdge = ~0U;
+/// Stands for the twin of a half-edge whose edge three or more triangles share.
+inline constexpr std::uint32_t manyHalfEdges = ~0U - 1;
+
+[[nodiscard]] constexpr bool isHalfEdge(std::uint32_t twin) noexcept { return twin < manyHalfEdges; }
 
 /// The next half-edge of the same triangle; also: the corner where half-edge h ends.
 [[nodiscard]] constexpr std::uint32_t nextHalfEdge(std::uint32_t h) noexcept { return h % 3 == 2 ? h - 2 : h + 1; }
@@ -22,7 +26,8 @@ inline constexpr std::uint32_t noHalfEdge = ~0U;
 struct MeshTopology {
     std::vector<std::uint32_t> points;     ///< one a corner: its point, 0..pointCount-1
     std::uint32_t pointCount = 0;
-    std::vector<std::uint32_t> twins;      ///< one a half-edge: the other of its edge, where exactly two share it
+    std::vector<std::uint32_t> twins;      ///< one a half-edge: the other of its edge, noHalfEdge or manyHalfEdges
+    std::vector<bool> creases;             ///< one a half-edge: whether its edge is a crease; it has a twin then
     std::vector<glm::dvec3> faceNormals;   ///< one a triangle, unit, by winding; 0 without area
     std::vector<std::uint32_t> patches;    ///< one a triangle: 0..patchCount-1
     std::uint32_t patchCount = 0;
@@ -35,7 +40,7 @@ struct MeshTopology {
 /// Two faces that share an edge bend by this much there if cos(bend) is the result; either may be wound against the other.
 [[nodiscard]] double bendCosine(const MeshTopology&, std::uint32_t halfEdge, std::uint32_t twin);
 
-/// Fills patches: the faces that hang together across edges that are no creases. A crease bends by more than the angle, or
+/// Fills creases and patches: the faces that hang together across edges that are no creases. A crease bends by more than the angle, or
 /// its two faces' normals are split by more than that at both ends. The mesh has all its normals. O(n).
 void buildPatches(const Mesh&, double creaseAngle, MeshTopology&);
 

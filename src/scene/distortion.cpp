@@ -1,0 +1,73 @@
+#include "scene/distortion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace inkedge {
+namespace {
+
+constexpr double angleTolerance = 1e-5;  // what rotations and even scales stored as floats are off by
+
+bool keepsAngles(const glm::dmat3& m) {
+    const double scale = glm::dot(m[0], m[0]);
+    const double slack = angleTolerance * scale;
+    return std::abs(glm::dot(m[1], m[1]) - scale) <= slack && std::abs(glm::dot(m[2], m[2]) - scale) <= slack &&
+           std::abs(glm::dot(m[0], m[1])) <= slack && std::abs(glm::dot(m[1], m[2])) <= slack &&
+           std::abs(glm::dot(m[2], m[0])) <= slack;
+}
+
+glm::vec3 transformedNormal(const glm::dmat3& cofactors, glm::vec3 normal) {
+    const glm::dvec3 n = cofactors * glm::dvec3{normal};
+    const double length = glm::length(n);
+    return length > 0.0 ? glm::vec3{n / length} : glm::vec3{0.0F};
+}
+
+Mesh distorted(const Mesh& mesh, const glm::dmat3& m) {
+    Mesh result = mesh;
+    result.origin = m * mesh.origin;
+    for (glm::vec3& p : result.positions) p = glm::vec3{m * glm::dvec3{p}};
+    // The inverse transpose up to its length, which also exists where the distortion flattens the mesh.
+    const double sign = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
+    const glm::dmat3 cofactors{sign * glm::cross(m[1], m[2]), sign * glm::cross(m[2], m[0]), sign * glm::cross(m[0], m[1])};
+    for (glm::vec3& n : result.normals) n = transformedNormal(cofactors, n);
+    if (sign < 0.0) {  // mirrored: keep the front in front for normals yet to be made
+        for (std::size_t t = 0; t + 2 < result.indices.size(); t += 3) std::swap(result.indices[t + 1], result.indices[t + 2]);
+    }
+    return result;
+}
+
+// Meshes that no instance places are of no use any more.
+void dropUnplacedMeshes(Scene::Data& data) {
+    constexpr std::uint32_t dropped = ~0U;
+    std::vector<std::uint32_t> renumbered(data.meshes.size(), dropped);
+    for (const Instance& instance : data.instances) renumbered[instance.mesh] = 0;
+    std::vector<Mesh> kept;
+    for (std::size_t i = 0; i < data.meshes.size(); ++i) {
+        if (renumbered[i] == dropped) continue;
+        renumbered[i] = static_cast<std::uint32_t>(kept.size());
+        kept.push_back(std::move(data.meshes[i]));
+    }
+    data.meshes = std::move(kept);
+    for (Instance& instance : data.instances) instance.mesh = renumbered[instance.mesh];
+}
+
+}  // namespace
+
+void bakeDistortedInstances(Scene::Data& data) {
+    for (Instance& instance : data.instances) {
+        const glm::dmat3 linear{instance.transform};
+        if (keepsAngles(linear)) continue;
+        data.meshes.push_back(distorted(data.meshes[instance.mesh], linear));
+        instance.mesh = static_cast<std::uint32_t>(data.meshes.size() - 1);
+        const glm::dvec4 translation = instance.transform[3];
+        instance.transform = glm::dmat4{1.0};
+        instance.transform[3] = translation;
+    }
+    dropUnplacedMeshes(data);
+}
+
+}  // namespace inkedge

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace inkedge::load {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// Of a model and all files that belong to it, together.
+inline constexpr std::uint64_t maximumFileBytes = std::numeric_limits<std::int32_t>::max();
+
+/// Reads a file whole and takes its size off bytesLeft.
+/// @throws Error  (Kind::Input) if it is missing, empty, unreadable, no regular file or larger than bytesLeft
+[[nodiscard]] Bytes readBytes(const std::filesystem::path&, std::uint64_t& bytesLeft);
+
+/// A file's first bytes, at most size.
+/// @throws Error  (Kind::Input) if it is missing, empty, unreadable or no regular file
+[[nodiscard]] Bytes readStart(const std::filesystem::path&, std::size_t size);
+
+[[nodiscard]] std::string_view textOf(std::span<const std::uint8_t> bytes) noexcept;
+
+/// What a file seems to be by its first bytes, in words: "a PNG picture", "other text".
+[[nodiscard]] std::string_view kindOf(std::string_view content) noexcept;
+
+}  // namespace inkedge::load
