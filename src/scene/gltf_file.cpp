@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "scene/gltf_compression.h"
 #include "scene/gltf_uri.h"
 #include "scene/load_file.h"
 #include "scene/load_message.h"
@@ -145,15 +146,11 @@ void checkVersion(const Json& document) {
     if (!minimum.empty() && minimum != "2.0") refuse("expected glTF 2.0, found minVersion " + quote(minimum));
 }
 
-bool isCompression(std::string_view extension) {
-    return extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression";
-}
-
 bool isRead(std::string_view extension) {
     constexpr std::array names{"KHR_mesh_quantization"sv, "EXT_mesh_gpu_instancing"sv, "KHR_texture_transform"sv,
                                "KHR_texture_basisu"sv,    "EXT_texture_webp"sv,        "KHR_lights_punctual"sv,
                                "KHR_animation_pointer"sv};
-    return std::ranges::find(names, extension) != names.end() || extension.starts_with("KHR_materials_") ||
+    return readsCompression(extension) || std::ranges::find(names, extension) != names.end() || extension.starts_with("KHR_materials_") ||
            extension.starts_with("KHR_xmp");
 }
 
@@ -171,7 +168,7 @@ void checkRequiredExtensions(const Json& document) {
         unread += (unread.empty() ? "" : ", ") + printable(std::string_view{extension}.substr(0, 80));
     }
     if (unread.empty()) return;
-    if (onlyCompressions) refuse("the geometry is compressed with " + unread + ", which this version does not read");
+    if (onlyCompressions) refuse("the geometry is compressed with " + unread + ", which this build does not read");
     refuse("expected only required extensions that this version reads, found " + unread);
 }
 
@@ -185,10 +182,17 @@ Bytes bufferBytes(const fs::path& model, const Json& buffer, std::optional<Bytes
         const fs::path file = fileOfUri(model, uri);
         return within(quote(uri), [&] { return readBytes(file, bytesLeft); });
     }
-    if (buffer.value("extensions", Json::object()).contains("EXT_meshopt_compression"))
-        refuse("it stands in for data compressed with EXT_meshopt_compression, which this version does not read");
     if (!binaryChunk) refuse("expected a uri or the binary chunk of a .glb, found neither");
     return std::move(*binaryChunk);
+}
+
+// A byte in place of a buffer that nothing reads, as no buffer may be empty.
+Bytes standIn(Json& buffer, std::size_t number) {
+    if (!readsCompression("EXT_meshopt_compression"))
+        refuse("it stands in for data compressed with EXT_meshopt_compression, which this build does not read");
+    buffer["uri"] = std::to_string(number);
+    buffer["byteLength"] = 1;
+    return {0};
 }
 
 // Takes the buffers' bytes, leaving numbers in place of their URIs.
@@ -205,6 +209,7 @@ std::vector<Bytes> takeBuffers(const fs::path& model, Json& document, std::optio
             const Json length = buffer.value("byteLength", Json{});
             if (!length.is_number_unsigned() || length == 0)
                 refuse("expected a byteLength over 0, found " + printable(length.dump().substr(0, 80)));
+            if (isFallback(buffer)) return buffers.push_back(standIn(buffer, number));
             Bytes bytes = bufferBytes(model, buffer, number == 0 ? std::move(binaryChunk) : std::nullopt, bytesLeft);
             if (bytes.size() < length.get<std::uint64_t>())
                 refuse(fmt::format("expected {} bytes, found {}", length.get<std::uint64_t>(), bytes.size()));
@@ -247,6 +252,7 @@ File readFile(const fs::path& model) {
     std::optional<Bytes> binaryChunk;
     if (!chunks.binary.empty()) binaryChunk = keepOnly(std::move(bytes), chunks.binary);
     std::vector<Bytes> buffers = takeBuffers(model, document, std::move(binaryChunk), bytesLeft);
+    decompress(document, buffers);
     return {document.dump(), std::move(buffers)};
 }
 

@@ -591,7 +591,6 @@ private:
             if (!warnedAs.empty()) warn(warnedAs + ": has no positions and is not drawn");
             return part;
         }
-        refuseDraco(primitive, position->second);
         part.positions = readVectors<glm::dvec3>(model_, position->second, "POSITION", anyPosition);
         const std::size_t count = part.positions.size();
         part.normals = readAttribute<glm::dvec3>(model_, primitive.attributes, "NORMAL", anyNormal, count);
@@ -612,13 +611,6 @@ private:
         normalize(part.normals);
         checkPositions(part.positions);
         return part;
-    }
-
-    // An accessor of a primitive in KHR_draco_mesh_compression may have no data of its own.
-    void refuseDraco(const tinygltf::Primitive& primitive, int position) const {
-        if (primitive.extensions.contains("KHR_draco_mesh_compression") &&
-            at(model_.accessors, position, "an accessor").bufferView == -1)
-            refuse("the geometry is compressed with KHR_draco_mesh_compression, which this version does not read");
     }
 
     std::vector<std::uint32_t> cornersOf(const tinygltf::Primitive& primitive, std::size_t vertexCount) const {

@@ -8,7 +8,8 @@ namespace inkedge {
 
 /// Reads the default scene of a glTF 2.0 file; .glb is told from .gltf by content. External buffers are read only from
 /// the model's own folder. Every mesh's triangles (lists, strips and fans) become one triangle list; morph targets
-/// stand at their default weights, skins in their default pose.
+/// stand at their default weights, skins in their default pose. Data compressed with KHR_draco_mesh_compression or
+/// EXT_meshopt_compression are read where the build has the libraries for it.
 ///
 /// Normals are the file's, unit length, (0, 0, 0) where it has none; a mesh without any has no normals at all. Points
 /// and lines are left out with one warning. A file without triangles gives no meshes and no instances.

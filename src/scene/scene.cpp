@@ -122,6 +122,7 @@ Scene::Scene(Data data, const LoadSettings& settings) {
     static_cast<Data&>(*prepared) = std::move(data);
     std::erase_if(prepared->instances, [&](const Instance& i) { return prepared->meshes[i.mesh].indices.empty(); });
     if (prepared->instances.empty()) refuse("expected at least one triangle to draw, found none");
+    bakeDistortedInstances(*prepared);
     for (Mesh& mesh : prepared->meshes) {
         dropUnusedVertices(mesh);
         applyAuthoredNormals(mesh, settings);
