@@ -24,7 +24,6 @@ struct OsmesaApi {
     void* (*createContextAttribs)(const int* attributes, void* shareList) = nullptr;
     void (*destroyContext)(void* context) = nullptr;
     GLboolean (*makeCurrent)(void* context, void* buffer, GLenum type, GLsizei width, GLsizei height) = nullptr;
-    void* (*getCurrentContext)() = nullptr;
     GLADapiproc (*getProcAddress)(const char* name) = nullptr;
     bool complete = false;
 };
@@ -36,7 +35,6 @@ const OsmesaApi& osmesa() {
         a.complete = library != nullptr && resolve(library, "OSMesaCreateContextAttribs", a.createContextAttribs) &&
                      resolve(library, "OSMesaDestroyContext", a.destroyContext) &&
                      resolve(library, "OSMesaMakeCurrent", a.makeCurrent) &&
-                     resolve(library, "OSMesaGetCurrentContext", a.getCurrentContext) &&
                      resolve(library, "OSMesaGetProcAddress", a.getProcAddress);
         return a;
     }();
@@ -70,20 +68,34 @@ public:
 
 private:
     void enter() override {
-        previous_ = osmesa().getCurrentContext();
-        if (osmesa().makeCurrent(context_, &pixel_, GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE) {
-            throw Error{Error::Kind::Context, "expected OSMesa to make its context current, found it refused"};
-        }
+        bind(this);
+        before_ = innermost;
+        innermost = this;
     }
     void leave() noexcept override {
-        // A context that was current before cannot be restored: OSMesa does not tell its buffer.
-        if (previous_ != context_) osmesa().makeCurrent(nullptr, nullptr, 0, 0, 0);
+        innermost = before_;
+        // Only our own contexts come back: OSMesa and EGL of one Mesa share what is current on a thread, so that what
+        // OSMesa calls current may be an EGL context.
+        (void)tryToBind(before_);
     }
 
+    static bool tryToBind(OsmesaContext* context) noexcept {
+        if (context == nullptr) return osmesa().makeCurrent(nullptr, nullptr, 0, 0, 0) != GL_FALSE;
+        return osmesa().makeCurrent(context->context_, &context->pixel_, GL_UNSIGNED_BYTE, 1, 1) != GL_FALSE;
+    }
+    static void bind(OsmesaContext* context) {
+        if (tryToBind(context)) return;
+        throw Error{Error::Kind::Context, "expected OSMesa to make its context current, found it refused"};
+    }
+
+    static thread_local OsmesaContext* innermost;  // of those that are entered
+
     void* context_ = nullptr;
-    void* previous_ = nullptr;
+    OsmesaContext* before_ = nullptr;
     std::uint32_t pixel_ = 0;  // the buffer that OSMesa insists on; nothing is drawn to it
 };
+
+thread_local OsmesaContext* OsmesaContext::innermost = nullptr;
 
 }  // namespace
 

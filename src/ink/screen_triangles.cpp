@@ -38,6 +38,37 @@ ScreenTriangles::ScreenTriangles(const Scene& scene, const std::vector<std::uint
         fromOrigin[3] = glm::dvec4{scene.meshes()[instance.mesh].origin, 1.0};
         toPixels_.push_back(viewport * (view * (instance.transform * fromOrigin)));
     }
+    collectLayerBorders();
+}
+
+void ScreenTriangles::collectLayerBorders() {
+    const PatchNumbers& patches = scene_.patchNumbers();
+    if (std::ranges::find(patches.layered, true) == patches.layered.end()) return;
+    for (std::uint32_t i = 0; i < scene_.instances().size(); ++i) {
+        const MeshTopology& topology = scene_.topology(scene_.instances()[i].mesh);
+        for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
+            const std::uint32_t patch = patches.base[i] + topology.patches[h / 3];
+            if (!patches.layered[patch] || (isHalfEdge(topology.twins[h]) && !topology.creases[h])) continue;
+            layerBorders_[patches.number[patch]].push_back({corner(i, h), corner(i, nextHalfEdge(h))});
+        }
+    }
+}
+
+std::optional<double> ScreenTriangles::layerBorder(std::uint32_t patch, glm::dvec2 start, glm::dvec2 goal) const {
+    const auto borders = layerBorders_.find(patch);
+    if (borders == layerBorders_.end()) return {};
+    const glm::dvec3 p{start, 1.0};
+    const glm::dvec3 q{goal, 1.0};
+    const glm::dvec3 step = glm::cross(p, q);
+    for (const BorderEdge& edge : borders->second) {
+        if (edge.from.z <= 0.0 || edge.to.z <= 0.0) continue;
+        if ((glm::dot(step, edge.from) >= 0.0) == (glm::dot(step, edge.to) >= 0.0)) continue;
+        const glm::dvec3 line = glm::cross(edge.from, edge.to);
+        const double ep = glm::dot(line, p);
+        const double eq = glm::dot(line, q);
+        if ((ep >= 0.0) != (eq >= 0.0)) return ep / (ep - eq);
+    }
+    return {};
 }
 
 SceneTriangle ScreenTriangles::locate(std::uint32_t number) const {

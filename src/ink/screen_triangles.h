@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include <glm/mat3x3.hpp>
@@ -44,7 +45,17 @@ public:
     /// surface ends; nothing if it does not end on the way.
     [[nodiscard]] std::optional<Exit> walk(SceneTriangle from, glm::dvec2 start, glm::dvec2 goal) const;
 
+    /// Where, from 0 at start to 1 at goal, the border of a coplanar layer lies between them, whichever layer is seen there.
+    /// @param patch  the layer's number (PatchNumbers::number)
+    [[nodiscard]] std::optional<double> layerBorder(std::uint32_t patch, glm::dvec2 start, glm::dvec2 goal) const;
+
 private:
+    struct BorderEdge {
+        glm::dvec3 from;  // homogeneous pixels
+        glm::dvec3 to;
+    };
+    void collectLayerBorders();
+
     // Row k: the line through half-edge k as (a, b, c) with a x + b y + c > 0 on the triangle's side.
     struct EdgeLines {
         glm::dvec3 line[3];
@@ -55,6 +66,7 @@ private:
     const Scene& scene_;
     const std::vector<std::uint32_t>& firstTriangles_;
     std::vector<glm::dmat4x3> toPixels_;  // one an instance: mesh positions less their origin -> homogeneous pixels
+    std::unordered_map<std::uint32_t, std::vector<BorderEdge>> layerBorders_;  // by patch number
 };
 
 }  // namespace inkedge

@@ -78,6 +78,13 @@ private:
         return triangles_.walk(triangle(from), {from.x + 0.5, from.y + 0.5}, {to.x + 0.5, to.y + 0.5});
     }
 
+    // Where coplanar layers overlap a pixel holds the sum of their patches' numbers: one more on one side names the layer.
+    [[nodiscard]] std::optional<double> layerBorder(Sample from, Sample to) const {
+        const float difference = buffers_.planes.at(from.x, from.y, 3) - buffers_.planes.at(to.x, to.y, 3);
+        return triangles_.layerBorder(static_cast<std::uint32_t>(std::abs(difference)), {from.x + 0.5, from.y + 0.5},
+                                      {to.x + 0.5, to.y + 0.5});
+    }
+
     // Where the planes of p and q meet on the step from p to q, if they do and it can be told.
     [[nodiscard]] std::optional<double> planesMeet(Sample p, Sample q) const {
         const int axis = p.x == q.x ? 2 : 1;
@@ -104,7 +111,11 @@ private:
             if (const std::optional<double> meet = planesMeet(p, q)) {
                 t = swap ? 1.0 - *meet : *meet;
             } else if (!exit) {
-                if (const Walk back = walk(far, near)) t = 1.0 - back->t;
+                if (const Walk back = walk(far, near)) {
+                    t = 1.0 - back->t;
+                } else if (const auto border = layerBorder(near, far)) {
+                    t = *border;
+                }
             }
         }
         const std::uint8_t types = classify(near, far, marks, exit);

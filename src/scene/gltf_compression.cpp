@@ -87,7 +87,7 @@ private:
     void readView(Json& view) {
         const Json& compressed = extension(view, meshopt);
         if (compressed.is_null() || !readsMeshopt()) {
-            if (isFallback(bufferOf(view))) refuse("expected data of its own, found a buffer that stands in for some");
+            if (liesInFallback(view)) refuse("expected data of its own, found a buffer that stands in for some");
             return;
         }
         Bytes bytes = within(meshopt, [&] { return decoded(compressed); });
@@ -197,10 +197,12 @@ private:
 
     // ---- buffers
 
-    const Json& bufferOf(const Json& view) const {
-        static const Json none;
+    // A bufferView of no buffer is the reader's to refuse, should anything use it.
+    bool liesInFallback(const Json& view) const {
         const Json& index = member(view, "buffer");
-        return index.is_number_unsigned() ? entry(document_, "buffers", index.get<std::uint64_t>()) : none;
+        const Json& buffers = member(document_, "buffers");
+        return index.is_number_unsigned() && index < sizeOf(buffers) &&
+               isFallback(buffers[index.get<std::size_t>()]);
     }
 
     // The part of a buffer that a bufferView or the like means.

@@ -117,7 +117,7 @@ std::vector<std::uint32_t> readTriangles(const draco::Mesh& mesh, std::uint64_t&
     std::vector<std::uint32_t> indices;
     indices.reserve(std::size_t{mesh.num_faces()} * 3);
     for (std::uint32_t face = 0; face < mesh.num_faces(); ++face)
-        for (const draco::PointIndex point : mesh.face(draco::FaceIndex{face})) indices.push_back(point.value());
+        for (const draco::PointIndex& point : mesh.face(draco::FaceIndex{face})) indices.push_back(point.value());
     return indices;
 }
 
