@@ -88,7 +88,7 @@ std::vector<std::uint32_t> twinHalfEdges(const MeshTopology& topology, const std
     return twins;
 }
 
-std::vector<glm::dvec3> faceNormals(const Mesh& mesh) {
+std::vector<glm::dvec3> faceNormals(const Mesh& mesh, double thin) {
     std::vector<glm::dvec3> normals(mesh.indices.size() / 3);
     for (std::size_t t = 0; t < normals.size(); ++t) {
         const glm::dvec3 a{mesh.positions[mesh.indices[3 * t]]};
@@ -96,7 +96,8 @@ std::vector<glm::dvec3> faceNormals(const Mesh& mesh) {
         const glm::dvec3 c{mesh.positions[mesh.indices[3 * t + 2]]};
         const glm::dvec3 area = glm::cross(b - a, c - a);
         const double length = glm::length(area);
-        normals[t] = length > 0.0 ? area / length : glm::dvec3{0.0};
+        const double longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
+        normals[t] = length > thin * longest ? area / length : glm::dvec3{0.0};
     }
     return normals;
 }
@@ -123,9 +124,9 @@ bool normalsSplit(const Mesh& mesh, const MeshTopology& topology, std::uint32_t 
     return split(halfEdge, ends.atStart) && split(nextHalfEdge(halfEdge), ends.atEnd);
 }
 
-bool hasArea(const MeshTopology& topology, std::uint32_t t) { return topology.faceNormals[t] != glm::dvec3{0.0}; }
+bool hasNormal(const MeshTopology& topology, std::uint32_t t) { return topology.faceNormals[t] != glm::dvec3{0.0}; }
 
-// A face without area (three corners on a line) only connects: its neighbours are joined as if they touched each other.
+// A face that is too thin only connects: its neighbours are joined as if they touched each other.
 void joinAcrossThinFace(const MeshTopology& topology, std::uint32_t t, double creaseCosine, UnionFind& sets) {
     for (std::uint32_t i = 3 * t; i < 3 * t + 3; ++i) {
         const std::uint32_t a = topology.twins[i];
@@ -153,7 +154,7 @@ MeshTopology buildTopology(const Mesh& mesh) {
     topology.pointCount = weld.pointCount;
     topology.points.resize(mesh.indices.size());
     std::ranges::transform(mesh.indices, topology.points.begin(), [&](std::uint32_t i) { return weld.point[i]; });
-    topology.faceNormals = faceNormals(mesh);
+    topology.faceNormals = faceNormals(mesh, leastHeight * weld.tolerance);
     topology.twins = twinHalfEdges(topology, firstOfItsKind(topology));
     return topology;
 }
@@ -165,13 +166,13 @@ void buildPatches(const Mesh& mesh, double creaseAngle, MeshTopology& topology) 
     topology.creases.assign(topology.twins.size(), false);
     for (std::uint32_t t = 0; t < first.size(); ++t) {
         sets.unite(t, first[t]);
-        if (!hasArea(topology, t)) {
+        if (!hasNormal(topology, t)) {
             joinAcrossThinFace(topology, t, creaseCosine, sets);
             continue;
         }
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
             const std::uint32_t twin = topology.twins[h];
-            if (!isHalfEdge(twin) || twin < h || !hasArea(topology, twin / 3)) continue;
+            if (!isHalfEdge(twin) || twin < h || !hasNormal(topology, twin / 3)) continue;
             if (bendCosine(topology, h, twin) < creaseCosine || normalsSplit(mesh, topology, h, twin, creaseCosine)) {
                 topology.creases[h] = topology.creases[twin] = true;
             } else {
@@ -184,6 +185,10 @@ void buildPatches(const Mesh& mesh, double creaseAngle, MeshTopology& topology) 
     for (std::uint32_t t = 0; t < first.size(); ++t) {  // a set's root is its least member, so it comes first
         const std::uint32_t root = sets.root(t);
         topology.patches[t] = root == t ? topology.patchCount++ : topology.patches[root];
+    }
+    for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {  // what thin faces keep apart
+        const std::uint32_t twin = topology.twins[h];
+        if (isHalfEdge(twin) && topology.patches[h / 3] != topology.patches[twin / 3]) topology.creases[h] = true;
     }
 }
 

@@ -28,10 +28,14 @@ struct MeshTopology {
     std::uint32_t pointCount = 0;
     std::vector<std::uint32_t> twins;      ///< one a half-edge: the other of its edge, noHalfEdge or manyHalfEdges
     std::vector<bool> creases;             ///< one a half-edge: whether its edge is a crease; it has a twin then
-    std::vector<glm::dvec3> faceNormals;   ///< one a triangle, unit, by winding; 0 without area
+    std::vector<glm::dvec3> faceNormals;   ///< one a triangle, unit, by winding; 0 where it is too thin
     std::vector<std::uint32_t> patches;    ///< one a triangle: 0..patchCount-1
     std::uint32_t patchCount = 0;
 };
+
+/// A triangle whose least height is under this many weld tolerances has no normal worth the name: the rounding of its
+/// corners turns it by more than half the usual crease angle.
+inline constexpr double leastHeight = 4.0;
 
 /// Fills points, twins and faceNormals. Triangles that repeat an earlier one, whatever their winding, and those with two
 /// corners at one point take no part in edges. O(n) but for points with very many edges.

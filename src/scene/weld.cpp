@@ -28,7 +28,8 @@ struct Places {
 };
 
 Places weldEqual(std::span<const glm::vec3> positions) {
-    Places places{{std::vector<std::uint32_t>(positions.size()), 0}, {}};
+    Places places;
+    places.weld.point.resize(positions.size());
     // Open addressing at a load of at most one half; a slot names a place.
     std::vector<std::uint32_t> slots(std::bit_ceil(2 * positions.size() + 1), none);
     const std::uint64_t mask = slots.size() - 1;
@@ -101,6 +102,7 @@ private:
 Weld weldByPosition(std::span<const glm::vec3> positions) {
     Places places = weldEqual(positions);
     const double tolerance = weldTolerance * diagonal(positions);
+    places.weld.tolerance = tolerance;
     if (tolerance == 0.0) return std::move(places.weld);
 
     CellGrid grid{positions, places.first, tolerance};

@@ -12,6 +12,7 @@ namespace inkedge {
 struct Weld {
     std::vector<std::uint32_t> point;  ///< one a position: the number of its place, 0..pointCount-1 in order of appearance
     std::uint32_t pointCount = 0;
+    double tolerance = 0.0;  ///< how far apart two positions of one place may be
 };
 
 /// Positions that differ by no more than this share of the diagonal of their box are one place. It is about the rounding

@@ -1,0 +1,243 @@
+#include "scene/load_assimp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <assimp/IOSystem.hpp>
+#include <assimp/Importer.hpp>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "scene/load_file.h"
+#include "scene/load_message.h"
+#include "scene/load_polygons.h"
+
+namespace inkedge {
+namespace {
+
+using load::label;
+using load::PolygonFormat;
+using load::refuse;
+using load::within;
+
+constexpr std::uint64_t maximumElements = std::uint64_t{1} << 28;  // vertices and corners
+
+// Has no files: of material libraries and the like only the names are known.
+class NoFiles : public Assimp::IOSystem {
+public:
+    bool Exists(const char*) const override { return false; }
+    char getOsSeparator() const override { return '/'; }
+    Assimp::IOStream* Open(const char*, const char*) override { return nullptr; }
+    void Close(Assimp::IOStream*) override {}
+};
+
+// By its extension assimp chooses the reader.
+const char* extensionOf(PolygonFormat format) noexcept {
+    switch (format) {
+        case PolygonFormat::Obj:
+            return "obj";
+        case PolygonFormat::Stl:
+            return "stl";
+        case PolygonFormat::Ply:
+            return "ply";
+    }
+    return "";
+}
+
+// The importer owns the scene.
+const aiScene& import(Assimp::Importer& importer, const load::Bytes& bytes, PolygonFormat format) {
+    importer.SetIOHandler(new NoFiles);  // which it deletes
+    const aiScene* const scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, extensionOf(format));
+    if (scene == nullptr)
+        refuse(fmt::format("expected {}, found: {}", name(format), load::printable(importer.GetErrorString())));
+    return *scene;
+}
+
+glm::dvec3 toVector(const aiVector3D& v) { return {v.x, v.y, v.z}; }
+
+bool finite(const aiVector3D& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+std::span<const aiVector3D> positionsOf(const aiMesh& mesh) {
+    return {mesh.mVertices, mesh.mVertices == nullptr ? 0 : mesh.mNumVertices};
+}
+
+std::span<const aiFace> facesOf(const aiMesh& mesh) {
+    return {mesh.mFaces, mesh.mFaces == nullptr ? 0 : mesh.mNumFaces};
+}
+
+glm::vec3 unitOrZero(const aiVector3D& v) {
+    const double length = glm::length(toVector(v));
+    return length > 0.0 && std::isfinite(length) ? glm::vec3{toVector(v) / length} : glm::vec3{0.0F};
+}
+
+// Makes one mesh of all of a file's.
+class Joiner {
+public:
+    Joiner(const aiScene& source, PolygonFormat format) : source_{source}, format_{format} {
+        if (format == PolygonFormat::Obj) numberMaterials();
+    }
+
+    Scene::Data join(const std::string& name) {
+        mesh_.name = name;
+        forEachMesh([&](const aiMesh& mesh) { measure(mesh); });
+        if (vertexCount_ > 0) mesh_.origin = 0.5 * (low_ + high_);
+        mesh_.positions.reserve(vertexCount_);
+        mesh_.indices.reserve(cornerCount_);
+        forEachMesh([&](const aiMesh& mesh) { add(mesh); });
+        warn();
+        dropWhatSaysNothing();
+        if (!mesh_.indices.empty()) {
+            data_.meshes.push_back(std::move(mesh_));
+            data_.instances.push_back({name, 0, glm::dmat4{1.0}});
+        }
+        return std::move(data_);
+    }
+
+private:
+    template <class Action>
+    void forEachMesh(Action&& action) const {
+        for (unsigned int i = 0; i < source_.mNumMeshes; ++i)
+            within(label("mesh", i, source_.mMeshes[i]->mName.C_Str()), [&] { action(*source_.mMeshes[i]); });
+    }
+
+    // assimp puts faces without a material into one of its own.
+    void numberMaterials() {
+        std::uint32_t number = 0;
+        for (unsigned int i = 0; i < source_.mNumMaterials; ++i) {
+            const bool none = source_.mMaterials[i]->GetName() == aiString{AI_DEFAULT_MATERIAL_NAME};
+            materials_.push_back(none ? 0 : ++number);
+        }
+    }
+
+    // ---- before anything is copied
+
+    void measure(const aiMesh& mesh) {
+        const std::span<const aiVector3D> positions = positionsOf(mesh);
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            const aiVector3D& p = positions[i];
+            if (!finite(p))
+                refuse(fmt::format("expected finite positions, found ({}, {}, {}) at vertex {}", p.x, p.y, p.z, i));
+            low_ = glm::min(low_, toVector(p));
+            high_ = glm::max(high_, toVector(p));
+        }
+        vertexCount_ += positions.size();
+        for (const aiFace& face : facesOf(mesh)) cornerCount_ += face.mNumIndices;
+        if (vertexCount_ + cornerCount_ > maximumElements)
+            refuse(fmt::format("expected at most {} vertices and corners, found more", maximumElements));
+        authored_ = authored_ || (mesh.mNormals != nullptr && format_ != PolygonFormat::Stl);
+    }
+
+    // ---- the copy
+
+    void add(const aiMesh& mesh) {
+        const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
+        for (const aiVector3D& position : positionsOf(mesh))
+            mesh_.positions.emplace_back(toVector(position) - mesh_.origin);
+        if (authored_) addNormals(mesh);
+        const std::span<const aiFace> faces = facesOf(mesh);
+        for (std::size_t i = 0; i < faces.size(); ++i) addFace(mesh, i, first);
+        if (faces.empty()) points_ += mesh.mNumVertices;  // a PLY file of points alone
+        const std::uint32_t material = mesh.mMaterialIndex < materials_.size() ? materials_[mesh.mMaterialIndex] : 0;
+        mesh_.materials.resize(mesh_.indices.size() / 3, material);
+    }
+
+    void addNormals(const aiMesh& mesh) {
+        for (unsigned int i = 0; mesh.mNormals != nullptr && i < positionsOf(mesh).size(); ++i)
+            mesh_.normals.push_back(unitOrZero(mesh.mNormals[i]));
+        mesh_.normals.resize(mesh_.positions.size());
+    }
+
+    void addFace(const aiMesh& mesh, std::size_t number, std::uint32_t first) {
+        const aiFace& face = mesh.mFaces[number];
+        for (unsigned int i = 0; i < face.mNumIndices; ++i)
+            if (face.mIndices[i] >= mesh.mNumVertices)
+                refuse(fmt::format("expected vertices below {}, found {} in face {}", mesh.mNumVertices,
+                                   face.mIndices[i], number));
+        if (face.mNumIndices == 3) return addTriangle(face, {0, 1, 2}, first);
+        if (face.mNumIndices < 3) {
+            ++(face.mNumIndices == 2 ? lines_ : points_);
+            return;
+        }
+        corners_.clear();
+        for (unsigned int i = 0; i < face.mNumIndices; ++i)
+            corners_.push_back(toVector(mesh.mVertices[face.mIndices[i]]));
+        for (const load::PolygonCutter::Triangle& triangle : cutter_.cut(corners_)) addTriangle(face, triangle, first);
+    }
+
+    void addTriangle(const aiFace& face, const load::PolygonCutter::Triangle& corners, std::uint32_t first) {
+        const std::uint32_t a = face.mIndices[corners[0]];
+        const std::uint32_t b = face.mIndices[corners[1]];
+        const std::uint32_t c = face.mIndices[corners[2]];
+        if (a != b && b != c && c != a) mesh_.indices.insert(mesh_.indices.end(), {first + a, first + b, first + c});
+    }
+
+    // ---- after it
+
+    void warn() {
+        if (points_ + lines_ > 0)
+            data_.warnings.push_back(fmt::format("{} points and {} lines are not drawn", points_, lines_));
+        if (vertexCount_ == 0) return;
+        constexpr double visible = 1e-5;  // of the diagonal
+        const glm::dvec3 largest = glm::max(glm::abs(low_), glm::abs(high_));
+        const double spacing =
+            std::max({largest.x, largest.y, largest.z}) * double{std::numeric_limits<float>::epsilon()};
+        const double diagonal = glm::distance(low_, high_);
+        if (spacing > visible * diagonal)
+            data_.warnings.push_back(fmt::format(
+                "coordinates are kept to {:.2g}, as {} files are read as floats: much for a model {:.3g} across that "
+                "far from the origin",
+                spacing, name(format_), diagonal));
+    }
+
+    void dropWhatSaysNothing() {
+        if (std::ranges::all_of(mesh_.materials, [](std::uint32_t material) { return material == 0; }))
+            mesh_.materials.clear();
+        if (std::ranges::all_of(mesh_.normals, [](const glm::vec3& normal) { return normal == glm::vec3{0.0F}; }))
+            mesh_.normals.clear();
+    }
+
+    const aiScene& source_;
+    PolygonFormat format_;
+    std::vector<std::uint32_t> materials_;  // by assimp's number
+    glm::dvec3 low_{std::numeric_limits<double>::max()};
+    glm::dvec3 high_{std::numeric_limits<double>::lowest()};
+    std::uint64_t vertexCount_ = 0;
+    std::uint64_t cornerCount_ = 0;
+    bool authored_ = false;
+    std::uint64_t points_ = 0;
+    std::uint64_t lines_ = 0;
+    std::vector<glm::dvec3> corners_;  // of the polygon at hand
+    load::PolygonCutter cutter_;
+    Mesh mesh_;
+    Scene::Data data_;
+};
+
+}  // namespace
+
+bool readsPolygonFormats() noexcept { return true; }
+
+Scene::Data loadAssimp(const std::filesystem::path& file, PolygonFormat format) {
+    return within(load::printable(file.string()), [&] {
+        try {
+            std::uint64_t bytesLeft = load::maximumFileBytes;
+            load::Bytes bytes = load::readBytes(file, bytesLeft);
+            load::checkContent(format, bytes);
+            Assimp::Importer importer;
+            return Joiner{import(importer, bytes, format), format}.join(file.stem().string());
+        } catch (const Error&) {
+            throw;
+        } catch (const std::bad_alloc&) {
+            refuse("expected a model that fits into memory, found one that does not");
+        } catch (const std::exception& error) {
+            refuse(fmt::format("expected {}, found: {}", name(format), load::printable(error.what())));
+        }
+    });
+}
+
+}  // namespace inkedge

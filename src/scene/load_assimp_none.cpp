@@ -1,0 +1,16 @@
+// Stands in for load_assimp.cpp where the build leaves libassimp out.
+#include <fmt/format.h>
+
+#include "scene/load_assimp.h"
+#include "scene/load_message.h"
+
+namespace inkedge {
+
+bool readsPolygonFormats() noexcept { return false; }
+
+Scene::Data loadAssimp(const std::filesystem::path& file, load::PolygonFormat format) {
+    load::refuse(fmt::format("{}: expected glTF 2.0 (.glb or .gltf), found {}, which this build does not read",
+                             load::printable(file.string()), name(format)));
+}
+
+}  // namespace inkedge
