@@ -54,6 +54,17 @@ void ScreenTriangles::collectLayerBorders() {
     }
 }
 
+bool ScreenTriangles::touch(SceneTriangle a, SceneTriangle b) const {
+    if (a.instance != b.instance) return false;
+    const auto& points = scene_.topology(scene_.instances()[a.instance].mesh).points;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        for (std::uint32_t j = 0; j < 3; ++j) {
+            if (points[3 * a.triangle + i] == points[3 * b.triangle + j]) return true;
+        }
+    }
+    return false;
+}
+
 std::optional<double> ScreenTriangles::layerBorder(std::uint32_t patch, glm::dvec2 start, glm::dvec2 goal) const {
     const auto borders = layerBorders_.find(patch);
     if (borders == layerBorders_.end()) return {};
@@ -100,7 +111,7 @@ ScreenTriangles::EdgeLines ScreenTriangles::edgeLines(SceneTriangle t) const {
     return lines;
 }
 
-std::optional<ScreenTriangles::Exit> ScreenTriangles::walk(SceneTriangle from, glm::dvec2 start, glm::dvec2 goal) const {
+ScreenTriangles::Walk ScreenTriangles::walk(SceneTriangle from, glm::dvec2 start, glm::dvec2 goal) const {
     const MeshTopology& topology = scene_.topology(scene_.instances()[from.instance].mesh);
     const glm::dvec3 p{start, 1.0};
     const glm::dvec3 q{goal, 1.0};
@@ -120,12 +131,12 @@ std::optional<ScreenTriangles::Exit> ScreenTriangles::walk(SceneTriangle from, g
                 exit = 3 * at.triangle + k;
             }
         }
-        if (exit == noHalfEdge) return {};  // the goal lies on this triangle
+        if (exit == noHalfEdge) return {{}, at.triangle};
         const std::uint32_t twin = topology.twins[exit];
-        if (twin == noHalfEdge) return Exit{End::Border, t};
-        if (twin == manyHalfEdges || topology.creases[exit]) return Exit{End::Crease, t};
+        if (twin == noHalfEdge) return {Exit{End::Border, t}, {}};
+        if (twin == manyHalfEdges || topology.creases[exit]) return {Exit{End::Crease, t}, {}};
         const std::uint32_t third = nextHalfEdge(nextHalfEdge(twin));
-        if (glm::dot(lines.line[exit % 3], corner(at.instance, third)) > 0.0) return Exit{End::Fold, t};
+        if (glm::dot(lines.line[exit % 3], corner(at.instance, third)) > 0.0) return {Exit{End::Fold, t}, {}};
         at.triangle = twin / 3;
         entry = twin;
         reached = t;

@@ -68,7 +68,7 @@ public:
 
 private:
     using End = ScreenTriangles::End;
-    using Walk = std::optional<ScreenTriangles::Exit>;
+    using Walk = ScreenTriangles::Walk;
 
     [[nodiscard]] bool isBackground(Sample s) const { return buffers_.triangles.at(s.x, s.y) == 0; }
     [[nodiscard]] SceneTriangle triangle(Sample s) const {
@@ -102,30 +102,38 @@ private:
         const Sample near = swap ? q : p;
         const Sample far = swap ? p : q;
         const bool jumps = (marks & (PairMark::background | PairMark::jump)) != 0;
-        const Walk exit = walk(near, far);
-        // Faces of one patch may bend by more than the crease angle in several smooth steps: that is no line.
-        if (marks == PairMark::bend && !exit) return {};
+        const Walk way = walk(near, far);
+        if (marks == PairMark::bend && goesOnSmoothly(way, far)) return {};
 
-        double t = exit ? exit->t : 0.5;  // from near to far
+        double t = way.exit ? way.exit->t : 0.5;  // from near to far
         if (!jumps) {
             if (const std::optional<double> meet = planesMeet(p, q)) {
                 t = swap ? 1.0 - *meet : *meet;
-            } else if (!exit) {
-                if (const Walk back = walk(far, near)) {
-                    t = 1.0 - back->t;
+            } else if (!way.exit) {
+                if (const Walk back = walk(far, near); back.exit) {
+                    t = 1.0 - back.exit->t;
                 } else if (const auto border = layerBorder(near, far)) {
                     t = *border;
                 }
             }
         }
-        const std::uint8_t types = classify(near, far, marks, exit);
+        const std::uint8_t types = classify(near, far, marks, way.exit);
         types_.at(near.x, near.y) |= types;
         const glm::dvec2 from{near.x + 0.5, near.y + 0.5};
         const glm::dvec2 to{far.x + 0.5, far.y + 0.5};
         return {glm::vec2{from + t * (to - from)}, types};
     }
 
-    [[nodiscard]] std::uint8_t classify(Sample near, Sample far, unsigned marks, const Walk& exit) const {
+    // Faces of one patch may bend by more than the crease angle in several smooth steps: that is no line. Where the way ends
+    // on another triangle than the one seen there, the patch runs into itself.
+    [[nodiscard]] bool goesOnSmoothly(const Walk& way, Sample far) const {
+        if (way.exit) return false;
+        const SceneTriangle seen = triangle(far);
+        return !way.arrivedAt || triangles_.touch({seen.instance, *way.arrivedAt}, seen);
+    }
+
+    [[nodiscard]] std::uint8_t classify(Sample near, Sample far, unsigned marks,
+                                        const std::optional<ScreenTriangles::Exit>& exit) const {
         const bool atBorder = exit && exit->end == End::Border;
         const std::uint8_t boundary = atBorder ? bit(LineType::Boundary) : 0;
         if ((marks & PairMark::background) != 0) return bit(LineType::Outline) | boundary;
