@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include "gl/context.h"
 #include "gl/gpu.h"
 #include "gl/read_back.h"
+#include "gl/stage_clock.h"
 #include "gl/upload.h"
 #include "ink/paint_strokes.h"
 #include "ink/trace_lines.h"
@@ -18,124 +18,10 @@
 #include "passes/draw_planes.h"
 #include "passes/draw_surface.h"
 #include "passes/placement.h"
+#include "passes/read_maps.h"
 
 namespace inkedge {
 namespace {
-
-bool wants(const Settings& settings, Map map) { return std::ranges::find(settings.maps, map) != settings.maps.end(); }
-
-bool wantsAny(const Settings& settings, std::initializer_list<Map> maps) {
-    return std::ranges::any_of(maps, [&](Map map) { return wants(settings, map); });
-}
-
-// Times stages, and stops at the first that left a GL error.
-class StageClock {
-public:
-    StageClock(const gl::Api& api, std::vector<StageTime>& times) : api_{api}, times_{times} {}
-
-    void finish(const char* stage) {
-        api_.Finish();
-        if (const GLenum error = api_.GetError(); error != GL_NO_ERROR) {
-            throw Error{Error::Kind::Runtime,
-                        error == GL_OUT_OF_MEMORY
-                            ? fmt::format("{}: expected enough graphics memory, found too little; ask for a smaller --size",
-                                          stage)
-                            : fmt::format("{}: expected no OpenGL error, found {:#x}", stage, error)};
-        }
-        const auto now = std::chrono::steady_clock::now();
-        times_.push_back({stage, std::chrono::duration<double, std::milli>(now - begin_).count()});
-        begin_ = now;
-    }
-
-private:
-    const gl::Api& api_;
-    std::vector<StageTime>& times_;
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
-
-void readSurface(const gl::Api& api, const SurfaceBuffers& buffers, const Settings& settings, Maps& maps) {
-    if (wants(settings, Map::Depth)) {
-        maps.windowDepth = gl::readDepth(api, buffers.depth);
-        for (float& z : maps.windowDepth.pixels) z = 1.0F - z;
-    }
-    if (!wantsAny(settings, {Map::Depth, Map::Normal})) return;
-    const Image<float> surface = gl::readFloats(api, buffers.surface, 4);
-    const std::size_t count = surface.pixels.size() / 4;
-    if (wants(settings, Map::Depth)) {
-        maps.depth = Image<float>{surface.size, 1};
-        for (std::size_t i = 0; i < count; ++i) maps.depth.pixels[i] = surface.pixels[4 * i + 3];
-    }
-    if (wants(settings, Map::Normal)) {
-        maps.normal = Image<float>{surface.size, 3};
-        for (std::size_t i = 0; i < count; ++i) {
-            std::copy_n(surface.pixels.begin() + static_cast<std::ptrdiff_t>(4 * i), 3,
-                        maps.normal.pixels.begin() + static_cast<std::ptrdiff_t>(3 * i));
-        }
-    }
-}
-
-Image<std::uint8_t> mask(const Image<std::uint8_t>& marks, unsigned bits) {
-    Image<std::uint8_t> edges{marks.size, 1};
-    std::ranges::transform(marks.pixels, edges.pixels.begin(),
-                           [&](std::uint8_t m) { return static_cast<std::uint8_t>((m & bits) != 0 ? 255 : 0); });
-    return edges;
-}
-
-void readEdges(const gl::Api& api, const EdgeBuffers& buffers, const Settings& settings, Maps& maps) {
-    const bool depth = wants(settings, Map::DepthEdges);
-    const bool normal = wants(settings, Map::NormalEdges);
-    const bool both = wants(settings, Map::Edges) && settings.detector.detector == Detector::Classic;
-    if (!depth && !normal && !both) return;
-    const Image<std::uint8_t> marks = gl::readBytes(api, buffers.marks, 1);
-    if (depth) maps.depthEdges = mask(marks, EdgeBuffers::depthEdge);
-    if (normal) maps.normalEdges = mask(marks, EdgeBuffers::normalEdge);
-    if (both) maps.edges = mask(marks, EdgeBuffers::depthEdge | EdgeBuffers::normalEdge);
-    if (!buffers.magnitudes) return;
-    const Image<float> magnitudes = gl::readFloats(api, *buffers.magnitudes, 2);
-    if (depth) maps.depthMagnitude = Image<float>{marks.size, 1};
-    if (normal) maps.normalMagnitude = Image<float>{marks.size, 1};
-    for (std::size_t i = 0; i < marks.pixels.size(); ++i) {
-        if (depth) maps.depthMagnitude.pixels[i] = magnitudes.pixels[2 * i];
-        if (normal) maps.normalMagnitude.pixels[i] = magnitudes.pixels[2 * i + 1];
-    }
-}
-
-// A pixel's types are those of all its samples.
-Image<std::uint8_t> typesOfPixels(const Image<std::uint8_t>& samples, int samplesPerPixel) {
-    if (samplesPerPixel == 1) return samples;
-    Image<std::uint8_t> types{{samples.size.width / samplesPerPixel, samples.size.height / samplesPerPixel}, 1};
-    for (int y = 0; y < samples.size.height; ++y) {
-        for (int x = 0; x < samples.size.width; ++x) types.at(x / samplesPerPixel, y / samplesPerPixel) |= samples.at(x, y);
-    }
-    return types;
-}
-
-// A pixel's ids are those of its first sample on a line, or of its middle one.
-Image<std::uint32_t> idsOfPixels(const TracedLines& traced, int samplesPerPixel) {
-    if (samplesPerPixel == 1) return traced.ids;
-    const Size size{traced.ids.size.width / samplesPerPixel, traced.ids.size.height / samplesPerPixel};
-    Image<std::uint32_t> ids{size, traced.ids.channels};
-    for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) {
-            int fromX = x * samplesPerPixel + samplesPerPixel / 2;
-            int fromY = y * samplesPerPixel + samplesPerPixel / 2;
-            for (int i = samplesPerPixel * samplesPerPixel - 1; i >= 0; --i) {
-                const int sampleX = x * samplesPerPixel + i % samplesPerPixel;
-                const int sampleY = y * samplesPerPixel + i / samplesPerPixel;
-                if (traced.types.at(sampleX, sampleY) == 0) continue;
-                fromX = sampleX;
-                fromY = sampleY;
-            }
-            std::copy_n(&traced.ids.at(fromX, fromY), ids.channels, &ids.at(x, y));
-        }
-    }
-    return ids;
-}
-
-Image<std::uint8_t> readPicture(const gl::Api& api, const gl::Texture& picture, const PictureSettings& settings) {
-    const int channels = picture.format() == GL_R8 ? 1 : settings.background ? 3 : 4;
-    return gl::readBytes(api, picture, channels);
-}
 
 void check(const Camera& camera) {
     const bool angleUsable = camera.orthographic() || (camera.viewAngle > 0.0 && camera.viewAngle < 180.0);
@@ -160,7 +46,7 @@ struct View {
 };
 
 // Depth and normal maps, their edges, and, for the classic detector, the picture.
-void renderSurface(const View& view, StageClock& clock, Maps& maps) {
+void renderSurface(const View& view, gl::StageClock& clock, Maps& maps) {
     const auto& [gpu, upload, scene, camera, settings] = view;
     const bool classic = settings.detector.detector == Detector::Classic;
     const bool keepMagnitudes = wantsAny(settings, {Map::DepthEdges, Map::NormalEdges});
@@ -183,7 +69,7 @@ void renderSurface(const View& view, StageClock& clock, Maps& maps) {
 }
 
 // Lines of the planes detector: their types, ids and, unless the classic detector draws it, the picture.
-void renderPlanes(const View& view, StageClock& clock, Maps& maps) {
+void renderPlanes(const View& view, gl::StageClock& clock, Maps& maps) {
     const auto& [gpu, upload, scene, camera, settings] = view;
     const PictureSettings& picture = settings.picture;
     const bool classic = settings.detector.detector == Detector::Classic;
@@ -194,22 +80,22 @@ void renderPlanes(const View& view, StageClock& clock, Maps& maps) {
         drawPlanes(gpu, upload, scene, camera, {picture.size.width * samples, picture.size.height * samples});
     clock.finish("planes");
     LineBuffers lines;
-    lines.marks = detectLines(gpu, buffers.planes, camera, unit, settings.load.creaseAngle);
+    lines.marks = detectLines(gpu, buffers.planes, camera, unit, scene.creaseAngle());
     clock.finish("lines");
     lines.planes = gl::readFloats(gpu.api, buffers.planes, 4);
     lines.triangles = gl::readIntegers(gpu.api, buffers.triangles);
     clock.finish("read-back");
-    const TracedLines traced =
+    TracedLines traced =
         traceLines(lines, scene, upload.firstTriangles(), camera, unit, picture.lines, samples,
                    wants(settings, Map::Ids) ? TraceIds::Keep : TraceIds::Drop);
     clock.finish("trace");
-    if (wants(settings, Map::Types)) maps.types = typesOfPixels(traced.types, samples);
-    if (wants(settings, Map::Ids)) maps.ids = idsOfPixels(traced, samples);
     if (!classic) {
-        if (wants(settings, Map::Edges)) maps.edges = mask(typesOfPixels(traced.types, samples), picture.lines);
+        if (wants(settings, Map::Edges)) maps.edges = mask(traced.types, picture.lines);
         maps.picture = paintStrokes(traced.strokes, picture);
         clock.finish("paint");
     }
+    maps.ids = std::move(traced.ids);
+    if (wants(settings, Map::Types)) maps.types = std::move(traced.types);
 }
 
 }  // namespace
@@ -235,6 +121,10 @@ struct Renderer::State {
 
     void check(const PictureSettings& picture) const {
         const Size size = picture.size;
+        if (picture.supersampling != 1 && picture.supersampling != 2 && picture.supersampling != 4) {
+            throw Error{Error::Kind::Usage,
+                        fmt::format("supersampling: expected 1, 2 or 4, found {}", picture.supersampling)};
+        }
         const int most = maximumSize / picture.supersampling;
         if (size.width >= 1 && size.height >= 1 && size.width <= most && size.height <= most) return;
         throw Error{Error::Kind::Usage,
@@ -271,7 +161,7 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     Maps maps;
     maps.camera = camera;
     maps.backend = backend();
-    StageClock clock{state_->gpu->api, maps.times};
+    gl::StageClock clock{state_->gpu->api, maps.times};
     const View view{*state_->gpu, state_->uploaded(scene), scene, camera, settings};
     clock.finish("upload");
     if (settings.detector.detector == Detector::Planes) {

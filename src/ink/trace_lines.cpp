@@ -244,6 +244,36 @@ Image<std::uint32_t> traceIds(const LineBuffers& buffers, const Scene& scene, co
     return ids;
 }
 
+// A pixel's types are those of all its samples.
+Image<std::uint8_t> typesOfPixels(const Image<std::uint8_t>& samples, int samplesPerPixel) {
+    Image<std::uint8_t> types{{samples.size.width / samplesPerPixel, samples.size.height / samplesPerPixel}, 1};
+    for (int y = 0; y < samples.size.height; ++y) {
+        for (int x = 0; x < samples.size.width; ++x) types.at(x / samplesPerPixel, y / samplesPerPixel) |= samples.at(x, y);
+    }
+    return types;
+}
+
+// A pixel's ids are those of its first sample on a line, or of its middle one.
+Image<std::uint32_t> idsOfPixels(const TracedLines& traced, int samplesPerPixel) {
+    const Size size{traced.ids.size.width / samplesPerPixel, traced.ids.size.height / samplesPerPixel};
+    Image<std::uint32_t> ids{size, traced.ids.channels};
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            int fromX = x * samplesPerPixel + samplesPerPixel / 2;
+            int fromY = y * samplesPerPixel + samplesPerPixel / 2;
+            for (int i = samplesPerPixel * samplesPerPixel - 1; i >= 0; --i) {
+                const int sampleX = x * samplesPerPixel + i % samplesPerPixel;
+                const int sampleY = y * samplesPerPixel + i / samplesPerPixel;
+                if (traced.types.at(sampleX, sampleY) == 0) continue;
+                fromX = sampleX;
+                fromY = sampleY;
+            }
+            std::copy_n(&traced.ids.at(fromX, fromY), ids.channels, &ids.at(x, y));
+        }
+    }
+    return ids;
+}
+
 }  // namespace
 
 TracedLines traceLines(const LineBuffers& buffers, const Scene& scene, const std::vector<std::uint32_t>& firstTriangles,
@@ -260,6 +290,10 @@ TracedLines traceLines(const LineBuffers& buffers, const Scene& scene, const std
     traced.types = tracer.takeTypes();
     if (ids == TraceIds::Keep) {
         traced.ids = traceIds(buffers, scene, ScreenTriangles{scene, firstTriangles, camera, buffers.marks.size});
+    }
+    if (samplesPerPixel > 1) {
+        if (ids == TraceIds::Keep) traced.ids = idsOfPixels(traced, samplesPerPixel);
+        traced.types = typesOfPixels(traced.types, samplesPerPixel);
     }
     return traced;
 }

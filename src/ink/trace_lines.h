@@ -21,8 +21,8 @@ struct LineBuffers {
 
 struct TracedLines {
     std::vector<Stroke> strokes;  ///< in output pixels
-    Image<std::uint8_t> types;    ///< as Maps::types, one a sample
-    Image<std::uint32_t> ids;     ///< as Maps::ids, one a sample; empty unless asked for
+    Image<std::uint8_t> types;    ///< as Maps::types
+    Image<std::uint32_t> ids;     ///< as Maps::ids; empty unless asked for
 };
 
 enum class TraceIds { Drop, Keep };

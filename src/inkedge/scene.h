@@ -79,6 +79,8 @@ public:
     [[nodiscard]] const Box& meshBox(std::size_t i) const noexcept;
     /// A sphere in world space around everything drawn.
     [[nodiscard]] const Sphere& bounds() const noexcept;
+    /// Degrees: faces that meet at more than this meet in a crease.
+    [[nodiscard]] double creaseAngle() const noexcept;
     /// Triangles drawn: every instance counts.
     [[nodiscard]] std::uint64_t triangleCount() const noexcept;
 

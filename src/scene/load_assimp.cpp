@@ -16,7 +16,10 @@
 
 #include "scene/load_file.h"
 #include "scene/load_message.h"
+#include "scene/load_obj.h"
+#include "scene/load_ply.h"
 #include "scene/load_polygons.h"
+#include "scene/load_stl.h"
 
 namespace inkedge {
 namespace {
@@ -76,16 +79,41 @@ glm::vec3 unitOrZero(const aiVector3D& v) {
     return length > 0.0 && std::isfinite(length) ? glm::vec3{toVector(v) / length} : glm::vec3{0.0F};
 }
 
+// A file whose content assimp may be trusted with. What assimp need not know stands beside it.
+struct Content {
+    load::Bytes bytes;
+    std::vector<std::uint32_t> faceMaterials;  // one a face, or none
+    std::uint64_t points = 0;
+    std::uint64_t lines = 0;
+};
+
+Content readContent(const std::filesystem::path& file, PolygonFormat format) {
+    std::uint64_t bytesLeft = load::maximumFileBytes;
+    Content content{load::readBytes(file, bytesLeft), {}};
+    if (format == PolygonFormat::Obj) {
+        load::ObjContent obj = load::checkedObj(load::textOf(content.bytes));
+        return {std::move(obj.text), std::move(obj.faceMaterials), obj.points, obj.lines};
+    }
+    if (format == PolygonFormat::Stl) load::makeStlSafe(content.bytes);
+    if (format == PolygonFormat::Ply) load::checkPly(load::textOf(content.bytes));
+    return content;
+}
+
 // Makes one mesh of all of a file's.
 class Joiner {
 public:
-    Joiner(const aiScene& source, PolygonFormat format) : source_{source}, format_{format} {
-        if (format == PolygonFormat::Obj) numberMaterials();
-    }
+    Joiner(const aiScene& source, PolygonFormat format, const Content& content)
+        : source_{source},
+          format_{format},
+          faceMaterials_{content.faceMaterials},
+          points_{content.points},
+          lines_{content.lines} {}
 
     Scene::Data join(const std::string& name) {
         mesh_.name = name;
         forEachMesh([&](const aiMesh& mesh) { measure(mesh); });
+        if (!faceMaterials_.empty() && faceCount_ != faceMaterials_.size())
+            refuse(fmt::format("expected {} faces, found {}", faceMaterials_.size(), faceCount_));
         if (vertexCount_ > 0) mesh_.origin = 0.5 * (low_ + high_);
         mesh_.positions.reserve(vertexCount_);
         mesh_.indices.reserve(cornerCount_);
@@ -106,15 +134,6 @@ private:
             within(label("mesh", i, source_.mMeshes[i]->mName.C_Str()), [&] { action(*source_.mMeshes[i]); });
     }
 
-    // assimp puts faces without a material into one of its own.
-    void numberMaterials() {
-        std::uint32_t number = 0;
-        for (unsigned int i = 0; i < source_.mNumMaterials; ++i) {
-            const bool none = source_.mMaterials[i]->GetName() == aiString{AI_DEFAULT_MATERIAL_NAME};
-            materials_.push_back(none ? 0 : ++number);
-        }
-    }
-
     // ---- before anything is copied
 
     void measure(const aiMesh& mesh) {
@@ -127,6 +146,7 @@ private:
             high_ = glm::max(high_, toVector(p));
         }
         vertexCount_ += positions.size();
+        faceCount_ += facesOf(mesh).size();
         for (const aiFace& face : facesOf(mesh)) cornerCount_ += face.mNumIndices;
         if (vertexCount_ + cornerCount_ > maximumElements)
             refuse(fmt::format("expected at most {} vertices and corners, found more", maximumElements));
@@ -141,10 +161,12 @@ private:
             mesh_.positions.emplace_back(toVector(position) - mesh_.origin);
         if (authored_) addNormals(mesh);
         const std::span<const aiFace> faces = facesOf(mesh);
-        for (std::size_t i = 0; i < faces.size(); ++i) addFace(mesh, i, first);
+        for (std::size_t i = 0; i < faces.size(); ++i) {
+            addFace(mesh, i, first);
+            mesh_.materials.resize(mesh_.indices.size() / 3, faceMaterials_.empty() ? 0 : faceMaterials_[face_]);
+            ++face_;
+        }
         if (faces.empty()) points_ += mesh.mNumVertices;  // a PLY file of points alone
-        const std::uint32_t material = mesh.mMaterialIndex < materials_.size() ? materials_[mesh.mMaterialIndex] : 0;
-        mesh_.materials.resize(mesh_.indices.size() / 3, material);
     }
 
     void addNormals(const aiMesh& mesh) {
@@ -204,14 +226,16 @@ private:
 
     const aiScene& source_;
     PolygonFormat format_;
-    std::vector<std::uint32_t> materials_;  // by assimp's number
+    const std::vector<std::uint32_t>& faceMaterials_;
+    std::uint64_t points_;
+    std::uint64_t lines_;
+    std::size_t face_ = 0;  // the next, of all meshes
     glm::dvec3 low_{std::numeric_limits<double>::max()};
     glm::dvec3 high_{std::numeric_limits<double>::lowest()};
     std::uint64_t vertexCount_ = 0;
     std::uint64_t cornerCount_ = 0;
+    std::uint64_t faceCount_ = 0;
     bool authored_ = false;
-    std::uint64_t points_ = 0;
-    std::uint64_t lines_ = 0;
     std::vector<glm::dvec3> corners_;  // of the polygon at hand
     load::PolygonCutter cutter_;
     Mesh mesh_;
@@ -225,11 +249,10 @@ bool readsPolygonFormats() noexcept { return true; }
 Scene::Data loadAssimp(const std::filesystem::path& file, PolygonFormat format) {
     return within(load::printable(file.string()), [&] {
         try {
-            std::uint64_t bytesLeft = load::maximumFileBytes;
-            load::Bytes bytes = load::readBytes(file, bytesLeft);
-            load::checkContent(format, bytes);
+            const Content content = readContent(file, format);
+            if (format == PolygonFormat::Obj && content.faceMaterials.empty()) return withoutFaces(content);
             Assimp::Importer importer;
-            return Joiner{import(importer, bytes, format), format}.join(file.stem().string());
+            return Joiner{import(importer, content.bytes, format), format, content}.join(file.stem().string());
         } catch (const Error&) {
             throw;
         } catch (const std::bad_alloc&) {

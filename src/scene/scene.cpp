@@ -25,6 +25,7 @@ struct Scene::Prepared : Scene::Data {
     std::vector<Box> meshBoxes;
     std::vector<MeshTopology> topologies;
     Sphere bounds;
+    double creaseAngle = 0.0;
     std::uint64_t triangleCount = 0;
     PatchNumbers patchNumbers;
 };
@@ -120,6 +121,7 @@ Scene::Scene(Data data, const LoadSettings& settings) {
 
     auto prepared = std::make_shared<Prepared>();
     static_cast<Data&>(*prepared) = std::move(data);
+    prepared->creaseAngle = settings.creaseAngle;
     std::erase_if(prepared->instances, [&](const Instance& i) { return prepared->meshes[i.mesh].indices.empty(); });
     if (prepared->instances.empty()) refuse("expected at least one triangle to draw, found none");
     bakeDistortedInstances(*prepared);
@@ -148,6 +150,7 @@ const std::vector<SceneCamera>& Scene::cameras() const noexcept { return data_->
 const std::vector<std::string>& Scene::warnings() const noexcept { return data_->warnings; }
 const Box& Scene::meshBox(std::size_t i) const noexcept { return data_->meshBoxes[i]; }
 const Sphere& Scene::bounds() const noexcept { return data_->bounds; }
+double Scene::creaseAngle() const noexcept { return data_->creaseAngle; }
 std::uint64_t Scene::triangleCount() const noexcept { return data_->triangleCount; }
 const MeshTopology& Scene::topology(std::size_t i) const noexcept { return data_->topologies[i]; }
 const PatchNumbers& Scene::patchNumbers() const noexcept { return data_->patchNumbers; }

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+#include <inkedge/maps.h>
+
+#include "gl/api.h"
+
+namespace inkedge::gl {
+
+/// Times the stages of a render and stops at the first that left a GL error.
+class StageClock {
+public:
+    StageClock(const Api& api, std::vector<StageTime>& times) : api_{api}, times_{times} {}
+
+    /// Waits for the stage's work to be done and notes its time.
+    /// @throws Error  (Kind::Runtime) if OpenGL reports an error
+    void finish(const char* stage);
+
+private:
+    const Api& api_;
+    std::vector<StageTime>& times_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace inkedge::gl

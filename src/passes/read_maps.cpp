@@ -1,0 +1,67 @@
+#include "passes/read_maps.h"
+
+#include <algorithm>
+
+#include "gl/read_back.h"
+
+namespace inkedge {
+
+bool wants(const Settings& settings, Map map) { return std::ranges::find(settings.maps, map) != settings.maps.end(); }
+
+bool wantsAny(const Settings& settings, std::initializer_list<Map> maps) {
+    return std::ranges::any_of(maps, [&](Map map) { return wants(settings, map); });
+}
+
+Image<std::uint8_t> mask(const Image<std::uint8_t>& marks, unsigned bits) {
+    Image<std::uint8_t> edges{marks.size, 1};
+    std::ranges::transform(marks.pixels, edges.pixels.begin(),
+                           [&](std::uint8_t m) { return static_cast<std::uint8_t>((m & bits) != 0 ? 255 : 0); });
+    return edges;
+}
+
+void readSurface(const gl::Api& api, const SurfaceBuffers& buffers, const Settings& settings, Maps& maps) {
+    if (wants(settings, Map::Depth)) {
+        maps.windowDepth = gl::readDepth(api, buffers.depth);
+        for (float& z : maps.windowDepth.pixels) z = 1.0F - z;
+    }
+    if (!wantsAny(settings, {Map::Depth, Map::Normal})) return;
+    const Image<float> surface = gl::readFloats(api, buffers.surface, 4);
+    const std::size_t count = surface.pixels.size() / 4;
+    if (wants(settings, Map::Depth)) {
+        maps.depth = Image<float>{surface.size, 1};
+        for (std::size_t i = 0; i < count; ++i) maps.depth.pixels[i] = surface.pixels[4 * i + 3];
+    }
+    if (wants(settings, Map::Normal)) {
+        maps.normal = Image<float>{surface.size, 3};
+        for (std::size_t i = 0; i < count; ++i) {
+            std::copy_n(surface.pixels.begin() + static_cast<std::ptrdiff_t>(4 * i), 3,
+                        maps.normal.pixels.begin() + static_cast<std::ptrdiff_t>(3 * i));
+        }
+    }
+}
+
+void readEdges(const gl::Api& api, const EdgeBuffers& buffers, const Settings& settings, Maps& maps) {
+    const bool depth = wants(settings, Map::DepthEdges);
+    const bool normal = wants(settings, Map::NormalEdges);
+    const bool both = wants(settings, Map::Edges) && settings.detector.detector == Detector::Classic;
+    if (!depth && !normal && !both) return;
+    const Image<std::uint8_t> marks = gl::readBytes(api, buffers.marks, 1);
+    if (depth) maps.depthEdges = mask(marks, EdgeBuffers::depthEdge);
+    if (normal) maps.normalEdges = mask(marks, EdgeBuffers::normalEdge);
+    if (both) maps.edges = mask(marks, EdgeBuffers::depthEdge | EdgeBuffers::normalEdge);
+    if (!buffers.magnitudes) return;
+    const Image<float> magnitudes = gl::readFloats(api, *buffers.magnitudes, 2);
+    if (depth) maps.depthMagnitude = Image<float>{marks.size, 1};
+    if (normal) maps.normalMagnitude = Image<float>{marks.size, 1};
+    for (std::size_t i = 0; i < marks.pixels.size(); ++i) {
+        if (depth) maps.depthMagnitude.pixels[i] = magnitudes.pixels[2 * i];
+        if (normal) maps.normalMagnitude.pixels[i] = magnitudes.pixels[2 * i + 1];
+    }
+}
+
+Image<std::uint8_t> readPicture(const gl::Api& api, const gl::Texture& picture, const PictureSettings& settings) {
+    const int channels = picture.format() == GL_R8 ? 1 : settings.background ? 3 : 4;
+    return gl::readBytes(api, picture, channels);
+}
+
+}  // namespace inkedge

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <initializer_list>
+
+#include <inkedge/maps.h>
+#include <inkedge/settings.h>
+
+#include "passes/detect_edges.h"
+#include "passes/draw_surface.h"
+
+namespace inkedge {
+
+[[nodiscard]] bool wants(const Settings&, Map);
+[[nodiscard]] bool wantsAny(const Settings&, std::initializer_list<Map>);
+
+/// Fills depth, windowDepth and normal, as far as they are wanted.
+void readSurface(const gl::Api&, const SurfaceBuffers&, const Settings&, Maps&);
+
+/// Fills the edge masks and magnitudes, as far as they are wanted.
+void readEdges(const gl::Api&, const EdgeBuffers&, const Settings&, Maps&);
+
+/// @param picture  as composite() returns it
+[[nodiscard]] Image<std::uint8_t> readPicture(const gl::Api&, const gl::Texture& picture, const PictureSettings&);
+
+/// 255 where any of the bits is set, else 0.
+[[nodiscard]] Image<std::uint8_t> mask(const Image<std::uint8_t>& marks, unsigned bits);
+
+}  // namespace inkedge

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace inkedge::load {
+
+/// What an OBJ file says about its surface, fit for a reader that trusts its input.
+struct ObjContent {
+    std::vector<std::uint8_t> text;            ///< only v, vn and f, without texture coordinates; every index is in range
+    std::vector<std::uint32_t> faceMaterials;  ///< one a face: 1 + its number in the order of first use, 0: none
+    std::uint64_t points = 0;                  ///< left out
+    std::uint64_t lines = 0;                   ///< left out
+};
+
+/// Reads and checks every line. Free-form curves and surfaces and what does not bear on the shape are left out. O(n).
+/// @throws Error  (Kind::Input) if the file is no text, or a line with v, vn or f is not as it should be; the message
+///                names the line
+[[nodiscard]] ObjContent checkedObj(std::string_view content);
+
+}  // namespace inkedge::load
