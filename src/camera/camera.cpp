@@ -24,4 +24,6 @@ glm::dmat4 Camera::projection(Size size) const noexcept {
     return p;
 }
 
+double Camera::focalLength(Size size) const noexcept { return 0.5 * size.height * projection(size)[1][1]; }
+
 }  // namespace inkedge

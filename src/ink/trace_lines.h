@@ -32,7 +32,7 @@ enum class TraceIds { Drop, Keep };
 /// @param firstTriangles  for each instance the number of its first triangle in the scene
 /// @param unit            scene units in a unit length of the planes
 /// @param lines           bits of LineType that become strokes; types and ids hold all
-[[nodiscard]] TracedLines traceLines(const LineBuffers&, const Scene&, const std::vector<std::uint32_t>& firstTriangles,
+[[nodiscard]] TracedLines traceLines(LineBuffers, const Scene&, const std::vector<std::uint32_t>& firstTriangles,
                                      const Camera&, double unit, std::uint8_t lines, int samplesPerPixel, TraceIds);
 
 }  // namespace inkedge

@@ -20,6 +20,9 @@ struct Camera {
 
     /// View space -> OpenGL clip space (-w <= z <= w), for pictures of this size; pixels are square.
     [[nodiscard]] INKEDGE_API glm::dmat4 projection(Size) const noexcept;
+
+    /// Focal length in pixels of pictures of this size; orthographic: pixels a scene unit.
+    [[nodiscard]] INKEDGE_API double focalLength(Size) const noexcept;
 };
 
 /// Turns a wish into a camera: what the wish leaves open is chosen so that the whole model fills the picture, and near

@@ -33,7 +33,7 @@ Image<std::uint8_t> detectLines(gl::Gpu& gpu, const gl::Texture& planes, const C
     constexpr auto program = gl::Program::DetectLines;
     const Size size = planes.size();
     const double creaseCosine = std::cos(glm::radians(creaseAngle));
-    const double focal = 0.5 * size.height * camera.projection(size)[1][1] * (camera.orthographic() ? unit : 1.0);
+    const double focal = camera.focalLength(size) * (camera.orthographic() ? unit : 1.0);
     const GLuint id = gpu.programs.id(program);
     gpu.api.ProgramUniform1f(id, 0, static_cast<float>(focal));
     gpu.api.ProgramUniform1i(id, 1, camera.orthographic() ? 1 : 0);

@@ -12,13 +12,12 @@ namespace {
 // in one plane, and less than any step that shows.
 constexpr double layerLift = 0.05;
 
-double focalLength(const glm::dmat4& projection, Size size) { return 0.5 * size.height * projection[1][1]; }
-
 // Clip-space z of points that much nearer to the eye, less that of the points themselves: constant, because a footprint
 // grows with depth in perspective and not at all in an orthographic view.
-double liftInClipSpace(const glm::dmat4& projection, Size size, bool orthographic) {
-    const double lift = layerLift / focalLength(projection, size);
-    return orthographic ? lift * projection[2][2] : projection[3][2] * lift / (1.0 - lift);
+double liftInClipSpace(const glm::dmat4& projection, const Camera& camera, Size size, double unit) {
+    if (camera.orthographic()) return layerLift / (camera.focalLength(size) * unit) * projection[2][2];
+    const double lift = layerLift / camera.focalLength(size);
+    return projection[3][2] * lift / (1.0 - lift);
 }
 
 void setUniforms(gl::Gpu& gpu, gl::Program program, const glm::mat4& projection, double lift, bool orthographic) {
@@ -33,7 +32,8 @@ void setUniforms(gl::Gpu& gpu, gl::Program program, const glm::mat4& projection,
 PlaneBuffers drawPlanes(gl::Gpu& gpu, const gl::UploadedScene& upload, const Scene& scene, const Camera& camera,
                         Size size) {
     using Part = gl::UploadedScene::Part;
-    const glm::dmat4 projection = reversedProjection(camera, size, unitLength(scene));
+    const double unit = unitLength(scene);
+    const glm::dmat4 projection = reversedProjection(camera, size, unit);
     upload.place(placeInstances(scene, upload, camera, LightSpace::Camera));
 
     PlaneBuffers buffers{gpu.textures.acquire(size, GL_RGBA32F), gpu.textures.acquire(size, GL_R32UI)};
@@ -58,7 +58,7 @@ PlaneBuffers drawPlanes(gl::Gpu& gpu, const gl::UploadedScene& upload, const Sce
     gpu.api.BlendEquation(GL_FUNC_ADD);
     gpu.api.BlendFunc(GL_ONE, GL_ONE);
     setUniforms(gpu, gl::Program::DrawLayers, glm::mat4{projection},
-                liftInClipSpace(projection, size, camera.orthographic()), camera.orthographic());
+                liftInClipSpace(projection, camera, size, unit), camera.orthographic());
     upload.draw(Part::Layers);
     return buffers;
 }

@@ -94,7 +94,7 @@ private:
         if (const std::uint64_t length = number(view, "byteLength"); length != bytes.size())
             refuse(fmt::format("expected a byteLength of {} as {} gives, found {}", bytes.size(), meshopt, length));
         view["buffer"] = addBuffer(std::move(bytes));
-        view["byteOffset"] = 0;
+        view.erase("byteOffset");
         view.erase("extensions");
     }
 

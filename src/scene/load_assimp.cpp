@@ -89,7 +89,7 @@ struct Content {
 
 Content readContent(const std::filesystem::path& file, PolygonFormat format) {
     std::uint64_t bytesLeft = load::maximumFileBytes;
-    Content content{load::readBytes(file, bytesLeft), {}};
+    Content content{load::readBytes(file, bytesLeft), {}, 0, 0};
     if (format == PolygonFormat::Obj) {
         load::ObjContent obj = load::checkedObj(load::textOf(content.bytes));
         return {std::move(obj.text), std::move(obj.faceMaterials), obj.points, obj.lines};
@@ -97,6 +97,17 @@ Content readContent(const std::filesystem::path& file, PolygonFormat format) {
     if (format == PolygonFormat::Stl) load::makeStlSafe(content.bytes);
     if (format == PolygonFormat::Ply) load::checkPly(load::textOf(content.bytes));
     return content;
+}
+
+std::string warningOf(std::uint64_t points, std::uint64_t lines) {
+    return fmt::format("{} points and {} lines are not drawn", points, lines);
+}
+
+Scene::Data withoutFaces(const Content& content) {
+    if (content.points + content.lines == 0) refuse("expected faces, found none");
+    Scene::Data data;
+    data.warnings.push_back(warningOf(content.points, content.lines));
+    return data;
 }
 
 // Makes one mesh of all of a file's.
@@ -202,8 +213,7 @@ private:
     // ---- after it
 
     void warn() {
-        if (points_ + lines_ > 0)
-            data_.warnings.push_back(fmt::format("{} points and {} lines are not drawn", points_, lines_));
+        if (points_ + lines_ > 0) data_.warnings.push_back(warningOf(points_, lines_));
         if (vertexCount_ == 0) return;
         constexpr double visible = 1e-5;  // of the diagonal
         const glm::dvec3 largest = glm::max(glm::abs(low_), glm::abs(high_));

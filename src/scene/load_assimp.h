@@ -16,13 +16,14 @@ namespace inkedge {
 /// The whole file is one mesh, named after the file and placed once, where it stands. Vertices are not joined. Faces
 /// with more than three corners are cut into triangles as load::PolygonCutter does. Normals are those of OBJ and PLY, unit
 /// length, (0, 0, 0) where the file has none; a file without any, and every STL file, as its normals are only its
-/// facets', gives a mesh without normals. Materials are numbered in the order in which an OBJ file first uses them.
+/// facets', gives a mesh without normals. Materials are numbered in the order in which an OBJ file first uses them, from
+/// 1. A face of an OBJ file has normals if all its corners have.
 /// Coordinates pass through float: what lies so far off that the model suffers is warned of. Points and lines are left
 /// out with one warning. A file without triangles gives no meshes and no instances.
 ///
 /// @throws Error  (Kind::Input) if the file is missing, unreadable, over 2 GiB, not of the format, truncated, has a
-///                position that is not finite or over 2^28 vertices and corners, or this build does not read the
-///                format; the message starts with the path as given
+///                position that is not finite, a face without its vertices or over 2^28 vertices and corners, or this
+///                build does not read the format; the message starts with the path as given
 /// Thread-safe.
 [[nodiscard]] Scene::Data loadAssimp(const std::filesystem::path& file, load::PolygonFormat format);
 

@@ -1,6 +1,8 @@
 #include "scene/load_obj.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -68,8 +70,9 @@ private:
         write(keyword);
         for (int i = 0; i < 3; ++i) {
             const std::string_view word = takeWord(line);
-            if (!toNumber<double>(word))
-                refuse(fmt::format("expected three numbers after {}, found {} and {}", keyword, i,
+            const std::optional<double> number = toNumber<double>(word);
+            if (!number || !(std::abs(*number) <= std::numeric_limits<float>::max()))
+                refuse(fmt::format("expected three finite numbers after {}, found {} and {}", keyword, i,
                                    word.empty() ? "no more" : quote(word)));
             write(" ");
             write(word);
