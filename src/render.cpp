@@ -86,7 +86,7 @@ void renderPlanes(const View& view, gl::StageClock& clock, Maps& maps) {
     lines.triangles = gl::readIntegers(gpu.api, buffers.triangles);
     clock.finish("read-back");
     TracedLines traced =
-        traceLines(std::move(lines), scene, upload.firstTriangles(), camera, unit, picture.lines, samples,
+        traceLines(std::move(lines), scene, upload.firstTriangles(), camera, unit, drawnTypes(picture), samples,
                    wants(settings, Map::Ids) ? TraceIds::Keep : TraceIds::Drop);
     clock.finish("trace");
     if (!classic) {

@@ -31,7 +31,8 @@ struct Axes {
     glm::dvec3 forward;
 };
 
-Axes axesAlong(glm::dvec3 forward, const std::optional<glm::dvec3>& wishedUp) {
+// @param azimuth  degrees: from where a view straight down or up is tilted there
+Axes axesAlong(glm::dvec3 forward, const std::optional<glm::dvec3>& wishedUp, double azimuth) {
     const glm::dvec3 unitForward = glm::normalize(forward);
     glm::dvec3 up = wishedUp.value_or(glm::dvec3{0, 1, 0});
     if (glm::length(up) == 0.0) refuse("camera-view-up: expected a direction, found 0,0,0");
@@ -41,7 +42,8 @@ Axes axesAlong(glm::dvec3 forward, const std::optional<glm::dvec3>& wishedUp) {
             refuse(fmt::format("camera-view-up: expected a direction across the view direction {},{},{}, found one along it",
                                unitForward.x, unitForward.y, unitForward.z));
         }
-        up = {0, 0, unitForward.y > 0.0 ? 1.0 : -1.0};  // straight down or up: as if tilted there from the front
+        const double a = glm::radians(azimuth);
+        up = (unitForward.y > 0.0 ? 1.0 : -1.0) * glm::dvec3{std::sin(a), 0.0, std::cos(a)};
     }
     const glm::dvec3 right = glm::normalize(glm::cross(unitForward, up));
     return {right, glm::cross(right, unitForward), unitForward};
@@ -169,7 +171,7 @@ Camera frameCamera(const Scene& scene, const CameraSettings& wish, Size size) {
         takeFileCamera(camera, scene, *wish.index);
     } else {
         const glm::dvec3 focalPoint = wish.focalPoint.value_or(scene.bounds().centre);
-        const Axes axes = axesAlong(viewDirection(wish, focalPoint), wish.viewUp);
+        const Axes axes = axesAlong(viewDirection(wish, focalPoint), wish.viewUp, wish.azimuthAngle.value_or(0.0));
         Camera framed = camera;
         if (!wish.position || frameHeight) frameAll(framed, scene, axes, size);
         if (frameHeight) camera.orthographicHeight = framed.orthographicHeight;

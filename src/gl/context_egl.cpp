@@ -84,7 +84,8 @@ bool listed(const char* extensions, std::string_view wanted) {
 }
 
 std::string lastError() {
-    static const std::map<EGLint, const char*> names{{EGL_NOT_INITIALIZED, "EGL_NOT_INITIALIZED"},
+    static const std::map<EGLint, const char*> names{{EGL_SUCCESS, "it refused without a reason"},
+                                                     {EGL_NOT_INITIALIZED, "EGL_NOT_INITIALIZED"},
                                                      {EGL_BAD_ACCESS, "EGL_BAD_ACCESS"},
                                                      {EGL_BAD_ALLOC, "EGL_BAD_ALLOC"},
                                                      {EGL_BAD_ATTRIBUTE, "EGL_BAD_ATTRIBUTE"},

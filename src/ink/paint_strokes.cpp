@@ -16,35 +16,72 @@ double pixels(const PictureLength& length, double dpi) {
     return length.millimetres ? length.value / millimetresPerInch * dpi : length.value;
 }
 
-// Raises coverage to that of a stroke: a band of the pen's width around its centre line, box-filtered across.
+constexpr float halfDiagonal = 0.70711F;  // of a pixel
+constexpr float leastOffset = 1e-4F;      // pixels: a shorter one has no direction worth the name
+
+// The share of a pixel's square that lies on one side of a line: how far the line is from its centre, positive if the
+// centre is on that side; how far the square reaches across the line, along its longer and its shorter axis.
+float shareBeside(float distance, float longer, float shorter) {
+    const float t = std::abs(distance);
+    const float even = 0.5F * (longer - shorter);
+    const float end = 0.5F * (longer + shorter);
+    float far = 1.0F;
+    if (t <= even) {
+        far = 0.5F + t / longer;
+    } else if (t < end) {
+        far -= (end - t) * (end - t) / (2.0F * longer * shorter);
+    }
+    return distance < 0.0F ? 1.0F - far : far;
+}
+
+// The share of a pixel that a straight band covers: exact.
+// @param normal    across the band, unit
+// @param distance  of its centre line from the pixel's centre
+float shareOfBand(glm::vec2 normal, float distance, float width) {
+    const float outer = 0.5F * width + distance;
+    const float inner = 0.5F * width - distance;
+    if (inner >= halfDiagonal) return 1.0F;
+    if (inner <= -halfDiagonal) return 0.0F;
+    const glm::vec2 across = glm::abs(normal);
+    const float longer = std::max(across.x, across.y);
+    const float shorter = std::min(across.x, across.y);
+    return shareBeside(inner, longer, shorter) + shareBeside(outer, longer, shorter) - 1.0F;
+}
+
+// Raises coverage to that of a stroke: a band of the pen's width around its centre line, with round caps.
 void cover(Image<float>& coverage, const Stroke& stroke, float width) {
-    const float reach = 0.5F * width + 0.5F;
-    const glm::vec2 low = glm::min(stroke.from, stroke.to) - reach;
-    const glm::vec2 high = glm::max(stroke.from, stroke.to) + reach;
-    const int x0 = std::max(0, static_cast<int>(std::floor(low.x)));
-    const int y0 = std::max(0, static_cast<int>(std::floor(low.y)));
+    const float reach = 0.5F * width + halfDiagonal;
+    const glm::vec2 low = glm::min(stroke.from, stroke.to) - reach - 0.5F;
+    const glm::vec2 high = glm::max(stroke.from, stroke.to) + reach - 0.5F;
+    const int x0 = std::max(0, static_cast<int>(std::ceil(low.x)));
+    const int y0 = std::max(0, static_cast<int>(std::ceil(low.y)));
     const int x1 = std::min(coverage.size.width - 1, static_cast<int>(std::floor(high.x)));
     const int y1 = std::min(coverage.size.height - 1, static_cast<int>(std::floor(high.y)));
 
     const glm::vec2 along = stroke.to - stroke.from;
     const float lengthSquared = glm::dot(along, along);
     const glm::vec2 perLength = lengthSquared > 0.0F ? along / lengthSquared : glm::vec2{0.0F};
+    const glm::vec2 normal =
+        lengthSquared > 0.0F ? glm::vec2{-along.y, along.x} / std::sqrt(lengthSquared) : glm::vec2{1, 0};
     for (int y = y0; y <= y1; ++y) {
         for (int x = x0; x <= x1; ++x) {
             const glm::vec2 p = glm::vec2{static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F} - stroke.from;
-            const float s = std::clamp(glm::dot(p, perLength), 0.0F, 1.0F);
-            const float d = glm::length(p - s * along);
-            const float covered =
-                std::min(d + reach, 1.0F) - std::clamp(d - 0.5F * width + 0.5F, 0.0F, 1.0F);
+            const float s = glm::dot(p, perLength);
+            const glm::vec2 offset = p - std::clamp(s, 0.0F, 1.0F) * along;
+            const float distance = glm::length(offset);
+            if (distance >= reach) continue;
+            const bool beside = (s > 0.0F && s < 1.0F) || distance < leastOffset;  // not at a cap
             float& to = coverage.at(x, y);
-            to = std::max(to, covered);
+            to = std::max(
+                to, beside ? shareOfBand(normal, distance, width) : shareOfBand(offset / distance, distance, width));
         }
     }
 }
 
 // Lays a colour over a picture as far as it covers.
 void blend(Image<float>& picture, const Image<float>& coverage, Color color) {
-    const float channels[3]{static_cast<float>(color.red), static_cast<float>(color.green), static_cast<float>(color.blue)};
+    const float channels[3]{static_cast<float>(color.red), static_cast<float>(color.green),
+                            static_cast<float>(color.blue)};
     for (std::size_t i = 0; i < coverage.pixels.size(); ++i) {
         const float c = coverage.pixels[i];
         if (c == 0.0F) continue;
@@ -77,7 +114,8 @@ std::array<Pen, lineTypeCount> pens(const PictureSettings& settings) {
     std::array<Pen, lineTypeCount> all{};
     for (std::size_t i = 0; i < all.size(); ++i) {
         const LineStyle& style = settings.lineStyles[i];
-        all[i] = {pixels(style.width.value_or(settings.lineWidth), settings.dpi), style.color.value_or(settings.lineColor)};
+        all[i] = {pixels(style.width.value_or(settings.lineWidth), settings.dpi),
+                  style.color.value_or(settings.lineColor)};
     }
     return all;
 }

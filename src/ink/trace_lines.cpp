@@ -211,8 +211,8 @@ private:
 // Joins the crossings around each cell of 2 x 2 samples.
 class CellJoiner {
 public:
-    CellJoiner(std::uint8_t lines, int samplesPerPixel, Size samples, std::vector<Stroke>& strokes)
-        : lines_{lines}, scale_{1.0F / static_cast<float>(samplesPerPixel)}, samples_{samples}, strokes_{strokes} {}
+    CellJoiner(DrawnTypes types, int samplesPerPixel, Size samples, std::vector<Stroke>& strokes)
+        : types_{types}, scale_{1.0F / static_cast<float>(samplesPerPixel)}, samples_{samples}, strokes_{strokes} {}
 
     //        top
     //   (x, y) --- (x + 1, y)
@@ -224,14 +224,16 @@ public:
             const auto column = static_cast<std::size_t>(x);
             const Crossing* sides[4]{&above.right[column], &below.right[column], &above.down[column],
                                      &above.down[column + 1]};
-            const auto drawnEnd = std::remove_if(sides, sides + 4, [&](const Crossing* c) { return (c->types & lines_) == 0; });
+            const auto drawnEnd = std::remove_if(sides, sides + 4, [&](const Crossing* c) { return (c->types & types_.drawn) == 0; });
             joinCell({sides, static_cast<std::size_t>(drawnEnd - sides)}, x, y);
         }
     }
 
 private:
     [[nodiscard]] std::uint8_t styleOf(const Crossing& c) const {
-        return static_cast<std::uint8_t>(std::countr_zero(static_cast<unsigned>(c.types & lines_)));
+        const auto drawn = static_cast<unsigned>(c.types & types_.drawn);
+        const unsigned styled = drawn & types_.styled;
+        return static_cast<std::uint8_t>(std::countr_zero(styled != 0 ? styled : drawn));
     }
 
     void add(glm::vec2 from, glm::vec2 to, std::uint8_t style) { strokes_.push_back({from * scale_, to * scale_, style}); }
@@ -264,7 +266,7 @@ private:
         return end.place + further * along;
     }
 
-    std::uint8_t lines_;
+    DrawnTypes types_;
     float scale_;
     Size samples_;
     std::vector<Stroke>& strokes_;
@@ -332,12 +334,20 @@ Image<std::uint32_t> idsOfPixels(const TracedLines& traced, int samplesPerPixel)
 
 }  // namespace
 
+DrawnTypes drawnTypes(const PictureSettings& settings) {
+    DrawnTypes types{settings.lines, 0};
+    for (std::size_t i = 0; i < settings.lineStyles.size(); ++i) {
+        if (settings.lineStyles[i] != LineStyle{}) types.styled = static_cast<std::uint8_t>(types.styled | 1U << i);
+    }
+    return types;
+}
+
 TracedLines traceLines(LineBuffers buffers, const Scene& scene, const std::vector<std::uint32_t>& firstTriangles,
-                       const Camera& camera, double unit, std::uint8_t lines, int samplesPerPixel, TraceIds ids) {
+                       const Camera& camera, double unit, DrawnTypes types, int samplesPerPixel, TraceIds ids) {
     TracedLines traced;
     PinholeFilter{buffers, camera, unit}.apply();
     Tracer tracer{buffers, scene, firstTriangles, camera, unit};
-    CellJoiner joiner{lines, samplesPerPixel, buffers.marks.size, traced.strokes};
+    CellJoiner joiner{types, samplesPerPixel, buffers.marks.size, traced.strokes};
     CrossingRow above = tracer.row(0);
     for (int y = 1; y < buffers.marks.size.height; ++y) {
         CrossingRow below = tracer.row(y);

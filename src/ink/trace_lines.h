@@ -27,12 +27,20 @@ struct TracedLines {
 
 enum class TraceIds { Drop, Keep };
 
+/// Which types of lines become strokes, and which of them have a style of their own: bits of LineType. A stroke has the
+/// style of the first of its types that has one, else of its first.
+struct DrawnTypes {
+    std::uint8_t drawn;
+    std::uint8_t styled;
+};
+[[nodiscard]] DrawnTypes drawnTypes(const PictureSettings&);
+
 /// Places each crossing between two neighbouring samples exactly where the planes meet or the nearer surface ends, finds out
 /// what it is, and joins the crossings around each cell of 2 x 2 samples by strokes.
 /// @param firstTriangles  for each instance the number of its first triangle in the scene
 /// @param unit            scene units in a unit length of the planes
-/// @param lines           bits of LineType that become strokes; types and ids hold all
+/// @param types           what becomes strokes; the maps hold all
 [[nodiscard]] TracedLines traceLines(LineBuffers, const Scene&, const std::vector<std::uint32_t>& firstTriangles,
-                                     const Camera&, double unit, std::uint8_t lines, int samplesPerPixel, TraceIds);
+                                     const Camera&, double unit, DrawnTypes types, int samplesPerPixel, TraceIds);
 
 }  // namespace inkedge

@@ -52,7 +52,8 @@ struct Color {
     friend bool operator==(const Color&, const Color&) = default;
 };
 
-/// What a line is: bits of Maps::types. A place may be several at once; a line is drawn in the style of the first.
+/// What a line is: bits of Maps::types. A place may be several at once; a line is drawn in the style of the first that
+/// has one of its own.
 enum class LineType : std::uint8_t {
     Outline = 1,        ///< the model against the background
     Occlusion = 2,      ///< a surface in front of another

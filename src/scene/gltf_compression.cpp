@@ -124,8 +124,8 @@ private:
         if (!readsDraco()) return checkPlainData(primitive);
         const Mode mode{static_cast<int>(number(primitive, "mode", static_cast<std::uint64_t>(Mode::Triangles)))};
         if (!drawsTriangles(mode)) return;
-        const Json same = Json::array(
-            {extension(primitive, draco), primitive["attributes"], member(primitive, "indices"), mode});
+        const Json same =
+            Json::array({extension(primitive, draco), primitive["attributes"], member(primitive, "indices"), mode});
         auto known = plain_.find(same);
         if (known == plain_.end())
             known = plain_.emplace(same, within(draco, [&] { return plainForm(primitive, mode); })).first;
@@ -143,15 +143,15 @@ private:
         DracoExpected expected;
         for (const auto& [name, id] : ids.items()) expected.attributes.push_back(attributeId(name, id));
         if (mode == Mode::Triangles && primitive.contains("indices"))
-            expected.triangleCount =
-                number(entry(document_, "accessors", number(primitive, "indices")), "count") / 3;
+            expected.triangleCount = number(entry(document_, "accessors", number(primitive, "indices")), "count") / 3;
         DracoMesh mesh = decodeDraco(bytesOfView(number(compressed, "bufferView")), expected, bytesLeft_);
 
         Json attributes = primitive["attributes"];
         std::size_t i = 0;
         for (const auto& [name, id] : ids.items())
-            attributes[name] = within(
-                printable(name), [&] { return addAttribute(attributes, name, std::move(mesh.attributes[i++]), mesh.vertexCount); });
+            attributes[name] = within(printable(name), [&] {
+                return addAttribute(attributes, name, std::move(mesh.attributes[i++]), mesh.vertexCount);
+            });
         return {{"attributes", attributes}, {"indices", addIndices(mesh.indices)}, {"mode", Mode::Triangles}};
     }
 
@@ -167,8 +167,8 @@ private:
         Json accessor = entry(document_, "accessors", number(attributes, name.c_str()));
         const std::string type = text(accessor, "type", "");
         const auto component = static_cast<int>(attribute.component);
-        const bool vectorFits = attribute.components == 1 ? type == "SCALAR"
-                                                          : type == fmt::format("VEC{}", attribute.components);
+        const bool vectorFits =
+            attribute.components == 1 ? type == "SCALAR" : type == fmt::format("VEC{}", attribute.components);
         if (!vectorFits || number(accessor, "componentType") != static_cast<std::uint64_t>(component))
             refuse(fmt::format("expected {} of componentType {} as the accessor says, found {} components of {}",
                                printable(type), number(accessor, "componentType"), attribute.components, component));
@@ -201,8 +201,7 @@ private:
     bool liesInFallback(const Json& view) const {
         const Json& index = member(view, "buffer");
         const Json& buffers = member(document_, "buffers");
-        return index.is_number_unsigned() && index < sizeOf(buffers) &&
-               isFallback(buffers[index.get<std::size_t>()]);
+        return index.is_number_unsigned() && index < sizeOf(buffers) && isFallback(buffers[index.get<std::size_t>()]);
     }
 
     // The part of a buffer that a bufferView or the like means.

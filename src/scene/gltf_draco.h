@@ -12,9 +12,9 @@ namespace inkedge::gltf {
 /// A mesh out of KHR_draco_mesh_compression.
 struct DracoMesh {
     struct Attribute {
-        std::uint64_t components = 0;         ///< an element
+        std::uint64_t components = 0;  ///< an element
         Component component = Component::Float;
-        std::vector<std::uint8_t> bytes;      ///< one element a vertex, tightly packed
+        std::vector<std::uint8_t> bytes;  ///< one element a vertex, tightly packed
     };
     std::uint64_t vertexCount = 0;
     std::vector<std::uint32_t> indices;  ///< three a triangle
@@ -32,7 +32,8 @@ struct DracoExpected {
 
 /// @param bytesLeft  the most that may come out, in bytes
 /// @throws Error     (Kind::Input) if the data are no Draco mesh of bitstream 2.2, are damaged, lack an attribute, are
-///                   not as expected, hold over 2^24 triangles or over bytesLeft bytes, or this build does not read them
+///                   not as expected, hold over 2^24 triangles or over bytesLeft bytes, or this build does not read
+///                   them
 [[nodiscard]] DracoMesh decodeDraco(std::span<const std::uint8_t> data, const DracoExpected&, std::uint64_t bytesLeft);
 
 }  // namespace inkedge::gltf

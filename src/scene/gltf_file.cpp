@@ -150,8 +150,8 @@ bool isRead(std::string_view extension) {
     constexpr std::array names{"KHR_mesh_quantization"sv, "EXT_mesh_gpu_instancing"sv, "KHR_texture_transform"sv,
                                "KHR_texture_basisu"sv,    "EXT_texture_webp"sv,        "KHR_lights_punctual"sv,
                                "KHR_animation_pointer"sv};
-    return readsCompression(extension) || std::ranges::find(names, extension) != names.end() || extension.starts_with("KHR_materials_") ||
-           extension.starts_with("KHR_xmp");
+    return readsCompression(extension) || std::ranges::find(names, extension) != names.end() ||
+           extension.starts_with("KHR_materials_") || extension.starts_with("KHR_xmp");
 }
 
 void checkRequiredExtensions(const Json& document) {

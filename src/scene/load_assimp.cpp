@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include <assimp/IOSystem.hpp>
-#include <assimp/Importer.hpp>
 #include <assimp/scene.h>
 #include <fmt/format.h>
+#include <assimp/IOSystem.hpp>
+#include <assimp/Importer.hpp>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -58,7 +58,7 @@ const aiScene& import(Assimp::Importer& importer, const load::Bytes& bytes, Poly
     importer.SetIOHandler(new NoFiles);  // which it deletes
     const aiScene* const scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, extensionOf(format));
     if (scene == nullptr)
-        refuse(fmt::format("expected {}, found: {}", name(format), load::printable(importer.GetErrorString())));
+        refuse(fmt::format("expected {}, found: {}", name(format), load::quote(importer.GetErrorString())));
     return *scene;
 }
 
@@ -79,7 +79,8 @@ glm::vec3 unitOrZero(const aiVector3D& v) {
     return length > 0.0 && std::isfinite(length) ? glm::vec3{toVector(v) / length} : glm::vec3{0.0F};
 }
 
-// A file whose content assimp may be trusted with. What assimp need not know stands beside it.
+// A file's content in a form that assimp may be trusted with: version 5.2 crashes or hangs on many a malformed file.
+// What assimp need not know stands beside it.
 struct Content {
     load::Bytes bytes;
     std::vector<std::uint32_t> faceMaterials;  // one a face, or none
@@ -94,8 +95,8 @@ Content readContent(const std::filesystem::path& file, PolygonFormat format) {
         load::ObjContent obj = load::checkedObj(load::textOf(content.bytes));
         return {std::move(obj.text), std::move(obj.faceMaterials), obj.points, obj.lines};
     }
-    if (format == PolygonFormat::Stl) load::makeStlSafe(content.bytes);
-    if (format == PolygonFormat::Ply) load::checkPly(load::textOf(content.bytes));
+    if (format == PolygonFormat::Stl) content.bytes = load::safeStl(std::move(content.bytes));
+    if (format == PolygonFormat::Ply) content.bytes = load::safePly(load::textOf(content.bytes));
     return content;
 }
 

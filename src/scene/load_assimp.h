@@ -14,9 +14,10 @@ namespace inkedge {
 /// Reads an OBJ, STL (binary or text) or PLY file. No other file is opened, be it named in the file or not.
 ///
 /// The whole file is one mesh, named after the file and placed once, where it stands. Vertices are not joined. Faces
-/// with more than three corners are cut into triangles as load::PolygonCutter does. Normals are those of OBJ and PLY, unit
-/// length, (0, 0, 0) where the file has none; a file without any, and every STL file, as its normals are only its
-/// facets', gives a mesh without normals. Materials are numbered in the order in which an OBJ file first uses them, from
+/// with more than three corners are cut into triangles as load::PolygonCutter does. Normals are those of OBJ and PLY,
+/// unit length, (0, 0, 0) where the file has none; a file without any, and every STL file, as its normals are only its
+/// facets', gives a mesh without normals. Materials are numbered in the order in which an OBJ file first uses them,
+/// from
 /// 1. A face of an OBJ file has normals if all its corners have.
 /// Coordinates pass through float: what lies so far off that the model suffers is warned of. Points and lines are left
 /// out with one warning. A file without triangles gives no meshes and no instances.

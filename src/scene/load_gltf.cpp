@@ -198,8 +198,7 @@ std::vector<Vector> readAttribute(const tinygltf::Model& model, const std::map<s
 
 // 1 + the number of a primitive's material; 0: none. Which materials there are does not matter.
 std::uint32_t materialOf(const tinygltf::Primitive& primitive) {
-    if (primitive.material < -1)
-        refuse(fmt::format("expected a material of at least 0, found {}", primitive.material));
+    if (primitive.material < -1) refuse(fmt::format("expected a material of at least 0, found {}", primitive.material));
     return static_cast<std::uint32_t>(primitive.material + 1);
 }
 

@@ -1,6 +1,8 @@
 #include "scene/load_obj.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -75,7 +77,7 @@ private:
                 refuse(fmt::format("expected three finite numbers after {}, found {} and {}", keyword, i,
                                    word.empty() ? "no more" : quote(word)));
             write(" ");
-            write(word);
+            write(static_cast<float>(*number));
         }
         write("\n");
         ++count;
@@ -133,8 +135,7 @@ private:
         const std::optional<std::int64_t> number = toNumber<std::int64_t>(text);
         if (!number) refuse(fmt::format("expected the number of {}, found {}", kind, quote(text)));
         const std::int64_t place = *number < 0 ? static_cast<std::int64_t>(count) + 1 + *number : *number;
-        if (place <= 0)
-            refuse(fmt::format("expected {} from 1 or from -1 to -{}, found {}", kind, count, *number));
+        if (place <= 0) refuse(fmt::format("expected {} from 1 or from -1 to -{}, found {}", kind, count, *number));
         return static_cast<std::uint64_t>(place);
     }
 
@@ -148,6 +149,12 @@ private:
     }
 
     void write(std::string_view text) { content_.text.insert(content_.text.end(), text.begin(), text.end()); }
+    // In plain form: assimp does not take .5 for a number.
+    void write(float number) {
+        std::array<char, 32> text{};
+        const char* const end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+        write(std::string_view{text.data(), static_cast<std::size_t>(end - text.data())});
+    }
     void write(const fmt::format_int& number) { write(std::string_view{number.data(), number.size()}); }
 
     // The highest numbers in faces, and where they stand.

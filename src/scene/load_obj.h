@@ -8,7 +8,7 @@ namespace inkedge::load {
 
 /// What an OBJ file says about its surface, fit for a reader that trusts its input.
 struct ObjContent {
-    std::vector<std::uint8_t> text;            ///< only v, vn and f, without texture coordinates; every index is in range
+    std::vector<std::uint8_t> text;  ///< only v, vn and f, without texture coordinates; every index is in range
     std::vector<std::uint32_t> faceMaterials;  ///< one a face: 1 + its number in the order of first use, 0: none
     std::uint64_t points = 0;                  ///< left out
     std::uint64_t lines = 0;                   ///< left out

@@ -44,8 +44,8 @@ std::span<const PolygonCutter::Triangle> PolygonCutter::cut(std::span<const glm:
 }
 
 void PolygonCutter::cutQuad(std::span<const glm::dvec3> corners) {
-    const double gain = bend(corners[1], corners[2], corners[3], corners[0]) -
-                        bend(corners[0], corners[1], corners[2], corners[3]);
+    const double gain =
+        bend(corners[1], corners[2], corners[3], corners[0]) - bend(corners[0], corners[1], corners[2], corners[3]);
     const double length02 = glm::distance(corners[0], corners[2]);
     const double length13 = glm::distance(corners[1], corners[3]);
     const bool flat = std::abs(gain) <= rounding;

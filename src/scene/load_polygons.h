@@ -40,7 +40,7 @@ private:
     std::vector<std::uint32_t> next_;
     std::vector<std::uint32_t> hollow_;  // corners that may lie in an ear: not convex when the polygon was whole
     std::vector<bool> gone_;
-    std::uint64_t stepsLeft_ = 500'000'000;
+    std::uint64_t stepsLeft_ = 200'000'000;
 };
 
 }  // namespace inkedge::load

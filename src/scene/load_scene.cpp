@@ -39,15 +39,13 @@ std::optional<PolygonFormat> polygonFormat(std::string_view extension) {
 Scene::Data loadByFormat(const fs::path& file) {
     const std::string extension = lowerCaseExtension(file);
     if (extension == ".glb" || extension == ".gltf") return loadGltf(file);
-    const load::Bytes start =
-        load::within(load::printable(file.string()), [&] { return load::readStart(file, 512); });
+    const load::Bytes start = load::within(load::printable(file.string()), [&] { return load::readStart(file, 512); });
     if (load::textOf(start).starts_with("glTF")) return loadGltf(file);
     if (const std::optional<PolygonFormat> format = polygonFormat(extension)) return loadAssimp(file, *format);
-    load::refuse(fmt::format("{}: expected a model by its extension, {}, found {} with {}",
-                             load::printable(file.string()),
-                             readsPolygonFormats() ? ".glb, .gltf, .obj, .stl or .ply" : ".glb or .gltf",
-                             load::kindOf(load::textOf(start)),
-                             extension.empty() ? "none" : load::printable(extension)));
+    load::refuse(
+        fmt::format("{}: expected a model by its extension, {}, found {} with {}", load::printable(file.string()),
+                    readsPolygonFormats() ? ".glb, .gltf, .obj, .stl or .ply" : ".glb or .gltf",
+                    load::kindOf(load::textOf(start)), extension.empty() ? "none" : load::printable(extension)));
 }
 
 }  // namespace

@@ -5,9 +5,10 @@
 
 namespace inkedge::load {
 
-/// Makes an STL file's bytes safe for a reader that trusts what they say: a binary one is cut to its triangles and loses
-/// its header's text, a text one is in lower-case ASCII. O(n).
-/// @throws Error  (Kind::Input) if they are no STL, or are truncated
-void makeStlSafe(std::vector<std::uint8_t>& bytes);
+/// An STL file, binary or text, made fit for a reader that trusts its input: a binary one without text in its header,
+/// and with the size that its number of triangles gives. Facet normals are left out of a text file's. O(n).
+/// @throws Error  (Kind::Input) if the file is no STL or is truncated, or if text is malformed; the message then names
+///                the facet
+[[nodiscard]] std::vector<std::uint8_t> safeStl(std::vector<std::uint8_t> bytes);
 
 }  // namespace inkedge::load

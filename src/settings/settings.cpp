@@ -180,6 +180,7 @@ std::string text(const PictureLength& length) {
 std::uint8_t parseLineTypes(std::string_view text) {
     std::uint8_t types = 0;
     if (text == "none") return types;
+    if (text == "all") return allLineTypes;
     for (const std::string_view part : split(text, ',')) {
         types = static_cast<std::uint8_t>(types | static_cast<std::uint8_t>(parseChoice(lineTypeChoices, part)));
     }
@@ -191,6 +192,7 @@ std::string lineTypesText(std::uint8_t types) {
     for (const auto& choice : lineTypeChoices) {
         if ((types & static_cast<std::uint8_t>(choice.value)) != 0) names.push_back(choice.name);
     }
+    if (types == allLineTypes) return "all";
     return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ","));
 }
 
@@ -273,7 +275,7 @@ constexpr std::array table{
                        },
                        [](const S& s) { return text(s.picture.supersampling); }},
     SettingDescription{"lines", "", "picture", "TYPE,...",
-                       "outline, occlusion, boundary, crease, intersection, object; or none", "all",
+                       "outline, occlusion, boundary, crease, intersection, object; or all, none", "all",
                        "types of lines that are drawn; planes detector",
                        [](S& s, Text t) { s.picture.lines = parseLineTypes(t); },
                        [](const S& s) { return lineTypesText(s.picture.lines); }},

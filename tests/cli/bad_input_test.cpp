@@ -1,0 +1,176 @@
+// Bad input and bad places: one clear line, the right exit code, nothing left behind.
+#include "cli/command.h"
+
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class BadInput : public Command {
+protected:
+    void TearDown() override { EXPECT_THAT(folder_.names(), IsEmpty()) << "a failure must leave nothing behind"; }
+
+    void expectUsageFailure(const Arguments& flags, const std::string& text) const {
+        expectFailure(render(roof(), flags), 2, HasSubstr(text));
+    }
+    void expectUnreadable(const std::string& model, const std::string& text) const {
+        const Outcome outcome = render(model);
+        expectFailure(outcome, 3, HasSubstr(text));
+        EXPECT_THAT(outcome.error, HasSubstr(model)) << "the file is named";
+    }
+};
+
+TEST_F(BadInput, ModelThatIsMissing) { expectUnreadable("missing.glb", "expected a file, found none"); }
+
+TEST_F(BadInput, ModelThatIsAFolder) { expectUnreadable(models_.path(), "expected a file, found a folder"); }
+
+TEST_F(BadInput, ModelThatIsAPicture) {
+    expectUnreadable(file("picture.glb", "\x89PNG\r\n\x1a\n" + std::string(100, '\0')), "found a PNG");
+}
+
+TEST_F(BadInput, ModelThatIsText) { expectUnreadable(file("notes.glb", "hello there\n"), "expected glTF 2.0"); }
+
+TEST_F(BadInput, ModelThatIsEmpty) { expectUnreadable(file("nothing.glb", ""), ", found an empty one"); }
+
+TEST_F(BadInput, ModelThatIsTruncatedAnywhere) {
+    const std::string whole = contents(asset("cube.glb"));
+    for (const std::size_t length :
+         {std::size_t{5}, std::size_t{12}, std::size_t{19}, std::size_t{100}, whole.size() / 2, whole.size() - 1}) {
+        expectUnreadable(file("truncated.glb", whole.substr(0, length)), "truncated");
+    }
+}
+
+TEST_F(BadInput, ModelWithoutTriangles) { expectUnreadable(emptyModel(), "triangle"); }
+
+TEST_F(BadInput, PositionThatIsNotANumber) { expectUnreadable(roofWithoutNumber(), "finite"); }
+
+TEST_F(BadInput, PictureWithoutPixels) {
+    for (const char* size : {"0x10", "10x0", "0x0"}) {
+        expectUsageFailure({"--size", size}, "--size: expected a width and a height of at least 1 pixel, found '");
+    }
+}
+
+TEST_F(BadInput, PictureOverTheLimitOfOpenGl) {
+    expectUsageFailure({"--size", "1000000x10"}, "size: expected 1x1 to ");
+    expectUsageFailure({"--size", "10x2147483647"}, "found 10x2147483647");
+    expectUsageFailure({"--size", "99999999999x10"}, "found '99999999999x10'");
+}
+
+TEST_F(BadInput, CameraThatStandsOnItsFocalPoint) {
+    expectUsageFailure({"--eye", "1,2,3", "--target", "1,2,3"}, "camera-position: expected a place other than");
+}
+
+TEST_F(BadInput, UpAlongTheViewDirection) {
+    expectUsageFailure({"--camera-direction", "0,-2,0", "--up", "0,1,0"},
+                       "camera-view-up: expected a direction across");
+    expectUsageFailure({"--up", "0,0,0"}, "camera-view-up: expected a direction, found 0,0,0");
+}
+
+TEST_F(BadInput, DirectionOfNoLength) { expectUsageFailure({"--camera-direction", "0,0,0"}, "camera-direction: "); }
+
+TEST_F(BadInput, ViewAngleOutOfRange) {
+    for (const char* angle : {"0", "180", "-10", "360", "nan", "inf"}) {
+        expectUsageFailure({"--fov", angle}, "--camera-view-angle: expected ");
+    }
+}
+
+TEST_F(BadInput, TwoWaysToSayOneThing) {
+    expectUsageFailure({"--eye", "1,2,3", "--azimuth", "10"}, "camera-position: expected it without");
+    expectUsageFailure({"--camera-index", "0", "--up", "0,0,1"}, "camera-index: expected it without");
+}
+
+TEST_F(BadInput, CameraThatTheFileDoesNotHave) {
+    expectUsageFailure({"--camera-index", "1"}, "camera-index: expected a camera of the file, ");
+}
+
+TEST_F(BadInput, DeviceThatIsNotThere) {
+    if (!works("egl")) GTEST_SKIP() << "egl does not work here";
+    expectUsageFailure({"--device", "999"}, "device: expected an EGL device that `inkedge doctor` lists, found 999");
+    expectUsageFailure({"--device", "0", "--backend", "osmesa"}, "device: expected it with the egl backend only");
+}
+
+TEST_F(BadInput, OutputOfAnUnknownKind) {
+    for (const std::string name : {"picture.jpg", "picture", "picture.png.gz"}) {
+        expectFailure(run({"render", roof(), "-o", name}), 2,
+                      HasSubstr(name + ": expected a name that ends in .png, .tif, .tiff or .exr, found "));
+    }
+}
+
+TEST_F(BadInput, OutputInAFolderThatIsMissing) {
+    expectFailure(run({"render", roof(), "-o", "missing/picture.png"}), 5,
+                  HasSubstr("missing/picture.png: cannot be written: expected a folder missing, found none"));
+}
+
+TEST_F(BadInput, OutputBelowARegularFile) {
+    const std::string output = roof() + "/picture.png";
+    expectFailure(run({"render", roof(), "-o", output}), 5, HasSubstr(output + ": cannot be written: expected "));
+}
+
+TEST_F(BadInput, OutputThatIsAFolder) {
+    const std::filesystem::path output = models_ / "folder.png";
+    std::filesystem::create_directory(output);
+    expectFailure(run({"render", roof(), "-o", output, "--size", "8x8"}), 5, HasSubstr("found a folder"));
+}
+
+TEST_F(BadInput, OutputToADeviceThatIsFull) {
+    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+    const std::filesystem::path output = models_ / "full.png";
+    std::filesystem::create_symlink("/dev/full", output);
+    expectFailure(run({"render", roof(), "-o", output, "--size", "8x8"}), 5, HasSubstr("expected room for the file"));
+}
+
+TEST_F(BadInput, MetadataThatCannotBeWrittenKeepsThePictureFromAppearing) {
+    expectFailure(run({"render", roof(), "-o", "picture.png", "--metadata", "missing/metadata.json"}), 5,
+                  HasSubstr("missing/metadata.json: cannot be written: "));
+}
+
+TEST_F(BadInput, MapThatCannotBeWrittenKeepsThePictureFromAppearing) {
+    std::filesystem::create_directory(models_ / "picture.depth.png");
+    const std::string output = models_ / "picture.png";
+    expectFailure(run({"render", roof(), "-o", output, "--maps", "depth", "--size", "8x8"}), 5,
+                  HasSubstr("picture.depth.png: "));
+    EXPECT_FALSE(std::filesystem::exists(output));
+}
+
+TEST_F(BadInput, NoBackendThatWorks) {
+    expectFailure(render(roof(), {}, withoutBackends()), 4,
+                  testing::AllOf(HasSubstr("expected a context for offscreen OpenGL 4.5, found none"), HasSubstr("egl"),
+                                 HasSubstr("osmesa"), HasSubstr("install")));
+}
+
+TEST_F(BadInput, CommandLinesThatAreNone) {
+    const std::string usage = "; see inkedge render --help\n";
+    const auto expectRefusal = [&](const Arguments& arguments, const std::string& text) {
+        expectFailure(run(arguments), 2, HasSubstr(text));
+    };
+    expectRefusal({}, "expected render, compare or doctor, found nothing; see inkedge --help");
+    expectRefusal({"draw", "a.glb"}, "expected render, compare or doctor, found 'draw'; see inkedge --help");
+    expectRefusal({"render"}, "expected MODEL, found none" + usage);
+    expectRefusal({"render", roof()}, "expected --output, found none" + usage);
+    expectRefusal({"render", roof(), "-o"}, "--output: expected one value, found none" + usage);
+    expectRefusal({"render", roof(), "-o", "a.png", "--colour", "red"}, "found '--colour'" + usage);
+    expectRefusal({"render", roof(), "other.glb", "-o", "a.png"}, "found 'other.glb'" + usage);
+    expectRefusal({"render", roof(), "-o", "a.png", "-o", "b.png"},
+                  "--output: expected one value, found several" + usage);
+    expectRefusal({"compare", "a.png"}, "expected B, found none; see inkedge compare --help\n");
+    expectRefusal({"compare", "a.png", "b.png", "--level", "-1"}, "--level: expected a number from 0, found '-1'");
+    expectRefusal({"compare", "a.png", "b.png", "--share", "2"}, "--share: expected a number from 0 to 1, found '2'");
+    expectRefusal({"compare", "a.png", "b.png", "--hard-limit", "x"},
+                  "--hard-limit: expected a number from 0, found 'x'");
+    expectRefusal({"doctor", "--verbose"}, "found '--verbose'; see inkedge doctor --help\n");
+}
+
+TEST_F(BadInput, PicturesThatCannotBeCompared) {
+    const std::string model = roof();
+    expectError(run({"compare", "missing.png", model}), 3, HasSubstr("missing.png"));
+    const std::string small = models_ / "small.png";
+    const std::string large = models_ / "large.png";
+    expectSuccess(run({"render", model, "-o", small, "--size", "8x8"}));
+    expectSuccess(run({"render", model, "-o", large, "--size", "9x8"}));
+    expectError(run({"compare", small, model}), 3, HasSubstr(model));
+    expectFailure(run({"compare", small, large}), 3, HasSubstr("8 x 8 pixels"));
+    expectFailure(run({"compare", small, small, "-o", "missing/difference.png"}), 5, HasSubstr("difference.png"));
+    expectFailure(run({"compare", small, small, "-o", "difference.gif"}), 2, HasSubstr("difference.gif"));
+}
+
+}  // namespace

@@ -1,0 +1,49 @@
+// draw MODEL OUT.png OUT.exr: draws a model with the installed library; exit status 0 if the picture has lines.
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+
+#include <inkedge/camera.h>
+#include <inkedge/renderer.h>
+#include <inkedge/scene.h>
+#include <inkedge/write.h>
+
+namespace {
+
+// Fewer or more black pixels than this are no outline drawing of a model that fills the picture.
+constexpr double fewestLines = 0.002;
+constexpr double mostLines = 0.5;
+
+bool hasLines(const inkedge::Image<std::uint8_t>& picture) {
+    const auto black = std::count(picture.pixels.begin(), picture.pixels.end(), std::uint8_t{0});
+    const double share = static_cast<double>(black) / static_cast<double>(picture.pixels.size());
+    std::printf("%td of %zu pixels are black\n", black, picture.pixels.size());
+    return share > fewestLines && share < mostLines;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 4) {
+        std::fprintf(stderr, "expected MODEL OUT.png OUT.exr, found %d arguments\n", argc - 1);
+        return 2;
+    }
+    try {
+        inkedge::Settings settings;
+        settings.picture.size = {256, 256};
+        inkedge::set(settings, "detector", "classic", "this test");
+        settings.maps = {inkedge::Map::Depth, inkedge::Map::Normal};
+
+        const inkedge::Scene scene = inkedge::loadScene(argv[1]);
+        const inkedge::Camera camera = inkedge::frameCamera(scene, settings.camera, settings.picture.size);
+        inkedge::Renderer renderer;
+        const inkedge::Maps maps = renderer.render(scene, camera, settings);
+
+        inkedge::writeMaps(maps, {}, argv[2]);
+        inkedge::writeMaps(maps, settings.maps, argv[3]);
+        return hasLines(maps.picture) ? 0 : 1;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,39 @@
+# Installs a build into a folder of its own, builds the project beside this file against it and runs both it and the
+# installed command. cmake -DBUILD=... -DWORK=... -DMODEL=... -DCXX_COMPILER=... -DCXX_FLAGS=... -P test.cmake
+cmake_minimum_required(VERSION 3.24)
+
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+function(expect_start file bytes)
+  file(READ ${file} start LIMIT 4 HEX)
+  if(NOT start STREQUAL bytes)
+    message(FATAL_ERROR "${file}: expected it to start with ${bytes}, found '${start}'")
+  endif()
+endfunction()
+
+set(png 89504e47)
+set(exr 762f3101)
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/made)
+# Nothing may depend on where it was installed: move it.
+file(RENAME ${WORK}/made ${WORK}/prefix)
+
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_CXX_FLAGS=${CXX_FLAGS}
+    -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+
+file(STRINGS ${WORK}/build/CMakeCache.txt found REGEX "^inkedge_DIR:")
+if(NOT found MATCHES "=${WORK}/prefix/")
+  message(FATAL_ERROR "expected find_package to find inkedge under ${WORK}/prefix, found ${found}")
+endif()
+
+run(${WORK}/build/draw ${MODEL} ${WORK}/drawn.png ${WORK}/drawn.exr)
+expect_start(${WORK}/drawn.png ${png})
+expect_start(${WORK}/drawn.exr ${exr})
+
+run(${WORK}/prefix/bin/inkedge render ${MODEL} --detector classic --size 64x64 --output ${WORK}/commanded.exr)
+expect_start(${WORK}/commanded.exr ${exr})

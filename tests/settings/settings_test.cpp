@@ -1,0 +1,397 @@
+#include <inkedge/settings.h>
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include <inkedge/error.h>
+
+#include "io/expect_error.h"
+
+namespace inkedge {
+namespace {
+
+using testing::Each;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StrEq;
+
+std::vector<std::string> split(std::string_view text, char separator) {
+    std::vector<std::string> parts{""};
+    for (const char c : text) {
+        if (c == separator)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    return parts;
+}
+
+bool isChoice(const SettingDescription& row) { return row.range == "one of these"; }
+bool isCount(const SettingDescription& row) {
+    return std::isdigit(static_cast<unsigned char>(row.values.front())) != 0;
+}
+
+// Texts that a row must take, in the form in which it gives them back, worked out from what the manual says it takes.
+std::vector<std::string> samples(const SettingDescription& row) {
+    if (isChoice(row)) return split(row.values, '|');
+    if (row.values == "MAP,...") return {"depth", "edges,depth-edges", "depth,normal,depth-edges,normal-edges,edges"};
+    if (row.values == "WIDTHxHEIGHT") return {"1x1", "320x200"};
+    if (row.values == "COLOR") return {"#000000", "#12ab9f", "#ffffff"};
+    if (row.values == "COLOR|none") return {"none", "#12ab9f"};
+    if (row.values == "X,Y,Z") return {"1,2,3", "-1.5,0.25,1e-300"};
+    if (row.values == "DEG") return {"12.5", "89.75"};
+    if (row.values == "HEIGHT" || row.values == "FACTOR" || row.values == "T") return {"0.25", "2", "1000"};
+    if (row.name == "dpi") return {"72", "300.5"};
+    if (row.values == "PX") return {"0.5", "2.25", "0.35mm"};
+    if (row.values == "TYPE,...") return {"none", "crease", "outline,object"};
+    if (row.values == "TYPE:width=W,color=C;...") return {"crease:width=1", "outline:width=0.5mm,color=#123456"};
+    if (row.values == "N") return {"0", "7"};
+    ADD_FAILURE() << "--" << row.name << " takes " << row.values << ", for which this test knows no samples";
+    return {};
+}
+
+void expectRefusal(std::string_view name, std::string_view text, const std::string& message) {
+    Settings settings;
+    expectError(Error::Kind::Usage, StrEq(message), [&] { set(settings, name, text, "--flag"); });
+}
+
+std::string got(std::string_view name, const Settings& settings) {
+    return std::ranges::find(settingTable(), name, &SettingDescription::name)->get(settings);
+}
+
+Settings with(std::string_view name, std::string_view text) {
+    Settings settings;
+    set(settings, name, text, "test");
+    return settings;
+}
+
+TEST(SettingTable, namesEachSettingOnce) {
+    std::set<std::string_view> names;
+    for (const SettingDescription& row : settingTable()) {
+        EXPECT_THAT(row.name, Not(IsEmpty()));
+        EXPECT_TRUE(names.insert(row.name).second) << row.name;
+        if (!row.shortName.empty()) {
+            EXPECT_TRUE(names.insert(row.shortName).second) << row.shortName;
+        }
+    }
+    EXPECT_GE(settingTable().size(), 24U);
+}
+
+TEST(SettingTable, namesAreLowerCaseWordsJoinedByDashes) {
+    for (const SettingDescription& row : settingTable()) {
+        EXPECT_EQ(row.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz-"), std::string_view::npos) << row.name;
+        EXPECT_NE(row.name.front(), '-');
+        EXPECT_NE(row.name.back(), '-');
+    }
+}
+
+TEST(SettingTable, describesEverySettingInOneLine) {
+    for (const SettingDescription& row : settingTable()) {
+        for (const std::string_view text : {row.group, row.values, row.range, row.help}) {
+            EXPECT_THAT(text, Not(IsEmpty())) << row.name;
+        }
+        for (const std::string_view text : {row.group, row.values, row.range, row.defaultValue, row.help}) {
+            EXPECT_EQ(text.find('\n'), std::string_view::npos) << row.name;
+        }
+    }
+}
+
+TEST(SettingTable, keepsTheSettingsOfAGroupTogether) {
+    std::set<std::string_view> closed;
+    std::string_view group;
+    for (const SettingDescription& row : settingTable()) {
+        if (row.group == group) continue;
+        EXPECT_TRUE(closed.insert(row.group).second) << row.group << " opens twice, at " << row.name;
+        group = row.group;
+    }
+}
+
+TEST(SettingTable, givesBackEveryTextThatItTakes) {
+    for (const SettingDescription& row : settingTable()) {
+        for (const std::string& sample : samples(row)) {
+            Settings settings;
+            ASSERT_NO_THROW(set(settings, row.name, sample, "test")) << row.name << " " << sample;
+            EXPECT_EQ(row.get(settings), sample) << row.name;
+        }
+    }
+}
+
+TEST(SettingTable, settingOneChangesNoOther) {
+    for (const SettingDescription& row : settingTable()) {
+        Settings settings;
+        for (const std::string& sample : samples(row)) set(settings, row.name, sample, "test");
+        for (const SettingDescription& other : settingTable()) {
+            if (other.name == row.name) continue;
+            EXPECT_EQ(other.get(settings), other.get(Settings{})) << row.name << " changes " << other.name;
+        }
+    }
+}
+
+TEST(SettingTable, takesItsOwnDefaults) {
+    for (const SettingDescription& row : settingTable()) {
+        const std::string before = row.get(Settings{});
+        if (before.empty()) continue;  // not given
+        Settings settings;
+        for (const std::string& sample : samples(row)) set(settings, row.name, sample, "test");
+        set(settings, row.name, before, "test");
+        EXPECT_EQ(row.get(settings), before) << row.name;
+    }
+}
+
+TEST(SettingTable, statesTheDefaultsInForce) {
+    for (const SettingDescription& row : settingTable()) {
+        const std::string inForce = row.get(Settings{});
+        if (inForce.empty() || row.defaultValue == "all") continue;  // said in words
+        Settings stated;
+        ASSERT_NO_THROW(set(stated, row.name, row.defaultValue, "test")) << row.name;
+        EXPECT_EQ(row.get(stated), inForce) << row.name;
+    }
+}
+
+TEST(SettingTable, refusesWhatIsNoChoiceAndListsTheChoices) {
+    for (const SettingDescription& row : settingTable()) {
+        if (!isChoice(row) || isCount(row)) continue;
+        std::string list;
+        for (const std::string& choice : split(row.values, '|')) list += (list.empty() ? "" : ", ") + choice;
+        const bool one = list.find(',') == std::string::npos;
+        expectRefusal(row.name, "Nonsense",
+                      "--flag: expected " + (one ? list : "one of " + list) + ", found 'Nonsense'");
+        expectRefusal(row.name, "", "--flag: expected " + (one ? list : "one of " + list) + ", found ''");
+    }
+}
+
+TEST(Set, appliesEveryChoice) {
+    EXPECT_EQ(with("normals", "auto").load.normals, Normals::Auto);
+    EXPECT_EQ(with("normals", "authored").load.normals, Normals::Authored);
+    EXPECT_EQ(with("normals", "flat").load.normals, Normals::Flat);
+    EXPECT_EQ(with("detector", "classic").detector.detector, Detector::Classic);
+    EXPECT_EQ(with("kernel", "sobel").detector.kernel, Kernel::Sobel);
+    EXPECT_EQ(with("kernel", "farid").detector.kernel, Kernel::Farid);
+    EXPECT_EQ(with("depth-map", "linear").detector.depthMap, DepthMap::Linear);
+    EXPECT_EQ(with("depth-map", "window").detector.depthMap, DepthMap::Window);
+    EXPECT_EQ(with("normal-lights", "single").detector.normalLights, NormalLights::Single);
+    EXPECT_EQ(with("normal-lights", "two-pass").detector.normalLights, NormalLights::TwoPass);
+    EXPECT_EQ(with("light-space", "camera").detector.lightSpace, LightSpace::Camera);
+    EXPECT_EQ(with("light-space", "world").detector.lightSpace, LightSpace::World);
+    EXPECT_EQ(with("backend", "auto").backend.backend, Backend::Auto);
+    EXPECT_EQ(with("backend", "egl").backend.backend, Backend::Egl);
+    EXPECT_EQ(with("backend", "osmesa").backend.backend, Backend::Osmesa);
+}
+
+TEST(Set, fillsTheFieldThatTheNameSays) {
+    EXPECT_THAT(with("maps", "edges,depth").maps, ElementsAre(Map::Edges, Map::Depth));
+    EXPECT_EQ(with("size", "640x480").picture.size, (Size{640, 480}));
+    EXPECT_EQ(with("camera-position", "1,2,3").camera.position, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(with("camera-focal-point", "1,2,3").camera.focalPoint, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(with("camera-view-up", "1,2,3").camera.viewUp, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(with("camera-direction", "1,2,3").camera.direction, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(with("camera-view-angle", "50").camera.viewAngle, 50.0);
+    EXPECT_EQ(with("camera-orthographic", "0").camera.orthographicHeight, 0.0);
+    EXPECT_EQ(with("camera-azimuth-angle", "-400").camera.azimuthAngle, -400.0);
+    EXPECT_EQ(with("camera-elevation-angle", "-90").camera.elevationAngle, -90.0);
+    EXPECT_EQ(with("camera-index", "3").camera.index, 3);
+    EXPECT_EQ(with("camera-zoom-factor", "2.5").camera.zoomFactor, 2.5);
+    EXPECT_EQ(with("crease-angle", "180").load.creaseAngle, 180.0);
+    EXPECT_EQ(with("depth-threshold", "0.25").detector.depthThreshold, 0.25F);
+    EXPECT_EQ(with("normal-threshold", "0.25").detector.normalThreshold, 0.25F);
+    EXPECT_EQ(with("device", "2").backend.device, 2);
+}
+
+TEST(Set, readsColorsInEveryForm) {
+    EXPECT_EQ(with("line-color", "black").picture.lineColor, (Color{0, 0, 0}));
+    EXPECT_EQ(with("line-color", "white").picture.lineColor, (Color{255, 255, 255}));
+    EXPECT_EQ(with("line-color", "grey").picture.lineColor, (Color{128, 128, 128}));
+    EXPECT_EQ(with("line-color", "red").picture.lineColor, (Color{255, 0, 0}));
+    EXPECT_EQ(with("line-color", "green").picture.lineColor, (Color{0, 128, 0}));
+    EXPECT_EQ(with("line-color", "blue").picture.lineColor, (Color{0, 0, 255}));
+    EXPECT_EQ(with("line-color", "#1fC").picture.lineColor, (Color{0x11, 0xff, 0xcc}));
+    EXPECT_EQ(with("line-color", "#01Ab9f").picture.lineColor, (Color{0x01, 0xab, 0x9f}));
+    EXPECT_EQ(with("background", "none").picture.background, std::nullopt);
+    EXPECT_EQ(with("background", "#102030").picture.background, (Color{0x10, 0x20, 0x30}));
+}
+
+TEST(Set, keepsTheOrderOfMapsAndDropsRepeats) {
+    EXPECT_THAT(with("maps", "edges,depth,edges").maps, ElementsAre(Map::Edges, Map::Depth));
+}
+
+TEST(Set, refusesAnUnknownName) {
+    Settings settings;
+    expectError(Error::Kind::Usage, StrEq("inkedge.toml: linecolor: there is no setting named 'linecolor'"),
+                [&] { set(settings, "linecolor", "red", "inkedge.toml: linecolor"); });
+    expectError(Error::Kind::Usage, StrEq("--x: there is no setting named ''"),
+                [&] { set(settings, "", "red", "--x"); });
+}
+
+TEST(Set, refusesBadNumbers) {
+    for (const std::string text : {"", " 1", "1 ", "one", "1,5", "nan", "inf", "1e999", "0x10", "--1"}) {
+        expectRefusal("camera-azimuth-angle", text, "--flag: expected a number, found '" + text + "'");
+    }
+}
+
+TEST(Set, refusesNumbersOutOfRange) {
+    for (const std::string text : {"0", "-1", "-0"}) {
+        expectRefusal("camera-zoom-factor", text, "--flag: expected a number over 0, found '" + text + "'");
+    }
+    for (const std::string text : {"0", "180", "-35", "200"}) {
+        expectRefusal("camera-view-angle", text, "--flag: expected degrees over 0 and under 180, found '" + text + "'");
+    }
+    for (const std::string text : {"-90.5", "91"}) {
+        expectRefusal("camera-elevation-angle", text, "--flag: expected a number from -90 to 90, found '" + text + "'");
+    }
+    for (const std::string text : {"-1", "180.5"}) {
+        expectRefusal("crease-angle", text, "--flag: expected a number from 0 to 180, found '" + text + "'");
+    }
+    for (const std::string name : {"depth-threshold", "normal-threshold"}) {
+        expectRefusal(name, "-0.5", "--flag: expected a number from 0 to 1000000, found '-0.5'");
+        expectRefusal(name, "2e6", "--flag: expected a number from 0 to 1000000, found '2e6'");
+    }
+    Settings settings;
+    expectError(Error::Kind::Usage, testing::MatchesRegex("--flag: expected a number .*, found '-1'"),
+                [&] { set(settings, "camera-orthographic", "-1", "--flag"); });
+}
+
+TEST(Set, refusesWhatIsNoWholeNumber) {
+    for (const std::string name : {"camera-index", "device"}) {
+        for (const std::string text : {"", "-1", "1.5", "1e3", "99999999999", "x"}) {
+            expectRefusal(name, text, "--flag: expected a whole number from 0, found '" + text + "'");
+        }
+    }
+}
+
+TEST(Set, refusesWhatIsNoVector) {
+    for (const std::string text : {"", "1", "1,2", "1,2,3,4", "1 2 3"}) {
+        expectRefusal("camera-position", text, "--flag: expected three numbers x,y,z, found '" + text + "'");
+    }
+    for (const std::string text : {"1,2,", ",,", "1,b,3", "1,nan,3", "1, 2, 3"}) {
+        expectRefusal("camera-position", text, "--flag: expected a number, found '" + text + "'");
+    }
+}
+
+TEST(Set, refusesWhatIsNoSize) {
+    for (const std::string text : {"", "640", "640*480", "1x2x3", "640X480"}) {
+        expectRefusal("size", text,
+                      "--flag: expected WIDTHxHEIGHT in pixels, for example 1024x768, found '" + text + "'");
+    }
+    for (const std::string text : {"x", "640x", "-1x5", "1.5x2", "5x99999999999"}) {
+        expectRefusal("size", text, "--flag: expected a whole number from 0, found '" + text + "'");
+    }
+    for (const std::string text : {"0x0", "0x5", "5x0"}) {
+        expectRefusal("size", text, "--flag: expected a width and a height of at least 1 pixel, found '" + text + "'");
+    }
+}
+
+TEST(Set, refusesWhatIsNoColor) {
+    for (const std::string name : {"line-color", "background"}) {
+        for (const std::string text :
+             {"", "Black", "#12", "#12345", "#12345678", "123456", "#12345g", "#+1-1f0", "rgb"}) {
+            expectRefusal(name, text,
+                          "--flag: expected a colour #RGB, #RRGGBB, black, white, grey, red, green or blue, found '" +
+                              text + "'");
+        }
+    }
+    EXPECT_THROW(with("line-color", "none"), Error);  // only the background may be missing
+}
+
+TEST(Set, refusesUnknownMaps) {
+    const auto row = std::ranges::find(settingTable(), "maps", &SettingDescription::name);
+    for (const std::string text : {"", "depth,", "depth,curvature", "Depth"}) {
+        expectRefusal("maps", text, "--flag: expected one of " + std::string{row->range} + ", found '" + text + "'");
+    }
+}
+
+TEST(Set, leavesTheSettingsAloneWhenItRefuses) {
+    for (const SettingDescription& row : settingTable()) {
+        Settings settings;
+        set(settings, row.name, samples(row).back(), "test");
+        EXPECT_THROW(set(settings, row.name, "!", "test"), Error) << row.name;
+        EXPECT_EQ(row.get(settings), samples(row).back()) << row.name;
+    }
+}
+
+TEST(Presets, haveNamesOfTheirOwnAndOneLineOfHelp) {
+    std::set<std::string_view> names;
+    for (const Preset& preset : presets()) {
+        EXPECT_TRUE(names.insert(preset.name).second) << preset.name;
+        EXPECT_THAT(preset.help, Not(IsEmpty()));
+        EXPECT_THAT(preset.values, Not(IsEmpty()));
+    }
+    EXPECT_THAT(names, testing::IsSupersetOf({"paper", "blueprint", "overlay"}));
+}
+
+TEST(Presets, setWhatTheySay) {
+    for (const Preset& preset : presets()) {
+        Settings settings;
+        for (const auto& [name, text] : preset.values) {
+            ASSERT_NO_THROW(set(settings, name, text, preset.name)) << preset.name << ": " << name;
+        }
+        for (const auto& [name, text] : preset.values) EXPECT_EQ(got(name, settings), text) << preset.name;
+    }
+}
+
+TEST(Presets, paperIsTheClassicDetectorWithTheKernelsOfEquation8) {
+    Settings settings;
+    const auto paper = std::ranges::find(presets(), "paper", &Preset::name);
+    for (const auto& [name, text] : paper->values) set(settings, name, text, "paper");
+    EXPECT_EQ(settings.detector.detector, Detector::Classic);
+    EXPECT_EQ(settings.detector.kernel, Kernel::Farid);
+}
+
+TEST(Thresholds, areThoseGiven) {
+    DetectorSettings detector;
+    for (const Kernel kernel : {Kernel::Sobel, Kernel::Farid}) {
+        detector.kernel = kernel;
+        detector.depthThreshold = 0.0F;
+        detector.normalThreshold = 7.0F;
+        EXPECT_EQ(thresholds(detector).depth, 0.0F);
+        EXPECT_EQ(thresholds(detector).normal, 7.0F);
+    }
+}
+
+TEST(Thresholds, meanTheSameStepUnderBothKernels) {
+    DetectorSettings sobel;
+    sobel.kernel = Kernel::Sobel;
+    DetectorSettings farid;
+    farid.kernel = Kernel::Farid;
+    // A step of 1 has magnitude 4 under Sobel and 0.108385 + 0.280349 under Farid (whose smoothing sums to 0.999999).
+    constexpr float ratio = 0.388734F / 4.0F;
+    EXPECT_FLOAT_EQ(thresholds(farid).depth, thresholds(sobel).depth * ratio);
+    EXPECT_FLOAT_EQ(thresholds(farid).normal, thresholds(sobel).normal * ratio);
+}
+
+// "0.1 (sobel), 0.00972 (farid)"
+TEST(Thresholds, areThoseThatTheManualStates) {
+    const auto stated = [](std::string_view name, Kernel kernel) {
+        const auto row = std::ranges::find(settingTable(), name, &SettingDescription::name);
+        const std::string text = split(row->defaultValue, ',').at(kernel == Kernel::Sobel ? 0 : 1);
+        EXPECT_NE(text.find(kernel == Kernel::Sobel ? "(sobel)" : "(farid)"), std::string::npos) << text;
+        return std::stof(text);
+    };
+    for (const Kernel kernel : {Kernel::Sobel, Kernel::Farid}) {
+        DetectorSettings detector;
+        detector.kernel = kernel;
+        const Thresholds inForce = thresholds(detector);
+        // The manual rounds to three digits: half a unit of the third is at most 0.5 %.
+        EXPECT_NEAR(stated("depth-threshold", kernel) / inForce.depth, 1.0, 0.005);
+        EXPECT_NEAR(stated("normal-threshold", kernel) / inForce.normal, 1.0, 0.005);
+    }
+}
+
+TEST(Name, ofEveryMapIsItsNameInTheTable) {
+    std::vector<Map> all;
+    std::string names;
+    for (int i = 0; i < mapCount; ++i) {
+        all.push_back(static_cast<Map>(i));
+        names += (i == 0 ? "" : ",") + std::string{name(static_cast<Map>(i))};
+    }
+    EXPECT_THAT(names, testing::StartsWith("depth,normal,depth-edges,normal-edges,edges"));
+    EXPECT_EQ(with("maps", names).maps, all);
+}
+
+}  // namespace
+}  // namespace inkedge
