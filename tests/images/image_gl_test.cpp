@@ -140,7 +140,9 @@ INSTANTIATE_TEST_SUITE_P(Cases, Picture,
 TEST(References, EachBelongsToACase) {
     std::set<std::string> known;
     for (const Case& c : readCases()) known.insert(c.name);
-    for (const auto& name : nlohmann::json::parse(std::ifstream{source / "tests/images/cases.json"}).at("other pictures")) {
+    std::ifstream stream{source / "tests/images/cases.json"};
+    const auto file = nlohmann::json::parse(stream);
+    for (const auto& name : file.at("other pictures")) {
         known.insert(name.get<std::string>());  // made by tools/update_readme
     }
     for (const auto& entry : fs::directory_iterator{source / "reference_images"}) {
