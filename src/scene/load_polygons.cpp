@@ -1,7 +1,5 @@
 #include "scene/load_polygons.h"
 
-#include <cmath>
-
 #include <glm/geometric.hpp>
 
 #include "scene/load_message.h"
@@ -9,18 +7,8 @@
 namespace inkedge::load {
 namespace {
 
-constexpr double rounding = 1e-6;
-
 // Twice the signed area.
 double cross(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
-
-// The cosine of the bend between two triangles; 0 where one has no area.
-double bend(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
-    const glm::dvec3 first = glm::cross(b - a, c - a);
-    const glm::dvec3 second = glm::cross(c - a, d - a);
-    const double lengths = glm::length(first) * glm::length(second);
-    return lengths > 0.0 ? glm::dot(first, second) / lengths : 0.0;
-}
 
 // Newell's sum: the polygon's normal, twice its area long.
 glm::dvec3 normalOf(std::span<const glm::dvec3> corners) {
@@ -44,12 +32,13 @@ std::span<const PolygonCutter::Triangle> PolygonCutter::cut(std::span<const glm:
 }
 
 void PolygonCutter::cutQuad(std::span<const glm::dvec3> corners) {
-    const double gain =
-        bend(corners[1], corners[2], corners[3], corners[0]) - bend(corners[0], corners[1], corners[2], corners[3]);
-    const double length02 = glm::distance(corners[0], corners[2]);
-    const double length13 = glm::distance(corners[1], corners[3]);
-    const bool flat = std::abs(gain) <= rounding;
-    if (flat ? length13 < length02 * (1.0 - rounding) : gain > 0.0)
+    const glm::dvec3 normal = normalOf(corners);
+    const auto hollow = [&](std::size_t i) {
+        const glm::dvec3& corner = corners[i];
+        const glm::dvec3 turn = glm::cross(corners[(i + 1) % 4] - corner, corners[(i + 3) % 4] - corner);
+        return glm::dot(turn, normal) < 0.0;
+    };
+    if (hollow(1) || hollow(3))
         triangles_ = {{1, 2, 3}, {1, 3, 0}};
     else
         triangles_ = {{0, 1, 2}, {0, 2, 3}};
