@@ -104,7 +104,8 @@ private:
         const Walk way = walk(near, far);
         if (marks == PairMark::bend && goesOnSmoothly(way, far)) return {};
 
-        double t = way.exit ? way.exit->t : 0.5;  // from near to far
+        // A nearer surface that goes on to where it is not seen any more ends there, within the grid that vertices snap to.
+        double t = way.exit ? way.exit->t : jumps && way.arrivedAt ? 1.0 : 0.5;  // from near to far
         if (!jumps) {
             if (const std::optional<double> meet = planesMeet(p, q)) {
                 t = swap ? 1.0 - *meet : *meet;
@@ -250,21 +251,27 @@ private:
         for (const Crossing* c : crossings) add(c->place, centre, styleOf(*c));
     }
 
-    // The end of a stroke, carried on to the picture's edge if its cell is the last before it.
+    // The end of a stroke, carried on beyond the picture's edge if its cell is the last before it.
     [[nodiscard]] glm::vec2 toBorder(const Crossing& end, const Crossing& other, int x, int y) const {
         const glm::vec2 along = end.place - other.place;
-        const auto reach = [&](float place, float step, float border) {
-            return step != 0.0F ? std::clamp((border - place) / step, 0.0F, 2.0F) : 0.0F;
+        const auto beyond = [&](float place, float step, float border) {
+            const float further = step != 0.0F ? (border - place) / step : -1.0F;
+            if (further < 0.0F) return end.place;
+            // The stroke's far side leaves the picture after its centre line.
+            const glm::vec2 overshoot = further < longestReach ? farBeyond / scale_ * glm::normalize(along) : glm::vec2{0.0F};
+            return end.place + std::min(further, longestReach) * along + overshoot;
         };
-        float further = 0.0F;
-        if (y == 0 && end.place.y == 0.5F) further = reach(end.place.y, along.y, 0.0F);
-        if (x == 0 && end.place.x == 0.5F) further = reach(end.place.x, along.x, 0.0F);
         const auto width = static_cast<float>(samples_.width);
         const auto height = static_cast<float>(samples_.height);
-        if (y + 2 == samples_.height && end.place.y == height - 0.5F) further = reach(end.place.y, along.y, height);
-        if (x + 2 == samples_.width && end.place.x == width - 0.5F) further = reach(end.place.x, along.x, width);
-        return end.place + further * along;
+        if (y == 0 && end.place.y == 0.5F) return beyond(end.place.y, along.y, 0.0F);
+        if (x == 0 && end.place.x == 0.5F) return beyond(end.place.x, along.x, 0.0F);
+        if (y + 2 == samples_.height && end.place.y == height - 0.5F) return beyond(end.place.y, along.y, height);
+        if (x + 2 == samples_.width && end.place.x == width - 0.5F) return beyond(end.place.x, along.x, width);
+        return end.place;
     }
+
+    static constexpr float longestReach = 2.0F;  // of the stroke's length: lines along the edge never reach it
+    static constexpr float farBeyond = 17.0F;    // pixels: half the widest stroke, and its cap's edge
 
     DrawnTypes types_;
     float scale_;

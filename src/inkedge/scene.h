@@ -96,8 +96,9 @@ private:
     std::shared_ptr<const Prepared> data_;
 };
 
-/// Reads a glTF 2.0 file (.glb or .gltf).
-/// @throws Error  (Kind::Input) if it is missing, is no glTF, is truncated or inconsistent, or draws no triangle
+/// Reads a model: glTF 2.0 (.glb, .gltf; Draco and meshopt compression included), OBJ, STL or PLY. A file of the last three
+/// becomes one mesh.
+/// @throws Error  (Kind::Input) if it is missing, in another format, truncated or inconsistent, or draws no triangle
 [[nodiscard]] INKEDGE_API Scene loadScene(const std::filesystem::path& file, const LoadSettings& settings = {});
 
 }  // namespace inkedge

@@ -148,9 +148,9 @@ private:
 
         Json attributes = primitive["attributes"];
         std::size_t i = 0;
-        for (const auto& [name, id] : ids.items())
-            attributes[name] = within(printable(name), [&] {
-                return addAttribute(attributes, name, std::move(mesh.attributes[i++]), mesh.vertexCount);
+        for (const auto& id : ids.items())
+            attributes[id.key()] = within(printable(id.key()), [&] {
+                return addAttribute(attributes, id.key(), std::move(mesh.attributes[i++]), mesh.vertexCount);
             });
         return {{"attributes", attributes}, {"indices", addIndices(mesh.indices)}, {"mode", Mode::Triangles}};
     }

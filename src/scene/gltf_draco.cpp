@@ -31,7 +31,8 @@ draco::DracoHeader readHeader(draco::DecoderBuffer& buffer) {
     draco::DracoHeader header{};
     if (const draco::Status status = draco::PointCloudDecoder::DecodeHeader(&buffer, &header); !status.ok())
         refuse("expected Draco data, found: " + printable(status.error_msg_string()));
-    if (header.version_major != 2 || header.version_minor != 2)
+    if (header.version_major != draco::kDracoMeshBitstreamVersionMajor ||
+        header.version_minor != draco::kDracoMeshBitstreamVersionMinor)
         refuse(fmt::format("expected Draco bitstream 2.2, found {}.{}", header.version_major, header.version_minor));
     if (header.encoder_type != draco::TRIANGULAR_MESH)
         refuse(fmt::format("expected a Draco mesh, found geometry of type {}", header.encoder_type));
@@ -42,7 +43,7 @@ draco::DracoHeader readHeader(draco::DecoderBuffer& buffer) {
 std::uint32_t encodedTriangles(std::span<const std::uint8_t> data) {
     draco::DecoderBuffer buffer = bufferOver(data);
     const draco::DracoHeader header = readHeader(buffer);
-    buffer.set_bitstream_version(DRACO_BITSTREAM_VERSION(header.version_major, header.version_minor));
+    buffer.set_bitstream_version(draco::kDracoMeshBitstreamVersion);
     if ((header.flags & METADATA_FLAG_MASK) != 0) {
         draco::GeometryMetadata ignored;
         if (!draco::MetadataDecoder{}.DecodeGeometryMetadata(&buffer, &ignored))

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <gmock/gmock.h>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "gl/gl_test.h"
@@ -315,19 +316,17 @@ TEST_P(Ink, ofACubeHasNoGaps) {
         const auto corner = [](int k) {
             return glm::dvec3{(k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1};
         };
-        int hidden = 0;  // the corner farthest off; seen from above, its three edges are what is hidden
-        for (int k = 0; k < 8; ++k) {
-            const auto depth = [&](int c) { return -(camera.view * glm::dvec4{corner(c), 1.0}).z; };
-            if (depth(k) > depth(hidden)) hidden = k;
-        }
+        const glm::dvec3 eye{glm::inverse(camera.view)[3]};
         std::vector<Line> lines;
         for (int a = 0; a < 8; ++a) {
-            for (const int bit : {1, 2, 4}) {
-                if ((a & bit) != 0 || a == hidden || (a | bit) == hidden) continue;
-                lines.push_back(lineBetween(camera, square, corner(a), corner(a | bit)));
+            for (int axis = 0; axis < 3; ++axis) {
+                if ((a >> axis & 1) != 0) continue;
+                const auto shown = [&](int other) { return eye[other] * corner(a)[other] > 1.0; };  // the face's front
+                if (!shown((axis + 1) % 3) && !shown((axis + 2) % 3)) continue;
+                lines.push_back(lineBetween(camera, square, corner(a), corner(a | 1 << axis)));
             }
         }
-        ASSERT_EQ(lines.size(), 9U);
+        ASSERT_GE(lines.size(), 7U);
         for (const double width : {1.0, 3.5}) {
             SCOPED_TRACE(testing::Message() << "view " << i << ", width " << width);
             const Image<double> drawn =
