@@ -45,7 +45,7 @@ bool collapsed(const MeshTopology& topology, std::uint32_t t) {
     return p[0] == p[1] || p[1] == p[2];
 }
 
-std::vector<std::uint32_t> twinHalfEdges(const MeshTopology& topology, const std::vector<std::uint32_t>& first) {
+std::vector<std::uint32_t> twinHalfEdges(const MeshTopology& topology) {
     struct Entry {
         std::uint32_t greaterPoint;
         std::uint32_t halfEdge;
@@ -53,8 +53,8 @@ std::vector<std::uint32_t> twinHalfEdges(const MeshTopology& topology, const std
     const auto& points = topology.points;
     const auto ends = [&](std::uint32_t h) { return std::minmax(points[h], points[nextHalfEdge(h)]); };
     const auto forEachHalfEdge = [&](auto&& visit) {
-        for (std::uint32_t t = 0; t < first.size(); ++t) {
-            if (first[t] != t || collapsed(topology, t)) continue;
+        for (std::uint32_t t = 0; t < topology.originals.size(); ++t) {
+            if (topology.originals[t] != t || collapsed(topology, t)) continue;
             for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) visit(h);
         }
     };
@@ -155,17 +155,18 @@ MeshTopology buildTopology(const Mesh& mesh) {
     topology.points.resize(mesh.indices.size());
     std::ranges::transform(mesh.indices, topology.points.begin(), [&](std::uint32_t i) { return weld.point[i]; });
     topology.faceNormals = faceNormals(mesh, leastHeight * weld.tolerance);
-    topology.twins = twinHalfEdges(topology, firstOfItsKind(topology));
+    topology.originals = firstOfItsKind(topology);
+    topology.twins = twinHalfEdges(topology);
     return topology;
 }
 
 void buildPatches(const Mesh& mesh, double creaseAngle, MeshTopology& topology) {
     const double creaseCosine = std::cos(glm::radians(creaseAngle));
-    const std::vector<std::uint32_t> first = firstOfItsKind(topology);
-    UnionFind sets{static_cast<std::uint32_t>(first.size())};
+    const auto triangleCount = static_cast<std::uint32_t>(topology.originals.size());
+    UnionFind sets{triangleCount};
     topology.creases.assign(topology.twins.size(), false);
-    for (std::uint32_t t = 0; t < first.size(); ++t) {
-        sets.unite(t, first[t]);
+    for (std::uint32_t t = 0; t < triangleCount; ++t) {
+        sets.unite(t, topology.originals[t]);
         if (!hasNormal(topology, t)) {
             joinAcrossThinFace(topology, t, creaseCosine, sets);
             continue;
@@ -180,9 +181,9 @@ void buildPatches(const Mesh& mesh, double creaseAngle, MeshTopology& topology) 
             }
         }
     }
-    topology.patches.resize(first.size());
+    topology.patches.resize(triangleCount);
     topology.patchCount = 0;
-    for (std::uint32_t t = 0; t < first.size(); ++t) {  // a set's root is its least member, so it comes first
+    for (std::uint32_t t = 0; t < triangleCount; ++t) {  // a set's root is its least member, so it comes first
         const std::uint32_t root = sets.root(t);
         topology.patches[t] = root == t ? topology.patchCount++ : topology.patches[root];
     }

@@ -26,6 +26,7 @@ inline constexpr std::uint32_t manyHalfEdges = ~0U - 1;
 struct MeshTopology {
     std::vector<std::uint32_t> points;     ///< one a corner: its point, 0..pointCount-1
     std::uint32_t pointCount = 0;
+    std::vector<std::uint32_t> originals;  ///< one a triangle: the first that has its three points; most often itself
     std::vector<std::uint32_t> twins;      ///< one a half-edge: the other of its edge, noHalfEdge or manyHalfEdges
     std::vector<bool> creases;             ///< one a half-edge: whether its edge is a crease; it has a twin then
     std::vector<glm::dvec3> faceNormals;   ///< one a triangle, unit, by winding; 0 where it is too thin
@@ -37,7 +38,7 @@ struct MeshTopology {
 /// corners turns it by more than half the usual crease angle.
 inline constexpr double leastHeight = 4.0;
 
-/// Fills points, twins and faceNormals. Triangles that repeat an earlier one, whatever their winding, and those with two
+/// Fills points, originals, twins and faceNormals. Triangles that repeat an earlier one, whatever their winding, and those with two
 /// corners at one point take no part in edges. O(n) but for points with very many edges.
 [[nodiscard]] MeshTopology buildTopology(const Mesh&);
 

@@ -56,6 +56,7 @@ glm::dvec3 turned(glm::dvec3 p, double degrees) {
 
 // What a line may lack where it is thinnest: a gap of one pixel in a line of width 1 would lack all of its ink.
 constexpr double gapLimit = 0.5;
+constexpr double tipLimit = 0.75;
 
 TEST_P(Ink, ofASilhouetteIsExactAtEveryAngleAndWidth) {
     for (const bool orthographic : {true, false}) {
@@ -256,7 +257,12 @@ TEST_P(Ink, runsToThePicturesBorder) {
                     if (!atBorder) continue;
                     const double exact = ink_measures::bandCoverage(x, y, edge, width);
                     border.add(drawn.at(x, y), exact);
-                    EXPECT_LE(exact - drawn.at(x, y), gapLimit) << "at " << x << ", " << y << ", width " << width;
+                    // Where the line itself has left the picture nothing is known of it.
+                    const glm::dvec2 from = ink_measures::centre(x, y);
+                    const glm::dvec2 nearest = from - glm::dot(from - edge.a, edge.normal()) * edge.normal();
+                    const bool seen = nearest.x > 0.5 && nearest.y > 0.5 && nearest.x < square.width - 0.5 &&
+                                      nearest.y < square.height - 0.5;
+                    if (seen) EXPECT_LE(exact - drawn.at(x, y), gapLimit) << x << ", " << y << ", width " << width;
                 }
             }
         }
@@ -332,7 +338,13 @@ TEST_P(Ink, ofACubeHasNoGaps) {
             const Image<double> drawn =
                 ink_measures::inkOf(renderer().render(scene, camera, ink(square, width)).picture);
             const Image<double> exact = ink_measures::exactInk(square, lines, width);
-            for (const Line& line : lines) EXPECT_LE(ink_measures::mostMissing(drawn, exact, line), gapLimit);
+            for (const Line& line : lines) {
+                // A tip narrower than a pixel may end up to a pixel early, on both sides.
+                const double tip = 1.5 / line.length();
+                const Line withoutTips{glm::mix(line.a, line.b, tip), glm::mix(line.b, line.a, tip)};
+                EXPECT_LE(ink_measures::mostMissing(drawn, exact, withoutTips), gapLimit);
+                EXPECT_LE(ink_measures::mostMissing(drawn, exact, line), tipLimit);
+            }
         }
     }
 }
