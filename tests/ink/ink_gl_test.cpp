@@ -262,7 +262,9 @@ TEST_P(Ink, runsToThePicturesBorder) {
                     const glm::dvec2 nearest = from - glm::dot(from - edge.a, edge.normal()) * edge.normal();
                     const bool seen = nearest.x > 0.5 && nearest.y > 0.5 && nearest.x < square.width - 0.5 &&
                                       nearest.y < square.height - 0.5;
-                    if (seen) EXPECT_LE(exact - drawn.at(x, y), gapLimit) << x << ", " << y << ", width " << width;
+                    if (seen) {
+                        EXPECT_LE(exact - drawn.at(x, y), gapLimit) << x << ", " << y << ", width " << width;
+                    }
                 }
             }
         }
