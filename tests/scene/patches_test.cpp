@@ -1,0 +1,178 @@
+// The patches of whole scenes: what the seams between their parts join.
+#include "scene/patch_numbers.h"
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <glm/trigonometric.hpp>
+
+#include "scene/topology.h"
+#include "scenes.h"
+
+namespace inkedge {
+namespace {
+
+using testing::Each;
+using testing::ElementsAre;
+
+// One number a triangle of the scene, in the order of instances.
+std::vector<std::uint32_t> numbersOf(const Scene& scene) {
+    const PatchNumbers& patches = scene.patchNumbers();
+    std::vector<std::uint32_t> numbers;
+    for (std::size_t i = 0; i < scene.instances().size(); ++i) {
+        for (const std::uint32_t p : scene.topology(scene.instances()[i].mesh).patches) {
+            numbers.push_back(patches.number[patches.base[i] + p]);
+        }
+    }
+    return numbers;
+}
+
+// Two unit squares that meet at x = 0, the right one bent down by an angle, as meshes of their own.
+const Mesh left = scenes::quad({-1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 1, 0});
+Mesh right(double degrees, double from = 0.0, double to = 1.0) {
+    const double a = glm::radians(degrees);
+    const glm::dvec3 out{std::cos(a), 0, -std::sin(a)};
+    return scenes::quad({0, from, 0}, out + glm::dvec3{0, from, 0}, out + glm::dvec3{0, to, 0}, {0, to, 0});
+}
+
+glm::dmat4 identity() { return glm::dmat4{1.0}; }
+
+Mesh merged(const std::vector<Mesh>& meshes) {
+    Mesh all;
+    for (const Mesh& mesh : meshes) {
+        const auto offset = static_cast<std::uint32_t>(all.positions.size());
+        all.positions.insert(all.positions.end(), mesh.positions.begin(), mesh.positions.end());
+        for (const std::uint32_t i : mesh.indices) all.indices.push_back(offset + i);
+    }
+    return all;
+}
+
+Mesh woundBack(Mesh mesh) {
+    for (std::size_t t = 0; t < mesh.indices.size(); t += 3) std::swap(mesh.indices[t + 1], mesh.indices[t + 2]);
+    return mesh;
+}
+
+Scene nodes(const Mesh& a, const Mesh& b, double creaseAngle = 30.0) {
+    return scenes::sceneOf({{a, identity()}, {b, identity()}}, LoadSettings{Normals::Auto, creaseAngle});
+}
+
+TEST(Seams, joinNodesThatGoOnAtLessThanTheCreaseAngleOnly) {
+    for (const double angle : {10.0, 30.0, 80.0}) {
+        EXPECT_THAT(numbersOf(nodes(left, right(angle - 0.5), angle)), Each(1)) << angle;
+        EXPECT_THAT(numbersOf(nodes(left, right(angle + 0.5), angle)), ElementsAre(1, 1, 2, 2)) << angle;
+        EXPECT_THAT(numbersOf(nodes(left, right(-angle - 0.5), angle)), ElementsAre(1, 1, 2, 2)) << angle;
+    }
+}
+
+TEST(Seams, doNotAskHowFacesAreWound) {
+    EXPECT_THAT(numbersOf(nodes(left, woundBack(right(5.0)))), Each(1));
+    EXPECT_THAT(numbersOf(nodes(woundBack(left), right(95.0))), ElementsAre(1, 1, 2, 2));
+}
+
+TEST(Seams, doNotJoinASheetFoldedBackOnItself) {
+    EXPECT_THAT(numbersOf(nodes(left, right(179.0))), ElementsAre(1, 1, 2, 2));
+}
+
+TEST(Seams, sewTJunctions) {
+    // The right side is split where the left one is not, within a mesh and between nodes.
+    const Mesh split = merged({right(0.0, 0.0, 0.4), right(0.0, 0.4, 1.0)});
+    EXPECT_THAT(numbersOf(scenes::sceneOf(merged({left, split}))), Each(1));
+    EXPECT_THAT(numbersOf(nodes(left, split)), Each(1));
+    const Mesh bent = merged({right(50.0, 0.0, 0.4), right(50.0, 0.4, 1.0)});
+    EXPECT_THAT(numbersOf(scenes::sceneOf(merged({left, bent}))), ElementsAre(1, 1, 2, 2, 2, 2));
+}
+
+TEST(Seams, joinPartsThatOverlapAlongTheEdgeOnly) {
+    EXPECT_THAT(numbersOf(nodes(left, right(0.0, 0.7, 1.7))), Each(1));
+    EXPECT_THAT(numbersOf(nodes(left, right(0.0, 1.0, 2.0))), ElementsAre(1, 1, 2, 2)) << "touch in a corner";
+}
+
+TEST(Seams, bearTheRoundingOfCoordinatesButNoGap) {
+    const auto moved = [&](double by) {
+        return numbersOf(scenes::sceneOf({{left, identity()}, {right(0.0), scenes::translation({by, 0, 0})}}));
+    };
+    EXPECT_THAT(moved(1e-6), Each(1));
+    EXPECT_THAT(moved(-1e-6), Each(1));
+    EXPECT_THAT(moved(1e-3), ElementsAre(1, 1, 2, 2));  // half a pixel of a picture of 1024
+}
+
+TEST(Seams, areFoundWhereverTheNodesStand) {
+    for (const double scale : {1e-4, 1.0, 1e4}) {
+        const glm::dmat4 place = scenes::translation({3e3 * scale, -2e3 * scale, 1e3 * scale}) *
+                                 scenes::rotation(40, {1, 2, 3}) * scenes::scaling(glm::dvec3{scale});
+        EXPECT_THAT(numbersOf(scenes::sceneOf({{left, place}, {right(10.0), place}})), Each(1)) << scale;
+        EXPECT_THAT(numbersOf(scenes::sceneOf({{left, place}, {right(40.0), place}})), ElementsAre(1, 1, 2, 2))
+            << scale;
+    }
+}
+
+TEST(Seams, joinMirroredNodes) {
+    // One mesh placed twice, the second time mirrored: a symmetric part.
+    const glm::dmat4 mirror = scenes::scaling({-1, 1, 1});
+    EXPECT_THAT(numbersOf(scenes::sceneOf({{left, identity()}, {left, mirror}})), Each(1));
+    Scene::Data data;
+    data.meshes = {scenes::quad({-1, 0, -0.5}, {0, 0, 0}, {0, 1, 0}, {-1, 1, -0.5})};  // falls off by 27 degrees
+    data.instances = {{"whole", 0, identity()}, {"mirrored", 0, mirror}};
+    EXPECT_THAT(numbersOf(Scene{std::move(data)}), ElementsAre(1, 1, 2, 2)) << "a ridge of 53 degrees";
+}
+
+TEST(Seams, leaveEdgesOfThreeFacesApart) {
+    const Mesh fin = scenes::quad({0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0});
+    EXPECT_THAT(numbersOf(scenes::sceneOf(merged({left, right(0.0), fin}))), ElementsAre(1, 1, 2, 2, 3, 3));
+}
+
+TEST(Seams, leaveClosedBodiesThatTouchApart) {
+    EXPECT_EQ(scenes::sceneOf({{scenes::cube(), identity()}, {scenes::cube(), scenes::translation({2, 0, 0})}})
+                  .patchNumbers()
+                  .count,
+              12U);
+}
+
+TEST(PatchNumbers, countEachInstanceAnew) {
+    Scene::Data data;
+    data.meshes = {scenes::cube()};
+    for (int i = 0; i < 3; ++i) data.instances.push_back({"cube", 0, scenes::translation({5.0 * i, 0, 0})});
+    const Scene scene{std::move(data)};
+    EXPECT_THAT(scene.patchNumbers().base, ElementsAre(0, 6, 12));
+    EXPECT_EQ(scene.patchNumbers().count, 18U);
+    const std::vector<std::uint32_t> numbers = numbersOf(scene);
+    EXPECT_EQ(std::set<std::uint32_t>(numbers.begin(), numbers.end()).size(), 18U);
+    EXPECT_EQ(*std::ranges::min_element(numbers), 1U);
+}
+
+TEST(PatchNumbers, takeBothSidesOfATwoSidedFaceAsOne) {
+    // Each face twice, back to back, as exporters write two-sided materials.
+    const Mesh sheet = merged({left, right(10.0)});
+    EXPECT_THAT(numbersOf(scenes::sceneOf(merged({sheet, woundBack(sheet)}))), Each(1));
+    EXPECT_THAT(scenes::sceneOf(merged({sheet, woundBack(sheet)})).patchNumbers().layered, Each(false));
+}
+
+TEST(PatchNumbers, areThoseOfTheWorldsAngles) {
+    // A roof of 20 degrees in its mesh, 72 once its height is stretched tenfold; and one that a scale flattens.
+    const double rise = std::tan(glm::radians(10.0));
+    const auto roof = [](double h) {
+        Mesh mesh;
+        for (const glm::dvec3& p : {glm::dvec3{-1, 0, 0}, {0, 0, h}, {0, 1, h}, {-1, 1, 0}, {1, 0, 0}, {1, 1, 0}}) {
+            mesh.positions.emplace_back(p);
+        }
+        mesh.indices = {0, 1, 2, 0, 2, 3, 1, 4, 5, 1, 5, 2};
+        return mesh;
+    };
+    EXPECT_THAT(numbersOf(scenes::sceneOf(roof(rise))), Each(1));
+    EXPECT_THAT(numbersOf(scenes::sceneOf(roof(rise), scenes::scaling({1, 1, 4}))), ElementsAre(1, 1, 2, 2));
+    EXPECT_THAT(numbersOf(scenes::sceneOf(roof(4 * rise), scenes::scaling({1, 1, 0.25}))), Each(1));
+    EXPECT_THAT(numbersOf(scenes::sceneOf(roof(4 * rise), scenes::scaling({7, 7, 7}))), ElementsAre(1, 1, 2, 2));
+    // Sheared along the fold's fall, its sides bend by another angle: x += 3 z turns one side under the other.
+    glm::dmat4 shear{1.0};
+    shear[2] = {3.0, 0.0, 1.0, 0.0};
+    EXPECT_THAT(numbersOf(scenes::sceneOf(roof(rise))), Each(1));
+    EXPECT_THAT(numbersOf(scenes::sceneOf(roof(4 * rise), scenes::rotation(30, {1, 2, 0}) * shear)),
+                ElementsAre(1, 1, 2, 2));
+    shear[2] = {0.0, 5.0, 1.0, 0.0};  // along the fold: nothing but the bend in a plane across it counts
+    EXPECT_THAT(numbersOf(scenes::sceneOf(roof(rise), shear)), Each(1));
+}
+
+}  // namespace
+}  // namespace inkedge
