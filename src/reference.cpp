@@ -47,7 +47,8 @@ PixelRange pixelRange(const Triangle& triangle, int axis, int count) {
 void drawTriangle(const Triangle& triangle, const Camera& camera, Size size, Surface& surface) {
     // Homogeneous rasterisation: the rows of this inverse are the barycentric edge functions, which need no clipping.
     const auto xyw = [](const glm::dvec4& c) { return glm::dvec3{c.x, c.y, c.w}; };
-    const glm::dmat3 corners{xyw(triangle.corners[0].clip), xyw(triangle.corners[1].clip), xyw(triangle.corners[2].clip)};
+    const glm::dmat3 corners{xyw(triangle.corners[0].clip), xyw(triangle.corners[1].clip),
+                             xyw(triangle.corners[2].clip)};
     const double determinant = glm::determinant(corners);
     if (determinant == 0.0 || !std::isfinite(determinant)) return;
     const glm::dmat3 toBarycentric = glm::inverse(corners);
@@ -139,13 +140,12 @@ Image<double> scaledDepth(const Image<double>& depth, const Camera& camera, Dept
 
 Image<double> gradientMagnitude(const Image<double>& image, int channel, Kernel kernel) {
     if (channel < 0 || channel >= image.channels) {
-        throw Error{Error::Kind::Usage,
-                    fmt::format("expected a channel below {}, found {}", image.channels, channel)};
+        throw Error{Error::Kind::Usage, fmt::format("expected a channel below {}, found {}", image.channels, channel)};
     }
-    const std::span<const double> smoothing = kernel == Kernel::Sobel ? std::span<const double>{sobelSmoothing}
-                                                                      : std::span<const double>{faridSmoothing};
-    const std::span<const double> derivative = kernel == Kernel::Sobel ? std::span<const double>{sobelDerivative}
-                                                                       : std::span<const double>{faridDerivative};
+    const std::span<const double> smoothing =
+        kernel == Kernel::Sobel ? std::span<const double>{sobelSmoothing} : std::span<const double>{faridSmoothing};
+    const std::span<const double> derivative =
+        kernel == Kernel::Sobel ? std::span<const double>{sobelDerivative} : std::span<const double>{faridDerivative};
     const int radius = static_cast<int>(smoothing.size()) / 2;
     const auto [width, height] = image.size;
     Image<double> magnitude{image.size, 1};
@@ -192,7 +192,8 @@ Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength, 
     if (planes.channels != 4) {
         throw Error{Error::Kind::Usage, fmt::format("expected planes of 4 channels, found {}", planes.channels)};
     }
-    const auto [width, height] = planes.size;
+    const int width = planes.size.width;
+    const int height = planes.size.height;
     const double creaseCosine = std::cos(glm::radians(creaseAngle));
     const auto value = [&](int x, int y, int channel) { return static_cast<double>(planes.at(x, y, channel)); };
     const auto normal = [&](int x, int y) {

@@ -26,13 +26,14 @@ namespace {
 void check(const Camera& camera) {
     const bool angleUsable = camera.orthographic() || (camera.viewAngle > 0.0 && camera.viewAngle < 180.0);
     const bool depthsUsable = camera.near < camera.far && (camera.orthographic() || camera.near > 0.0);
-    const bool finite = std::isfinite(camera.near) && std::isfinite(camera.far) &&
-                        std::isfinite(glm::determinant(camera.view));
+    const bool finite =
+        std::isfinite(camera.near) && std::isfinite(camera.far) && std::isfinite(glm::determinant(camera.view));
     if (!angleUsable || !depthsUsable || !finite) {
-        throw Error{Error::Kind::Usage,
-                    fmt::format("camera: expected a view angle over 0 and under 180 and 0 < near < far, all finite, found "
-                                "{} and {}, {}",
-                                camera.viewAngle, camera.near, camera.far)};
+        throw Error{
+            Error::Kind::Usage,
+            fmt::format("camera: expected a view angle over 0 and under 180 and 0 < near < far, all finite, found "
+                        "{} and {}, {}",
+                        camera.viewAngle, camera.near, camera.far)};
     }
 }
 
@@ -85,9 +86,8 @@ void renderPlanes(const View& view, gl::StageClock& clock, Maps& maps) {
     lines.planes = gl::readFloats(gpu.api, buffers.planes, 4);
     lines.triangles = gl::readIntegers(gpu.api, buffers.triangles);
     clock.finish("read-back");
-    TracedLines traced =
-        traceLines(std::move(lines), scene, upload.firstTriangles(), camera, unit, drawnTypes(picture), samples,
-                   wants(settings, Map::Ids) ? TraceIds::Keep : TraceIds::Drop);
+    TracedLines traced = traceLines(std::move(lines), scene, upload.firstTriangles(), camera, unit, drawnTypes(picture),
+                                    samples, wants(settings, Map::Ids) ? TraceIds::Keep : TraceIds::Drop);
     clock.finish("trace");
     if (!classic) {
         if (wants(settings, Map::Edges)) maps.edges = mask(traced.types, picture.lines);

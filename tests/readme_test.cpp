@@ -1,5 +1,5 @@
-// The README's table of settings is written from the settings table, so that it cannot go stale. With INKEDGE_UPDATE_README
-// set (tools/update_readme) the test writes it instead of comparing.
+// The README's table of settings is written from the settings table, so that it cannot go stale. With
+// INKEDGE_UPDATE_README set (tools/update_readme) the test writes it instead of comparing.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

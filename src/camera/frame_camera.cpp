@@ -17,10 +17,10 @@ namespace {
 
 constexpr double threeQuarterAzimuth = 30.0;
 constexpr double threeQuarterElevation = 20.0;
-constexpr double frameShare = 0.92;      // of the picture's width or height that a framed model fills
-constexpr double clearance = 0.1;        // of the bounds' radius: a spike sharper than the view angle cannot touch the camera
-constexpr double nearestShare = 1e-4;    // of far: the near plane of a camera inside or beside the model
-constexpr double boundsMargin = 1.001;   // keeps the outermost vertex off the near and far planes
+constexpr double frameShare = 0.92;  // of the picture's width or height that a framed model fills
+constexpr double clearance = 0.1;  // of the bounds' radius: a spike sharper than the view angle cannot touch the camera
+constexpr double nearestShare = 1e-4;   // of far: the near plane of a camera inside or beside the model
+constexpr double boundsMargin = 1.001;  // keeps the outermost vertex off the near and far planes
 
 [[noreturn]] void refuse(const std::string& message) { throw Error{Error::Kind::Usage, message}; }
 
@@ -39,8 +39,9 @@ Axes axesAlong(glm::dvec3 forward, const std::optional<glm::dvec3>& wishedUp, do
     up = glm::normalize(up);
     if (glm::length(glm::cross(unitForward, up)) < 1e-9) {
         if (wishedUp) {
-            refuse(fmt::format("camera-view-up: expected a direction across the view direction {},{},{}, found one along it",
-                               unitForward.x, unitForward.y, unitForward.z));
+            refuse(fmt::format(
+                "camera-view-up: expected a direction across the view direction {},{},{}, found one along it",
+                unitForward.x, unitForward.y, unitForward.z));
         }
         const double a = glm::radians(azimuth);
         up = (unitForward.y > 0.0 ? 1.0 : -1.0) * glm::dvec3{std::sin(a), 0.0, std::cos(a)};
@@ -93,8 +94,8 @@ void checkForContradictions(const CameraSettings& wish) {
     exclude(angles && wish.position, "camera-position", "an azimuth or elevation angle");
     exclude(wish.position && wish.direction && wish.focalPoint, "camera-direction",
             "both camera-position and camera-focal-point");
-    exclude(wish.index && (wish.position || wish.focalPoint || wish.direction || wish.viewUp || angles),
-            "camera-index", "another camera position or direction");
+    exclude(wish.index && (wish.position || wish.focalPoint || wish.direction || wish.viewUp || angles), "camera-index",
+            "another camera position or direction");
     if (wish.viewAngle <= 0.0 || wish.viewAngle >= 180.0) {
         refuse(fmt::format("camera-view-angle: expected degrees over 0 and under 180, found {}", wish.viewAngle));
     }

@@ -57,7 +57,8 @@ std::unique_ptr<Context> createContext(const BackendSettings& wish) {
         try {
             return candidate.create(candidate);
         } catch (const Error& error) {
-            failures.push_back(fmt::format("{} ({}): {}", candidate.info.backend, candidate.info.platform, error.what()));
+            failures.push_back(
+                fmt::format("{} ({}): {}", candidate.info.backend, candidate.info.platform, error.what()));
         }
     }
     std::string message = "expected a context for offscreen OpenGL 4.5, found none";

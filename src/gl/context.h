@@ -49,7 +49,7 @@ private:
 
 /// One way to get a context: what it would be, and how to make it.
 struct Candidate {
-    BackendInfo info;         ///< backend, platform and software; no GL strings yet
+    BackendInfo info;  ///< backend, platform and software; no GL strings yet
     std::optional<int> device;
     std::unique_ptr<Context> (*create)(const Candidate&);  ///< throws Error (Context) with reason and remedy
 };
@@ -61,7 +61,8 @@ struct Candidate {
 [[nodiscard]] Candidate osmesaCandidate();
 
 /// The first context that works: EGL, then OSMesa, or only the backend or device that is wished for.
-/// @throws Error  (Kind::Context) if none works: why not, for each that was tried; (Kind::Usage) if a device is wished for
+/// @throws Error  (Kind::Context) if none works: why not, for each that was tried; (Kind::Usage) if a device is wished
+/// for
 ///                that does not exist
 [[nodiscard]] std::unique_ptr<Context> createContext(const BackendSettings&);
 

@@ -34,8 +34,8 @@ struct EglApi {
     decltype(&eglGetCurrentSurface) getCurrentSurface = nullptr;
     decltype(&eglReleaseThread) releaseThread = nullptr;
     PFNEGLGETPLATFORMDISPLAYEXTPROC getPlatformDisplay = nullptr;
-    PFNEGLQUERYDEVICESEXTPROC queryDevices = nullptr;             // null without the device platform
-    PFNEGLQUERYDEVICESTRINGEXTPROC queryDeviceString = nullptr;   // likewise
+    PFNEGLQUERYDEVICESEXTPROC queryDevices = nullptr;            // null without the device platform
+    PFNEGLQUERYDEVICESTRINGEXTPROC queryDeviceString = nullptr;  // likewise
     std::string failure;
 };
 
@@ -44,14 +44,16 @@ const EglApi& egl() {
         EglApi a;
         void* library = openSharedObject({"libEGL.so.1", "libEGL.so"});
         if (library == nullptr) {
-            a.failure = "expected libEGL.so.1, found none; install it (Debian: apt-get install libegl1 libgl1-mesa-dri)";
+            a.failure =
+                "expected libEGL.so.1, found none; install it (Debian: apt-get install libegl1 libgl1-mesa-dri)";
             return a;
         }
         const bool complete =
-            resolve(library, "eglGetProcAddress", a.getProcAddress) && resolve(library, "eglQueryString", a.queryString) &&
-            resolve(library, "eglGetError", a.getError) && resolve(library, "eglInitialize", a.initialize) &&
-            resolve(library, "eglTerminate", a.terminate) && resolve(library, "eglBindAPI", a.bindApi) &&
-            resolve(library, "eglQueryAPI", a.queryApi) && resolve(library, "eglCreateContext", a.createContext) &&
+            resolve(library, "eglGetProcAddress", a.getProcAddress) &&
+            resolve(library, "eglQueryString", a.queryString) && resolve(library, "eglGetError", a.getError) &&
+            resolve(library, "eglInitialize", a.initialize) && resolve(library, "eglTerminate", a.terminate) &&
+            resolve(library, "eglBindAPI", a.bindApi) && resolve(library, "eglQueryAPI", a.queryApi) &&
+            resolve(library, "eglCreateContext", a.createContext) &&
             resolve(library, "eglDestroyContext", a.destroyContext) &&
             resolve(library, "eglMakeCurrent", a.makeCurrent) &&
             resolve(library, "eglGetCurrentContext", a.getCurrentContext) &&
@@ -84,15 +86,12 @@ bool listed(const char* extensions, std::string_view wanted) {
 }
 
 std::string lastError() {
-    static const std::map<EGLint, const char*> names{{EGL_SUCCESS, "it refused without a reason"},
-                                                     {EGL_NOT_INITIALIZED, "EGL_NOT_INITIALIZED"},
-                                                     {EGL_BAD_ACCESS, "EGL_BAD_ACCESS"},
-                                                     {EGL_BAD_ALLOC, "EGL_BAD_ALLOC"},
-                                                     {EGL_BAD_ATTRIBUTE, "EGL_BAD_ATTRIBUTE"},
-                                                     {EGL_BAD_CONFIG, "EGL_BAD_CONFIG"},
-                                                     {EGL_BAD_DISPLAY, "EGL_BAD_DISPLAY"},
-                                                     {EGL_BAD_MATCH, "EGL_BAD_MATCH"},
-                                                     {EGL_BAD_PARAMETER, "EGL_BAD_PARAMETER"}};
+    static const std::map<EGLint, const char*> names{
+        {EGL_SUCCESS, "it refused without a reason"}, {EGL_NOT_INITIALIZED, "EGL_NOT_INITIALIZED"},
+        {EGL_BAD_ACCESS, "EGL_BAD_ACCESS"},           {EGL_BAD_ALLOC, "EGL_BAD_ALLOC"},
+        {EGL_BAD_ATTRIBUTE, "EGL_BAD_ATTRIBUTE"},     {EGL_BAD_CONFIG, "EGL_BAD_CONFIG"},
+        {EGL_BAD_DISPLAY, "EGL_BAD_DISPLAY"},         {EGL_BAD_MATCH, "EGL_BAD_MATCH"},
+        {EGL_BAD_PARAMETER, "EGL_BAD_PARAMETER"}};
     const EGLint code = egl().getError();
     const auto found = names.find(code);
     return found == names.end() ? fmt::format("EGL error {:#x}", code) : found->second;
@@ -159,19 +158,22 @@ public:
         const char* extensions = egl().queryString(display_->handle(), EGL_EXTENSIONS);
         for (const char* needed : {"EGL_KHR_surfaceless_context", "EGL_KHR_no_config_context"}) {
             if (!listed(extensions, needed)) {
-                throw Error{Error::Kind::Context,
-                            fmt::format("expected the EGL extension {}, found none; update the graphics driver", needed)};
+                throw Error{
+                    Error::Kind::Context,
+                    fmt::format("expected the EGL extension {}, found none; update the graphics driver", needed)};
             }
         }
         const EGLenum apiBefore = egl().queryApi();
         egl().bindApi(EGL_OPENGL_API);
-        constexpr std::array attributes{EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
-                                        EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+        constexpr std::array attributes{
+            EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
         context_ = egl().createContext(display_->handle(), EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
         egl().bindApi(apiBefore);
         if (context_ == EGL_NO_CONTEXT) {
-            throw Error{Error::Kind::Context,
-                        fmt::format("expected OpenGL 4.5 core, found {}; update the graphics driver or Mesa", lastError())};
+            throw Error{
+                Error::Kind::Context,
+                fmt::format("expected OpenGL 4.5 core, found {}; update the graphics driver or Mesa", lastError())};
         }
         try {
             const Current current{*this};
@@ -249,7 +251,7 @@ std::vector<Candidate> eglCandidates(std::string& why) {
                               i,
                               createOnDevice});
     }
-    std::ranges::stable_partition(candidates, [](const Candidate& c) { return !c.info.software; });
+    std::stable_partition(candidates.begin(), candidates.end(), [](const Candidate& c) { return !c.info.software; });
     candidates.push_back({{.backend = "egl", .platform = "surfaceless"}, {}, createSurfaceless});
     return candidates;
 }

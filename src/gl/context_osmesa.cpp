@@ -49,8 +49,15 @@ public:
             throw Error{Error::Kind::Context,
                         "expected libOSMesa.so.8, found none; install it (Debian: apt-get install libosmesa6)"};
         }
-        constexpr std::array attributes{osmesaFormat, osmesaRgba, osmesaProfile, osmesaCoreProfile,
-                                        osmesaContextMajorVersion, 4, osmesaContextMinorVersion, 5, 0};
+        constexpr std::array attributes{osmesaFormat,
+                                        osmesaRgba,
+                                        osmesaProfile,
+                                        osmesaCoreProfile,
+                                        osmesaContextMajorVersion,
+                                        4,
+                                        osmesaContextMinorVersion,
+                                        5,
+                                        0};
         context_ = osmesa().createContextAttribs(attributes.data(), nullptr);
         if (context_ == nullptr) {
             throw Error{Error::Kind::Context,

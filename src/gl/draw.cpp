@@ -20,22 +20,24 @@ Framebuffer::Framebuffer(const Api& api, std::initializer_list<const Texture*> c
     api.NamedFramebufferDrawBuffers(id, static_cast<GLsizei>(buffers.size()), buffers.data());
     const GLenum status = api.CheckNamedFramebufferStatus(id, GL_DRAW_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
-        throw Error{Error::Kind::Runtime,
-                    fmt::format("expected a complete framebuffer, found status {:#x}; update the graphics driver", status)};
+        throw Error{
+            Error::Kind::Runtime,
+            fmt::format("expected a complete framebuffer, found status {:#x}; update the graphics driver", status)};
     }
 }
 
-void prepareDrawing(Gpu& gpu, Program program, const Framebuffer& target, std::initializer_list<const Texture*> inputs) {
+void prepareDrawing(Gpu& gpu, Program program, const Framebuffer& target,
+                    std::initializer_list<const Texture*> inputs) {
     const Api& api = gpu.api;
     api.BindFramebuffer(GL_FRAMEBUFFER, target.id());
     api.Viewport(0, 0, target.size().width, target.size().height);
     api.DepthRange(0.0, 1.0);
     api.ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
-    for (const GLenum off : {GL_SCISSOR_TEST, GL_BLEND, GL_CULL_FACE, GL_STENCIL_TEST, GL_DITHER, GL_POLYGON_OFFSET_FILL,
-                             GL_FRAMEBUFFER_SRGB, GL_DEPTH_CLAMP, GL_RASTERIZER_DISCARD, GL_COLOR_LOGIC_OP,
-                             GL_PRIMITIVE_RESTART, GL_PRIMITIVE_RESTART_FIXED_INDEX, GL_SAMPLE_MASK, GL_SAMPLE_COVERAGE,
-                             GL_SAMPLE_ALPHA_TO_COVERAGE}) {
-        api.Disable(off);
+    for (const auto off :
+         {GL_SCISSOR_TEST, GL_BLEND, GL_CULL_FACE, GL_STENCIL_TEST, GL_DITHER, GL_POLYGON_OFFSET_FILL,
+          GL_FRAMEBUFFER_SRGB, GL_DEPTH_CLAMP, GL_RASTERIZER_DISCARD, GL_COLOR_LOGIC_OP, GL_PRIMITIVE_RESTART,
+          GL_PRIMITIVE_RESTART_FIXED_INDEX, GL_SAMPLE_MASK, GL_SAMPLE_COVERAGE, GL_SAMPLE_ALPHA_TO_COVERAGE}) {
+        api.Disable(static_cast<GLenum>(off));
     }
     api.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     api.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
@@ -55,7 +57,8 @@ void prepareDrawing(Gpu& gpu, Program program, const Framebuffer& target, std::i
     }
 }
 
-void drawFullscreen(Gpu& gpu, Program program, const Framebuffer& target, std::initializer_list<const Texture*> inputs) {
+void drawFullscreen(Gpu& gpu, Program program, const Framebuffer& target,
+                    std::initializer_list<const Texture*> inputs) {
     prepareDrawing(gpu, program, target, inputs);
     gpu.api.BindVertexArray(gpu.emptyVertices.id());
     gpu.api.DrawArrays(GL_TRIANGLES, 0, 3);

@@ -12,18 +12,21 @@ namespace {
 
 GLenum glStage(Stage stage) {
     switch (stage) {
-        case Stage::Vertex: return GL_VERTEX_SHADER;
-        case Stage::Fragment: return GL_FRAGMENT_SHADER;
-        case Stage::Compute: return GL_COMPUTE_SHADER;
-        case Stage::Geometry: return GL_GEOMETRY_SHADER;
+        case Stage::Vertex:
+            return GL_VERTEX_SHADER;
+        case Stage::Fragment:
+            return GL_FRAGMENT_SHADER;
+        case Stage::Compute:
+            return GL_COMPUTE_SHADER;
+        case Stage::Geometry:
+            return GL_GEOMETRY_SHADER;
     }
     return GL_NONE;
 }
 
 [[noreturn]] void refuse(const ProgramText& program, const std::string& files, const std::string& log) {
-    throw Error{Error::Kind::Runtime,
-                fmt::format("program {}: expected the driver to accept it, found '{}'{}", program.name,
-                            log.substr(0, log.find('\n')), files)};
+    throw Error{Error::Kind::Runtime, fmt::format("program {}: expected the driver to accept it, found '{}'{}",
+                                                  program.name, log.substr(0, log.find('\n')), files)};
 }
 
 std::string shaderLog(const Api& api, GLuint shader) {

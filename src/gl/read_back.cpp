@@ -15,8 +15,8 @@ Image<T> read(const Api& api, const Framebuffer& source, int channels, GLenum fo
     Image<T> image{source.size(), channels};
     api.BindFramebuffer(GL_READ_FRAMEBUFFER, source.id());
     api.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-    for (const GLenum zero : {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS, GL_PACK_SWAP_BYTES}) {
-        api.PixelStorei(zero, 0);
+    for (const auto zero : {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS, GL_PACK_SWAP_BYTES}) {
+        api.PixelStorei(static_cast<GLenum>(zero), 0);
     }
     api.PixelStorei(GL_PACK_ALIGNMENT, 1);
     api.ReadPixels(0, 0, image.size.width, image.size.height, format, type, image.pixels.data());
@@ -26,13 +26,13 @@ Image<T> read(const Api& api, const Framebuffer& source, int channels, GLenum fo
 }  // namespace
 
 Image<float> readFloats(const Api& api, const Texture& texture, int channels) {
-    return read<float>(api, Framebuffer{api, {&texture}}, channels, colorFormats[static_cast<std::size_t>(channels - 1)],
-                       GL_FLOAT);
+    return read<float>(api, Framebuffer{api, {&texture}}, channels,
+                       colorFormats[static_cast<std::size_t>(channels - 1)], GL_FLOAT);
 }
 
 Image<std::uint8_t> readBytes(const Api& api, const Texture& texture, int channels) {
-    const GLenum format = texture.format() == GL_R8UI ? GL_RED_INTEGER
-                                                      : colorFormats[static_cast<std::size_t>(channels - 1)];
+    const GLenum format =
+        texture.format() == GL_R8UI ? GL_RED_INTEGER : colorFormats[static_cast<std::size_t>(channels - 1)];
     return read<std::uint8_t>(api, Framebuffer{api, {&texture}}, channels, format, GL_UNSIGNED_BYTE);
 }
 

@@ -13,8 +13,7 @@ Texture::~Texture() {
 }
 
 Texture TexturePool::acquire(Size size, GLenum format) {
-    const auto found =
-        std::ranges::find_if(free_, [&](const Free& f) { return f.size == size && f.format == format; });
+    const auto found = std::ranges::find_if(free_, [&](const Free& f) { return f.size == size && f.format == format; });
     if (found != free_.end()) {
         Texture texture{*this, std::move(found->name), size, format};
         free_.erase(found);
@@ -25,10 +24,11 @@ Texture TexturePool::acquire(Size size, GLenum format) {
     TextureName name{api_, id};
     api_.TextureStorage2D(id, 1, format, size.width, size.height);
     if (api_.GetError() == GL_OUT_OF_MEMORY) {
-        throw Error{Error::Kind::Runtime,
-                    fmt::format("expected graphics memory for a picture of {} x {}, found too little; ask for a smaller "
-                                "--size",
-                                size.width, size.height)};
+        throw Error{
+            Error::Kind::Runtime,
+            fmt::format("expected graphics memory for a picture of {} x {}, found too little; ask for a smaller "
+                        "--size",
+                        size.width, size.height)};
     }
     api_.TextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     api_.TextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

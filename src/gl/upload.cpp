@@ -67,8 +67,8 @@ struct Geometry {
 void append(const Mesh& mesh, const MeshTopology& topology, Geometry& geometry) {
     constexpr GLuint unused = ~0U;
     const auto base = geometry.vertices.size();
-    geometry.meshes.push_back({static_cast<GLuint>(mesh.indices.size()), 0, static_cast<GLuint>(geometry.indices.size()),
-                               static_cast<GLint>(base), 0});
+    geometry.meshes.push_back({static_cast<GLuint>(mesh.indices.size()), 0,
+                               static_cast<GLuint>(geometry.indices.size()), static_cast<GLint>(base), 0});
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         geometry.vertices.push_back({mesh.positions[i], mesh.normals[i], unused});
     }

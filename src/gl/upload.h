@@ -59,7 +59,8 @@ private:
     std::vector<std::uint32_t> instanceOrder_;
     std::vector<std::uint32_t> firstTriangles_;
     GLsizei commandCount_ = 0;
-    GLsizei mirroredCount_ = 0;  // the last of the commands: their instances mirror, so their front faces wind clockwise
+    GLsizei mirroredCount_ =
+        0;  // the last of the commands: their instances mirror, so their front faces wind clockwise
     GLsizei layerCommandCount_ = 0;  // stand behind the others
 };
 

@@ -25,7 +25,8 @@ struct Pen {
 [[nodiscard]] std::array<Pen, lineTypeCount> pens(const PictureSettings&);
 
 /// Draws strokes with exact coverage at any width: a pixel's coverage is the share of its square that the stroke's band
-/// covers; at caps, the band along the cap's tangent. Strokes of one colour join without a seam; of two colours the line type that comes first covers.
+/// covers; at caps, the band along the cap's tangent. Strokes of one colour join without a seam; of two colours the
+/// line type that comes first covers.
 /// @return  1, 3 or 4 channels, as Maps::picture
 [[nodiscard]] Image<std::uint8_t> paintStrokes(std::span<const Stroke>, const PictureSettings&);
 

@@ -45,14 +45,15 @@ public:
         std::optional<Exit> exit;                ///< where the smooth surface ends on the way
         std::optional<std::uint32_t> arrivedAt;  ///< else the triangle, of the same mesh, that covers the goal
     };
-    /// Walks in the picture from a point on a triangle towards another, from triangle to triangle. Neither if the triangles
-    /// on the way are too many to follow.
+    /// Walks in the picture from a point on a triangle towards another, from triangle to triangle. Neither if the
+    /// triangles on the way are too many to follow.
     [[nodiscard]] Walk walk(SceneTriangle from, glm::dvec2 start, glm::dvec2 goal) const;
 
     /// Whether two triangles of one mesh are the same or touch each other.
     [[nodiscard]] bool touch(SceneTriangle, SceneTriangle) const;
 
-    /// Where, from 0 at start to 1 at goal, the border of a coplanar layer lies between them, whichever layer is seen there.
+    /// Where, from 0 at start to 1 at goal, the border of a coplanar layer lies between them, whichever layer is seen
+    /// there.
     /// @param patch  the layer's number (PatchNumbers::number)
     [[nodiscard]] std::optional<double> layerBorder(std::uint32_t patch, glm::dvec2 start, glm::dvec2 goal) const;
 

@@ -77,7 +77,8 @@ private:
         return triangles_.walk(triangle(from), {from.x + 0.5, from.y + 0.5}, {to.x + 0.5, to.y + 0.5});
     }
 
-    // Where coplanar layers overlap a pixel holds the sum of their patches' numbers: one more on one side names the layer.
+    // Where coplanar layers overlap a pixel holds the sum of their patches' numbers: one more on one side names the
+    // layer.
     [[nodiscard]] std::optional<double> layerBorder(Sample from, Sample to) const {
         const float difference = buffers_.planes.at(from.x, from.y, 3) - buffers_.planes.at(to.x, to.y, 3);
         return triangles_.layerBorder(static_cast<std::uint32_t>(std::abs(difference)), {from.x + 0.5, from.y + 0.5},
@@ -97,14 +98,16 @@ private:
     }
 
     Crossing crossing(Sample p, Sample q, unsigned marks) {
-        const bool swap = isBackground(p) || (!isBackground(q) && buffers_.planes.at(q.x, q.y) > buffers_.planes.at(p.x, p.y));
+        const bool swap =
+            isBackground(p) || (!isBackground(q) && buffers_.planes.at(q.x, q.y) > buffers_.planes.at(p.x, p.y));
         const Sample near = swap ? q : p;
         const Sample far = swap ? p : q;
         const bool jumps = (marks & (PairMark::background | PairMark::jump)) != 0;
         const Walk way = walk(near, far);
         if (marks == PairMark::bend && goesOnSmoothly(way, far)) return {};
 
-        // A nearer surface that goes on to where it is not seen any more ends there, within the grid that vertices snap to.
+        // A nearer surface that goes on to where it is not seen any more ends there, within the grid that vertices snap
+        // to.
         double t = way.exit ? way.exit->t : jumps && way.arrivedAt ? 1.0 : 0.5;  // from near to far
         if (!jumps) {
             if (const std::optional<double> meet = planesMeet(p, q)) {
@@ -124,8 +127,8 @@ private:
         return {glm::vec2{from + t * (to - from)}, types};
     }
 
-    // Faces of one patch may bend by more than the crease angle in several smooth steps: that is no line. Where the way ends
-    // on another triangle than the one seen there, the patch runs into itself.
+    // Faces of one patch may bend by more than the crease angle in several smooth steps: that is no line. Where the way
+    // ends on another triangle than the one seen there, the patch runs into itself.
     [[nodiscard]] bool goesOnSmoothly(const Walk& way, Sample far) const {
         if (way.exit) return false;
         const SceneTriangle seen = triangle(far);
@@ -152,8 +155,9 @@ private:
     Image<std::uint8_t> types_;
 };
 
-// Vertices that nearly touch leave cracks, through which single samples see what lies behind: a sample that lies behind the
-// surface which all its four neighbours share, each going on into the one opposite, is no hole that a line could show.
+// Vertices that nearly touch leave cracks, through which single samples see what lies behind: a sample that lies behind
+// the surface which all its four neighbours share, each going on into the one opposite, is no hole that a line could
+// show.
 class PinholeFilter {
 public:
     PinholeFilter(LineBuffers& buffers, const Camera& camera, double unit)
@@ -187,7 +191,8 @@ private:
         return static_cast<double>(buffers_.planes.at(x, y, channel));
     }
 
-    // The two samples beside (x, y) along an axis see one patch, which goes on from one to the other in front of (x, y).
+    // The two samples beside (x, y) along an axis see one patch, which goes on from one to the other in front of (x,
+    // y).
     [[nodiscard]] bool coveredAlong(int x, int y, int dx, int dy) const {
         const double patch = plane(x - dx, y - dy, 3);
         if (patch == 0.0 || patch != plane(x + dx, y + dy, 3)) return false;
@@ -225,7 +230,8 @@ public:
             const auto column = static_cast<std::size_t>(x);
             const Crossing* sides[4]{&above.right[column], &below.right[column], &above.down[column],
                                      &above.down[column + 1]};
-            const auto drawnEnd = std::remove_if(sides, sides + 4, [&](const Crossing* c) { return (c->types & types_.drawn) == 0; });
+            const auto drawnEnd =
+                std::remove_if(sides, sides + 4, [&](const Crossing* c) { return (c->types & types_.drawn) == 0; });
             joinCell({sides, static_cast<std::size_t>(drawnEnd - sides)}, x, y);
         }
     }
@@ -237,7 +243,9 @@ private:
         return static_cast<std::uint8_t>(std::countr_zero(styled != 0 ? styled : drawn));
     }
 
-    void add(glm::vec2 from, glm::vec2 to, std::uint8_t style) { strokes_.push_back({from * scale_, to * scale_, style}); }
+    void add(glm::vec2 from, glm::vec2 to, std::uint8_t style) {
+        strokes_.push_back({from * scale_, to * scale_, style});
+    }
 
     void joinCell(std::span<const Crossing*> crossings, int x, int y) {
         if (crossings.empty()) return;
@@ -258,7 +266,8 @@ private:
             const float further = step != 0.0F ? (border - place) / step : -1.0F;
             if (further < 0.0F) return end.place;
             // The stroke's far side leaves the picture after its centre line.
-            const glm::vec2 overshoot = further < longestReach ? farBeyond / scale_ * glm::normalize(along) : glm::vec2{0.0F};
+            const glm::vec2 overshoot =
+                further < longestReach ? farBeyond / scale_ * glm::normalize(along) : glm::vec2{0.0F};
             return end.place + std::min(further, longestReach) * along + overshoot;
         };
         const auto width = static_cast<float>(samples_.width);
@@ -313,7 +322,8 @@ Image<std::uint32_t> traceIds(const LineBuffers& buffers, const Scene& scene, co
 Image<std::uint8_t> typesOfPixels(const Image<std::uint8_t>& samples, int samplesPerPixel) {
     Image<std::uint8_t> types{{samples.size.width / samplesPerPixel, samples.size.height / samplesPerPixel}, 1};
     for (int y = 0; y < samples.size.height; ++y) {
-        for (int x = 0; x < samples.size.width; ++x) types.at(x / samplesPerPixel, y / samplesPerPixel) |= samples.at(x, y);
+        for (int x = 0; x < samples.size.width; ++x)
+            types.at(x / samplesPerPixel, y / samplesPerPixel) |= samples.at(x, y);
     }
     return types;
 }

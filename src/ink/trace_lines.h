@@ -35,8 +35,8 @@ struct DrawnTypes {
 };
 [[nodiscard]] DrawnTypes drawnTypes(const PictureSettings&);
 
-/// Places each crossing between two neighbouring samples exactly where the planes meet or the nearer surface ends, finds out
-/// what it is, and joins the crossings around each cell of 2 x 2 samples by strokes.
+/// Places each crossing between two neighbouring samples exactly where the planes meet or the nearer surface ends,
+/// finds out what it is, and joins the crossings around each cell of 2 x 2 samples by strokes.
 /// @param firstTriangles  for each instance the number of its first triangle in the scene
 /// @param unit            scene units in a unit length of the planes
 /// @param types           what becomes strokes; the maps hold all

@@ -11,9 +11,10 @@ namespace inkedge {
 /// When two pictures count as the same. A pixel's difference is its largest over the channels; values run from 0 to 1
 /// in 8-bit pictures and are taken as they are in float ones.
 struct Tolerance {
-    double level = 0.0;      ///< differences up to this are not counted
-    double share = 0.0;      ///< the share of pixels, 0..1, that may lie over the level
-    double hardLimit = 0.0;  ///< no pixel may differ by more than this, the allowed share included; under level: as level
+    double level = 0.0;  ///< differences up to this are not counted
+    double share = 0.0;  ///< the share of pixels, 0..1, that may lie over the level
+    double hardLimit =
+        0.0;  ///< no pixel may differ by more than this, the allowed share included; under level: as level
 };
 
 struct Comparison {

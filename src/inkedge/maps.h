@@ -27,19 +27,19 @@ struct StageTime {
 /// The result of one render. Every image has the picture's size, row 0 at the top; maps that were not asked for are
 /// empty. The masks hold 255 on an edge and 0 off it.
 struct Maps {
-    Image<std::uint8_t> picture;        ///< 1 channel if line and background are grey, 3 (RGB), or 4 (RGBA, not
-                                        ///< premultiplied) if the background is transparent
-    Image<float> depth;                 ///< eye-space depth, scene units; background: camera.far
-    Image<float> windowDepth;           ///< 0 at near, 1 at far; background: 1
-    Image<float> normal;                ///< 3 channels, -1..1, unit length, turned to the side that is seen; background: 0
-    Image<float> depthMagnitude;        ///< equation 6 on the depth map
-    Image<float> normalMagnitude;       ///< equation 6 on the normal map: the largest of the three channels
-    Image<std::uint8_t> depthEdges;     ///< equation 7 on the depth map
-    Image<std::uint8_t> normalEdges;    ///< equation 7 on the normal map
-    Image<std::uint8_t> edges;          ///< either: Figure 1(e); with the planes detector: on a line
-    Image<std::uint8_t> types;          ///< bits of LineType at pixels on the nearer side of a line, else 0
-    Image<std::uint32_t> ids;           ///< 4 channels: the pixel's patch; the patch across the line, 0 off lines; the node;
-                                        ///< the material. Each counts from 1; 0 is none or background
+    Image<std::uint8_t> picture;     ///< 1 channel if line and background are grey, 3 (RGB), or 4 (RGBA, not
+                                     ///< premultiplied) if the background is transparent
+    Image<float> depth;              ///< eye-space depth, scene units; background: camera.far
+    Image<float> windowDepth;        ///< 0 at near, 1 at far; background: 1
+    Image<float> normal;             ///< 3 channels, -1..1, unit length, turned to the side that is seen; background: 0
+    Image<float> depthMagnitude;     ///< equation 6 on the depth map
+    Image<float> normalMagnitude;    ///< equation 6 on the normal map: the largest of the three channels
+    Image<std::uint8_t> depthEdges;  ///< equation 7 on the depth map
+    Image<std::uint8_t> normalEdges;  ///< equation 7 on the normal map
+    Image<std::uint8_t> edges;        ///< either: Figure 1(e); with the planes detector: on a line
+    Image<std::uint8_t> types;        ///< bits of LineType at pixels on the nearer side of a line, else 0
+    Image<std::uint32_t> ids;  ///< 4 channels: the pixel's patch; the patch across the line, 0 off lines; the node;
+                               ///< the material. Each counts from 1; 0 is none or background
 
     Camera camera;
     BackendInfo backend;

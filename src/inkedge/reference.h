@@ -8,8 +8,8 @@
 #include <inkedge/scene.h>
 #include <inkedge/settings.h>
 
-/// The CPU definition of every pass, in plain loops and double precision: what the graphics processor must compute. Made to
-/// be read and to test against, not to be fast. All functions are pure and thread-safe.
+/// The CPU definition of every pass, in plain loops and double precision: what the graphics processor must compute.
+/// Made to be read and to test against, not to be fast. All functions are pure and thread-safe.
 namespace inkedge::reference {
 
 /// Equation 5: [1 2 1] and [-1 0 1].
@@ -27,14 +27,14 @@ struct Surface {
                                 ///< background: 0
 };
 
-/// Casts each pixel's centre onto every triangle (homogeneous rasterisation) and keeps the nearest between near and far.
-/// The GPU twin is drawSurface(); the two may differ at pixels whose centre lies within 1/256 pixel of a triangle's edge,
-/// since graphics processors snap vertices to such a grid.
-/// O(pixels covered by each triangle's bounds).
+/// Casts each pixel's centre onto every triangle (homogeneous rasterisation) and keeps the nearest between near and
+/// far. The GPU twin is drawSurface(); the two may differ at pixels whose centre lies within 1/256 pixel of a
+/// triangle's edge, since graphics processors snap vertices to such a grid. O(pixels covered by each triangle's
+/// bounds).
 [[nodiscard]] INKEDGE_API Surface drawSurface(const Scene&, const Camera&, LightSpace, Size);
 
-/// The light that a white diffuse surface receives from a red, a green and a blue directional light along +X, +Y and +Z and
-/// from lights of negative intensity along -X, -Y and -Z. Equals the normal. Section 2.1.2.
+/// The light that a white diffuse surface receives from a red, a green and a blue directional light along +X, +Y and +Z
+/// and from lights of negative intensity along -X, -Y and -Z. Equals the normal. Section 2.1.2.
 [[nodiscard]] INKEDGE_API glm::dvec3 sixLights(glm::dvec3 unitNormal) noexcept;
 
 /// The depth that edges are found in: 0..1 from near to far.
@@ -50,10 +50,10 @@ struct Surface {
 /// Appendix A on both maps.
 struct Edges {
     Image<double> depthMagnitude;
-    Image<double> normalMagnitude;  ///< the largest of the three channels
-    Image<std::uint8_t> depthEdges;   ///< 255 where the magnitude >= T, else 0: equation 7
+    Image<double> normalMagnitude;   ///< the largest of the three channels
+    Image<std::uint8_t> depthEdges;  ///< 255 where the magnitude >= T, else 0: equation 7
     Image<std::uint8_t> normalEdges;
-    Image<std::uint8_t> edges;      ///< either
+    Image<std::uint8_t> edges;  ///< either
 };
 
 /// GPU twin: shaders/detect_edges.frag.
@@ -71,18 +71,19 @@ struct PairMark {
     static constexpr unsigned jump = 8;        ///< one surface lies in front of the other
 };
 
-/// Lines without thresholds. On a plane w = 1 / z (orthographic: w = -z) is linear in the picture. With g the slope of w over
-/// the step from p to q on each one's own plane, r_p = w_q - (w_p + g_p) and r_q = w_p - (w_q - g_q) have one sign where the
-/// planes meet on the step: the surface goes on. Else it jumps if
+/// Lines without thresholds. On a plane w = 1 / z (orthographic: w = -z) is linear in the picture. With g the slope of
+/// w over the step from p to q on each one's own plane, r_p = w_q - (w_p + g_p) and r_q = w_p - (w_q - g_q) have one
+/// sign where the planes meet on the step: the surface goes on. Else it jumps if
 ///
 ///     min(|r_p|, |r_q|) k > 1 + min(|g_p|, |g_q|) k,    k = f / max(w_p, w_q)
 ///
-/// where f is the focal length in pixels (orthographic: k = f, pixels a unit length), so that differences of w times k are
-/// pixel footprints: no unit, distance or size of the scene enters. GPU twin: shaders/detect_lines.frag.
+/// where f is the focal length in pixels (orthographic: k = f, pixels a unit length), so that differences of w times k
+/// are pixel footprints: no unit, distance or size of the scene enters. GPU twin: shaders/detect_lines.frag.
 /// @param planes       4 channels: w, dw/dx, dw/dy a pixel, the patch's number; 0: background
 /// @param focalLength  f
 /// @param creaseAngle  degrees
-/// @return             one byte a pixel: PairMark bits, the low four for the pixel and the one to its right, the high four
+/// @return             one byte a pixel: PairMark bits, the low four for the pixel and the one to its right, the high
+/// four
 ///                     for the pixel and the one below
 /// @throws Error       (Kind::Usage) if there are not 4 channels
 [[nodiscard]] INKEDGE_API Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength,

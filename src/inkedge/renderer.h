@@ -15,9 +15,9 @@ namespace inkedge {
 
 /// Owns one offscreen OpenGL context and draws any number of scenes and views with it.
 ///
-/// Use by one thread at a time; several renderers may work side by side. The context is current only during a call. After it the
-/// EGL context of the caller is current again if this one is EGL's too; where one Mesa serves both EGL and OSMesa, a call
-/// through the other of the two leaves none current.
+/// Use by one thread at a time; several renderers may work side by side. The context is current only during a call.
+/// After it the EGL context of the caller is current again if this one is EGL's too; where one Mesa serves both EGL and
+/// OSMesa, a call through the other of the two leaves none current.
 class INKEDGE_API Renderer {
 public:
     /// @throws Error  (Kind::Context) if no context can be had; the message says why for each backend tried

@@ -17,18 +17,18 @@ namespace inkedge {
 /// Triangles in a space of their own.
 struct Mesh {
     std::string name;
-    glm::dvec3 origin{0.0};              ///< added to every position: keeps floats near zero, however far off the mesh lies
-    std::vector<glm::vec3> positions;    ///< mesh space, less origin
-    std::vector<glm::vec3> normals;      ///< unit length, one for each position; empty: made by completeNormals()
-    std::vector<std::uint32_t> indices;  ///< three a triangle, into positions
+    glm::dvec3 origin{0.0};  ///< added to every position: keeps floats near zero, however far off the mesh lies
+    std::vector<glm::vec3> positions;      ///< mesh space, less origin
+    std::vector<glm::vec3> normals;        ///< unit length, one for each position; empty: made by completeNormals()
+    std::vector<std::uint32_t> indices;    ///< three a triangle, into positions
     std::vector<std::uint32_t> materials;  ///< one a triangle: 1 + its number in the file, 0: none; empty: all 0
 };
 
 /// A mesh placed in the world.
 struct Instance {
     std::string name;
-    std::uint32_t mesh = 0;      ///< into Scene::meshes()
-    glm::dmat4 transform{1.0};   ///< mesh space -> world, affine; may mirror and shear
+    std::uint32_t mesh = 0;     ///< into Scene::meshes()
+    glm::dmat4 transform{1.0};  ///< mesh space -> world, affine; may mirror and shear
 };
 
 /// A camera that the file brings along.
@@ -96,8 +96,8 @@ private:
     std::shared_ptr<const Prepared> data_;
 };
 
-/// Reads a model: glTF 2.0 (.glb, .gltf; Draco and meshopt compression included), OBJ, STL or PLY. A file of the last three
-/// becomes one mesh.
+/// Reads a model: glTF 2.0 (.glb, .gltf; Draco and meshopt compression included), OBJ, STL or PLY. A file of the last
+/// three becomes one mesh.
 /// @throws Error  (Kind::Input) if it is missing, in another format, truncated or inconsistent, or draws no triangle
 [[nodiscard]] INKEDGE_API Scene loadScene(const std::filesystem::path& file, const LoadSettings& settings = {});
 

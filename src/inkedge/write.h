@@ -17,7 +17,8 @@ namespace inkedge {
 [[nodiscard]] INKEDGE_API std::vector<std::uint8_t> encodePng(const Image<std::uint8_t>&);
 
 /// What a render was asked for and what it did, as one JSON object: camera (view and projection as row-major 4 x 4 for
-/// column vectors, OpenGL clip space; near, far), size, bounds, settings, backend, GL strings, milliseconds of each stage.
+/// column vectors, OpenGL clip space; near, far), size, bounds, settings, backend, GL strings, milliseconds of each
+/// stage.
 [[nodiscard]] INKEDGE_API std::string metadataJson(const Scene&, const Maps&, const Settings&);
 
 /// The files that writeMaps() writes: first the picture's, then one for each map if the format holds one map a file.
@@ -28,8 +29,8 @@ namespace inkedge {
                                                                          std::span<const Map> maps);
 
 /// Writes the picture and the named maps; every file appears whole or not at all. 8-bit files are for looking: depth as
-/// grey from near (black) to far (white), normals as (n + 1) / 2, edges black on white, types and ids as colours. EXR holds
-/// the maps in layers depth.Z (scene units), normal.X/Y/Z, depth-edges.Y, normal-edges.Y, edges.Y, types.bits,
+/// grey from near (black) to far (white), normals as (n + 1) / 2, edges black on white, types and ids as colours. EXR
+/// holds the maps in layers depth.Z (scene units), normal.X/Y/Z, depth-edges.Y, normal-edges.Y, edges.Y, types.bits,
 /// ids.patch/across/object/material beside the picture's Y or R, G, B, A (linear light, alpha premultiplied), with
 /// inkedge:near, inkedge:far, inkedge:view and inkedge:projection in its header.
 /// @return        the files written, as outputFiles() gives them

@@ -14,8 +14,8 @@ gl::Program programFor(Kernel kernel, Magnitudes magnitudes) {
 
 }  // namespace
 
-EdgeBuffers detectEdges(gl::Gpu& gpu, const gl::Texture& surface, const Camera& camera, const DetectorSettings& settings,
-                        Magnitudes magnitudes) {
+EdgeBuffers detectEdges(gl::Gpu& gpu, const gl::Texture& surface, const Camera& camera,
+                        const DetectorSettings& settings, Magnitudes magnitudes) {
     const gl::Program program = programFor(settings.kernel, magnitudes);
     const GLuint id = gpu.programs.id(program);
     setDepths(gpu, program, 0, camera);

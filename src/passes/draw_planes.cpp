@@ -8,8 +8,8 @@
 namespace inkedge {
 namespace {
 
-// How far layers are lifted towards the eye, in pixel footprints: over what the depth test's rounding leaves between faces
-// in one plane, and less than any step that shows.
+// How far layers are lifted towards the eye, in pixel footprints: over what the depth test's rounding leaves between
+// faces in one plane, and less than any step that shows.
 constexpr double layerLift = 0.05;
 
 // Clip-space z of points that much nearer to the eye, less that of the points themselves: constant, because a footprint
@@ -57,8 +57,8 @@ PlaneBuffers drawPlanes(gl::Gpu& gpu, const gl::UploadedScene& upload, const Sce
     gpu.api.Enable(GL_BLEND);
     gpu.api.BlendEquation(GL_FUNC_ADD);
     gpu.api.BlendFunc(GL_ONE, GL_ONE);
-    setUniforms(gpu, gl::Program::DrawLayers, glm::mat4{projection},
-                liftInClipSpace(projection, camera, size, unit), camera.orthographic());
+    setUniforms(gpu, gl::Program::DrawLayers, glm::mat4{projection}, liftInClipSpace(projection, camera, size, unit),
+                camera.orthographic());
     upload.draw(Part::Layers);
     return buffers;
 }

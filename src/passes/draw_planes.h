@@ -9,9 +9,10 @@ namespace inkedge {
 
 /// The plane and the patch that each pixel sees. Row 0 is the picture's top row.
 struct PlaneBuffers {
-    gl::Texture planes;     ///< RGBA32F: w, dw/dx, dw/dy (a pixel), the patch's number; w = 1 / eye-space depth, orthographic
-                            ///< - eye-space depth, in unit lengths. Where coplanar layers overlap, the sum of their patches'
-                            ///< numbers. Background: the last is 0, the others mean nothing
+    gl::Texture
+        planes;  ///< RGBA32F: w, dw/dx, dw/dy (a pixel), the patch's number; w = 1 / eye-space depth, orthographic
+                 ///< - eye-space depth, in unit lengths. Where coplanar layers overlap, the sum of their patches'
+                 ///< numbers. Background: the last is 0, the others mean nothing
     gl::Texture triangles;  ///< R32UI: 1 + the scene's triangle; background 0
 };
 

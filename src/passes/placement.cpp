@@ -13,8 +13,8 @@ void storeRows(const glm::dmat4& matrix, glm::vec4 (&rows)[3]) {
     for (int row = 0; row < 3; ++row) rows[row] = glm::vec4{transposed[row]};
 }
 
-// Inverse transpose up to a positive factor, which also exists where a scale is zero: the cofactors, whose sign a mirror
-// turns round.
+// Inverse transpose up to a positive factor, which also exists where a scale is zero: the cofactors, whose sign a
+// mirror turns round.
 glm::dmat3 normalMatrix(const glm::dmat3& m) {
     const glm::dmat3 cofactors{glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
     double largest = 0.0;

@@ -10,15 +10,16 @@
 
 namespace inkedge {
 
-/// Lengths are handed to the graphics processor in units of the scene's radius, so that no product of floats overflows or
-/// vanishes, however small or large the scene is.
+/// Lengths are handed to the graphics processor in units of the scene's radius, so that no product of floats overflows
+/// or vanishes, however small or large the scene is.
 [[nodiscard]] double unitLength(const Scene&);
 
-/// View space in unit lengths -> clip space with depth from 1 at near to 0 at far: floats are then fine where perspective
-/// is coarse.
+/// View space in unit lengths -> clip space with depth from 1 at near to 0 at far: floats are then fine where
+/// perspective is coarse.
 [[nodiscard]] glm::dmat4 reversedProjection(const Camera&, Size, double unit);
 
-/// Where each instance stands in view space, in the upload's order, and the matrix for its normals in the lights' space.
+/// Where each instance stands in view space, in the upload's order, and the matrix for its normals in the lights'
+/// space.
 [[nodiscard]] std::vector<gl::UploadedScene::PlacedInstance> placeInstances(const Scene&, const gl::UploadedScene&,
                                                                             const Camera&, LightSpace);
 

@@ -20,8 +20,8 @@ constexpr double normalStep = 1.0 / 256;  // normals are sorted into cells this 
 constexpr double normalTolerance = 1e-4;  // and into each cell that they are this near to
 
 struct Face {
-    std::uint32_t cell;      // of normals, numbered over a cube
-    float distance;          // of the plane from the scene's centre, in radii
+    std::uint32_t cell;  // of normals, numbered over a cube
+    float distance;      // of the plane from the scene's centre, in radii
     std::uint32_t instance;
     std::uint32_t triangle;
 };
@@ -125,7 +125,8 @@ private:
     // Overlaps among faces of about one plane.
     void findIn(std::span<const Face> group) {
         const std::uint32_t firstNumber = patches_.number[patchOf(group.front())];
-        if (std::ranges::all_of(group, [&](const Face& f) { return patches_.number[patchOf(f)] == firstNumber; })) return;
+        if (std::ranges::all_of(group, [&](const Face& f) { return patches_.number[patchOf(f)] == firstNumber; }))
+            return;
 
         const std::vector<FlatTriangle> flat = flatten(group);
         const double margin = planeTolerance * scene_.bounds().radius;

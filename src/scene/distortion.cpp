@@ -32,10 +32,12 @@ Mesh distorted(const Mesh& mesh, const glm::dmat3& m) {
     for (glm::vec3& p : result.positions) p = glm::vec3{m * glm::dvec3{p}};
     // The inverse transpose up to its length, which also exists where the distortion flattens the mesh.
     const double sign = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
-    const glm::dmat3 cofactors{sign * glm::cross(m[1], m[2]), sign * glm::cross(m[2], m[0]), sign * glm::cross(m[0], m[1])};
+    const glm::dmat3 cofactors{sign * glm::cross(m[1], m[2]), sign * glm::cross(m[2], m[0]),
+                               sign * glm::cross(m[0], m[1])};
     for (glm::vec3& n : result.normals) n = transformedNormal(cofactors, n);
     if (sign < 0.0) {  // mirrored: keep the front in front for normals yet to be made
-        for (std::size_t t = 0; t + 2 < result.indices.size(); t += 3) std::swap(result.indices[t + 1], result.indices[t + 2]);
+        for (std::size_t t = 0; t + 2 < result.indices.size(); t += 3)
+            std::swap(result.indices[t + 1], result.indices[t + 2]);
     }
     return result;
 }

@@ -21,9 +21,9 @@ double maximum(const Scene& scene, Measure measure) {
         };
         double reach = -std::numeric_limits<double>::infinity();
         for (int corner = 0; corner < 8; ++corner) {
-            reach = std::max(reach, at({(corner & 1) != 0 ? box.max.x : box.min.x,
-                                        (corner & 2) != 0 ? box.max.y : box.min.y,
-                                        (corner & 4) != 0 ? box.max.z : box.min.z}));
+            reach = std::max(reach,
+                             at({(corner & 1) != 0 ? box.max.x : box.min.x, (corner & 2) != 0 ? box.max.y : box.min.y,
+                                 (corner & 4) != 0 ? box.max.z : box.min.z}));
         }
         if (reach <= most) continue;
         for (const glm::vec3 p : mesh.positions) most = std::max(most, at(p));

@@ -6,8 +6,8 @@
 
 namespace inkedge {
 
-/// The largest dot product of a direction with any drawn vertex, in world space. Instances whose box cannot reach further
-/// than what is already found are not looked into.
+/// The largest dot product of a direction with any drawn vertex, in world space. Instances whose box cannot reach
+/// further than what is already found are not looked into.
 [[nodiscard]] double support(const Scene&, glm::dvec3 direction);
 
 /// The distance of the drawn vertex that lies farthest from a point, in world space.

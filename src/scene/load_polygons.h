@@ -14,7 +14,8 @@ namespace inkedge::load {
 ///
 /// A polygon of n corners gives n - 2 triangles, wound as it is, that use all its corners: where corners lie on a line,
 /// some have no area, which keeps the polygon's edges whole. A quad is cut from its first corner, as modelling
-/// programs show it, or, if it is concave, from its hollow corner. Larger polygons may be concave and bent; one that crosses itself is cut somehow.
+/// programs show it, or, if it is concave, from its hollow corner. Larger polygons may be concave and bent; one that
+/// crosses itself is cut somehow.
 class PolygonCutter {
 public:
     using Triangle = std::array<std::uint32_t, 3>;  ///< into the polygon's corners

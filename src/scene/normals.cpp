@@ -86,7 +86,8 @@ void windByNormals(Mesh& mesh) {
     for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
         const auto face = mesh.indices.begin() + static_cast<std::ptrdiff_t>(t);
         const glm::dvec3 a{mesh.positions[face[0]]};
-        const glm::dvec3 area = glm::cross(glm::dvec3{mesh.positions[face[1]]} - a, glm::dvec3{mesh.positions[face[2]]} - a);
+        const glm::dvec3 area =
+            glm::cross(glm::dvec3{mesh.positions[face[1]]} - a, glm::dvec3{mesh.positions[face[2]]} - a);
         const glm::dvec3 normals{mesh.normals[face[0]] + mesh.normals[face[1]] + mesh.normals[face[2]]};
         if (glm::dot(area, normals) < 0.0) std::swap(face[1], face[2]);
     }

@@ -10,10 +10,10 @@ namespace inkedge {
 /// drops the normals that are not finite, or all if settings ask for none of the file's.
 void applyAuthoredNormals(Mesh&, const LoadSettings&);
 
-/// Gives every vertex without a normal (an empty array, or zero vectors) one: its face's, or, under Normals::Auto, a smooth
-/// one: of the faces around a point, those joined across edges that bend by no more than the crease angle share a normal,
-/// weighted by the angle of each face's corner. Vertices are split where their faces do not share. The topology stays
-/// valid: corners keep their order. O(n).
+/// Gives every vertex without a normal (an empty array, or zero vectors) one: its face's, or, under Normals::Auto, a
+/// smooth one: of the faces around a point, those joined across edges that bend by no more than the crease angle share
+/// a normal, weighted by the angle of each face's corner. Vertices are split where their faces do not share. The
+/// topology stays valid: corners keep their order. O(n).
 void completeNormals(Mesh&, const MeshTopology&, const LoadSettings&);
 
 }  // namespace inkedge

@@ -17,10 +17,10 @@ struct PatchNumbers {
 
 /// Numbers the patches, joins them across seams and finds coplanar layers.
 ///
-/// A seam is where the borders of two surfaces run along each other (T-junctions, parts cut along a line, meshes split by
-/// material or node) and the surfaces go on across it at less than the crease angle: what is drawn as one surface.
-/// A layer is a face that shares a part of its plane with a face of another patch: there the depth test cannot choose, so
-/// the lines of both must show.
+/// A seam is where the borders of two surfaces run along each other (T-junctions, parts cut along a line, meshes split
+/// by material or node) and the surfaces go on across it at less than the crease angle: what is drawn as one surface.
+/// A layer is a face that shares a part of its plane with a face of another patch: there the depth test cannot choose,
+/// so the lines of both must show.
 [[nodiscard]] PatchNumbers numberPatches(const Scene&, double creaseAngle);
 
 }  // namespace inkedge

@@ -62,7 +62,8 @@ bool runAlong(const Border& one, const Border& other, double tolerance) {
 
 }  // namespace
 
-void joinAcrossSeams(const Scene& scene, const std::vector<std::uint32_t>& base, double creaseAngle, UnionFind& joined) {
+void joinAcrossSeams(const Scene& scene, const std::vector<std::uint32_t>& base, double creaseAngle,
+                     UnionFind& joined) {
     const double tolerance = seamTolerance * scene.bounds().radius;
     // Faces that go on across the seam at a bend under the crease angle point away from each other by more than this.
     const double oppositeCosine = -std::cos(glm::radians(creaseAngle));

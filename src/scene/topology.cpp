@@ -117,7 +117,8 @@ bool normalsSplit(const Mesh& mesh, const MeshTopology& topology, std::uint32_t 
                   double creaseCosine) {
     const auto split = [&](std::uint32_t a, std::uint32_t b) {
         // Normals wound against each other may point to opposite sides of one surface.
-        const double cosine = static_cast<double>(glm::dot(mesh.normals[mesh.indices[a]], mesh.normals[mesh.indices[b]]));
+        const double cosine =
+            static_cast<double>(glm::dot(mesh.normals[mesh.indices[a]], mesh.normals[mesh.indices[b]]));
         return (topology.points[halfEdge] == topology.points[twin] ? -cosine : cosine) < creaseCosine;
     };
     const SharedEnds ends = endsOfTwin(topology, halfEdge, twin);

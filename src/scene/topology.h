@@ -24,7 +24,7 @@ inline constexpr std::uint32_t manyHalfEdges = ~0U - 1;
 ///
 /// Half-edge 3t + k of triangle t runs from its corner k to its corner (k + 1) % 3.
 struct MeshTopology {
-    std::vector<std::uint32_t> points;     ///< one a corner: its point, 0..pointCount-1
+    std::vector<std::uint32_t> points;  ///< one a corner: its point, 0..pointCount-1
     std::uint32_t pointCount = 0;
     std::vector<std::uint32_t> originals;  ///< one a triangle: the first that has its three points; most often itself
     std::vector<std::uint32_t> twins;      ///< one a half-edge: the other of its edge, noHalfEdge or manyHalfEdges
@@ -38,15 +38,17 @@ struct MeshTopology {
 /// corners turns it by more than half the usual crease angle.
 inline constexpr double leastHeight = 4.0;
 
-/// Fills points, originals, twins and faceNormals. Triangles that repeat an earlier one, whatever their winding, and those with two
-/// corners at one point take no part in edges. O(n) but for points with very many edges.
+/// Fills points, originals, twins and faceNormals. Triangles that repeat an earlier one, whatever their winding, and
+/// those with two corners at one point take no part in edges. O(n) but for points with very many edges.
 [[nodiscard]] MeshTopology buildTopology(const Mesh&);
 
-/// Two faces that share an edge bend by this much there if cos(bend) is the result; either may be wound against the other.
+/// Two faces that share an edge bend by this much there if cos(bend) is the result; either may be wound against the
+/// other.
 [[nodiscard]] double bendCosine(const MeshTopology&, std::uint32_t halfEdge, std::uint32_t twin);
 
-/// Fills creases and patches: the faces that hang together across edges that are no creases. A crease bends by more than the angle, or
-/// its two faces' normals are split by more than that at both ends. The mesh has all its normals. O(n).
+/// Fills creases and patches: the faces that hang together across edges that are no creases. A crease bends by more
+/// than the angle, or its two faces' normals are split by more than that at both ends. The mesh has all its normals.
+/// O(n).
 void buildPatches(const Mesh&, double creaseAngle, MeshTopology&);
 
 }  // namespace inkedge

@@ -18,8 +18,10 @@ public:
     void unite(std::uint32_t a, std::uint32_t b) noexcept {
         a = root(a);
         b = root(b);
-        if (a < b) parent_[b] = a;
-        else parent_[a] = b;
+        if (a < b)
+            parent_[b] = a;
+        else
+            parent_[a] = b;
     }
 
 private:

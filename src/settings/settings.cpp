@@ -75,8 +75,8 @@ struct NamedColor {
     Color color;
 };
 constexpr std::array namedColors{
-    NamedColor{"black", {0, 0, 0}},  NamedColor{"white", {255, 255, 255}}, NamedColor{"grey", {128, 128, 128}},
-    NamedColor{"red", {255, 0, 0}},  NamedColor{"green", {0, 128, 0}},     NamedColor{"blue", {0, 0, 255}},
+    NamedColor{"black", {0, 0, 0}}, NamedColor{"white", {255, 255, 255}}, NamedColor{"grey", {128, 128, 128}},
+    NamedColor{"red", {255, 0, 0}}, NamedColor{"green", {0, 128, 0}},     NamedColor{"blue", {0, 0, 255}},
 };
 
 Color parseColor(std::string_view text) {
@@ -112,6 +112,8 @@ struct Choice {
     std::string_view name;
     T value;
 };
+template <class T>
+Choice(std::string_view, T) -> Choice<T>;
 constexpr std::array normalsChoices{Choice{"auto", Normals::Auto}, Choice{"authored", Normals::Authored},
                                     Choice{"flat", Normals::Flat}};
 constexpr std::array detectorChoices{Choice{"planes", Detector::Planes}, Choice{"classic", Detector::Classic}};
@@ -121,15 +123,16 @@ constexpr std::array lightsChoices{Choice{"single", NormalLights::Single}, Choic
 constexpr std::array lightSpaceChoices{Choice{"camera", LightSpace::Camera}, Choice{"world", LightSpace::World}};
 constexpr std::array backendChoices{Choice{"auto", Backend::Auto}, Choice{"egl", Backend::Egl},
                                     Choice{"osmesa", Backend::Osmesa}};
-constexpr std::array<Choice<Map>, mapCount> mapChoices{Choice{"depth", Map::Depth}, Choice{"normal", Map::Normal},
+constexpr std::array<Choice<Map>, mapCount> mapChoices{Choice{"depth", Map::Depth},
+                                                       Choice{"normal", Map::Normal},
                                                        Choice{"depth-edges", Map::DepthEdges},
                                                        Choice{"normal-edges", Map::NormalEdges},
                                                        Choice{"edges", Map::Edges},
                                                        Choice{"types", Map::Types},
                                                        Choice{"ids", Map::Ids}};
 constexpr std::array<Choice<LineType>, lineTypeCount> lineTypeChoices{
-    Choice{"outline", LineType::Outline}, Choice{"occlusion", LineType::Occlusion},
-    Choice{"boundary", LineType::Boundary}, Choice{"crease", LineType::Crease},
+    Choice{"outline", LineType::Outline},           Choice{"occlusion", LineType::Occlusion},
+    Choice{"boundary", LineType::Boundary},         Choice{"crease", LineType::Crease},
     Choice{"intersection", LineType::Intersection}, Choice{"object", LineType::Object}};
 
 template <class T, std::size_t n>
@@ -238,26 +241,21 @@ using S = Settings;
 using Text = std::string_view;
 
 constexpr std::array table{
-    SettingDescription{"maps", "", "output", "MAP,...", "depth, normal, depth-edges, normal-edges, edges, types, ids", "",
-                       "maps to write beside the picture; layers of one file if it is an EXR",
+    SettingDescription{"maps", "", "output", "MAP,...", "depth, normal, depth-edges, normal-edges, edges, types, ids",
+                       "", "maps to write beside the picture; layers of one file if it is an EXR",
                        [](S& s, Text t) { s.maps = parseMaps(t); }, [](const S& s) { return text(s.maps); }},
 
     SettingDescription{"size", "", "picture", "WIDTHxHEIGHT", "1x1 to the context's limit", "1024x1024",
                        "picture size in pixels", [](S& s, Text t) { s.picture.size = parseSize(t); },
-                       [](const S& s) {
-                           return fmt::format("{}x{}", s.picture.size.width, s.picture.size.height);
-                       }},
+                       [](const S& s) { return fmt::format("{}x{}", s.picture.size.width, s.picture.size.height); }},
     SettingDescription{"line-color", "", "picture", "COLOR", "#RGB, #RRGGBB or a name", "black", "colour of the lines",
                        [](S& s, Text t) { s.picture.lineColor = parseColor(t); },
                        [](const S& s) { return text(s.picture.lineColor); }},
-    SettingDescription{"background", "", "picture", "COLOR|none", "#RGB, #RRGGBB, a name or none", "white",
-                       "colour behind the lines; none is transparent",
-                       [](S& s, Text t) {
-                           s.picture.background = t == "none" ? std::nullopt : std::optional{parseColor(t)};
-                       },
-                       [](const S& s) {
-                           return s.picture.background ? text(*s.picture.background) : std::string{"none"};
-                       }},
+    SettingDescription{
+        "background", "", "picture", "COLOR|none", "#RGB, #RRGGBB, a name or none", "white",
+        "colour behind the lines; none is transparent",
+        [](S& s, Text t) { s.picture.background = t == "none" ? std::nullopt : std::optional{parseColor(t)}; },
+        [](const S& s) { return s.picture.background ? text(*s.picture.background) : std::string{"none"}; }},
 
     SettingDescription{"line-width", "", "picture", "PX", "0.5 to 32, or millimetres: 0.35mm", "1.5",
                        "width of the lines in output pixels, or in mm at --dpi; planes detector",
@@ -303,12 +301,11 @@ constexpr std::array table{
                            s.camera.viewAngle = angle;
                        },
                        [](const S& s) { return text(s.camera.viewAngle); }},
-    SettingDescription{"camera-orthographic", "", "camera", "HEIGHT", "0 or more", "perspective",
-                       "orthographic view, HEIGHT scene units tall; 0 frames the model",
-                       [](S& s, Text t) {
-                           s.camera.orthographicHeight = parseNumber(t, 0.0, std::numeric_limits<double>::max());
-                       },
-                       [](const S& s) { return text(s.camera.orthographicHeight); }},
+    SettingDescription{
+        "camera-orthographic", "", "camera", "HEIGHT", "0 or more", "perspective",
+        "orthographic view, HEIGHT scene units tall; 0 frames the model",
+        [](S& s, Text t) { s.camera.orthographicHeight = parseNumber(t, 0.0, std::numeric_limits<double>::max()); },
+        [](const S& s) { return text(s.camera.orthographicHeight); }},
     SettingDescription{"camera-direction", "", "camera", "X,Y,Z", "not 0,0,0", "three-quarter view",
                        "view direction, from the camera into the scene",
                        [](S& s, Text t) { s.camera.direction = parseVector(t); },
@@ -321,8 +318,8 @@ constexpr std::array table{
                        "view from this angle above the horizon",
                        [](S& s, Text t) { s.camera.elevationAngle = parseNumber(t, -90.0, 90.0); },
                        [](const S& s) { return text(s.camera.elevationAngle); }},
-    SettingDescription{"camera-index", "", "camera", "N", "0 to the file's last camera", "none",
-                       "a camera of the file", [](S& s, Text t) { s.camera.index = parseCount(t); },
+    SettingDescription{"camera-index", "", "camera", "N", "0 to the file's last camera", "none", "a camera of the file",
+                       [](S& s, Text t) { s.camera.index = parseCount(t); },
                        [](const S& s) { return text(s.camera.index); }},
     SettingDescription{"camera-zoom-factor", "zoom", "camera", "FACTOR", "over 0", "1", "over 1 magnifies",
                        [](S& s, Text t) { s.camera.zoomFactor = parsePositive(t); },
@@ -351,15 +348,11 @@ constexpr std::array table{
                        [](const S& s) { return choiceName(depthMapChoices, s.detector.depthMap); }},
     SettingDescription{"depth-threshold", "", "detector", "T", "0 or more", "0.1 (sobel), 0.00972 (farid)",
                        "depth edge where the magnitude (eq. 6) is at least T (eq. 7); classic detector",
-                       [](S& s, Text t) {
-                           s.detector.depthThreshold = static_cast<float>(parseNumber(t, 0.0, 1e6));
-                       },
+                       [](S& s, Text t) { s.detector.depthThreshold = static_cast<float>(parseNumber(t, 0.0, 1e6)); },
                        [](const S& s) { return text(s.detector.depthThreshold); }},
     SettingDescription{"normal-threshold", "", "detector", "T", "0 or more", "1.6 (sobel), 0.155 (farid)",
                        "normal edge where the magnitude of any channel is at least T; classic detector",
-                       [](S& s, Text t) {
-                           s.detector.normalThreshold = static_cast<float>(parseNumber(t, 0.0, 1e6));
-                       },
+                       [](S& s, Text t) { s.detector.normalThreshold = static_cast<float>(parseNumber(t, 0.0, 1e6)); },
                        [](const S& s) { return text(s.detector.normalThreshold); }},
     SettingDescription{"normal-lights", "", "detector", "single|two-pass", "one of these", "single",
                        "normal map from six lights in one float pass, or from two 8-bit passes",

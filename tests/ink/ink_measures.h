@@ -217,14 +217,19 @@ inline void compareAround(const Image<double>& drawn, const Image<double>& exact
 }
 
 /// The most ink that a place on a line lacks.
-inline double mostMissing(const Image<double>& drawn, const Image<double>& exact, const Line& line) {
+/// @param counts  of a place: whether to look there
+template <class Counts>
+double mostMissing(const Image<double>& drawn, const Image<double>& exact, const Line& line, Counts counts) {
     double most = 0.0;
     const int samples = static_cast<int>(4.0 * line.length());
     for (int i = 0; i <= samples; ++i) {
         const glm::dvec2 p = glm::mix(line.a, line.b, static_cast<double>(i) / samples);
-        most = std::max(most, inkAt(exact, p) - inkAt(drawn, p));
+        if (counts(p)) most = std::max(most, inkAt(exact, p) - inkAt(drawn, p));
     }
     return most;
+}
+inline double mostMissing(const Image<double>& drawn, const Image<double>& exact, const Line& line) {
+    return mostMissing(drawn, exact, line, [](glm::dvec2) { return true; });
 }
 
 /// How far the ink's middle lies from a place, across a line there: pixels along the normal; not a number without ink.
