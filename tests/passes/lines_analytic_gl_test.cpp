@@ -602,6 +602,24 @@ std::vector<int> extentsOfComponents(const Image<std::uint8_t>& mask) {
     return extents;
 }
 
+TEST_P(Lines, ofBodiesLetIntoAnotherAreTheBordersOfEachTop) {
+    // Two boxes side by side in a third, all tops in one plane: as many layers on both sides of the joint, other ones.
+    const Scene scene = scenes::sceneOf({{scenes::box({3, 3, 1}), glm::dmat4{1.0}},
+                                         {scenes::box({0.8, 1, 0.5}), scenes::translation({-0.4, 0, 0.25})},
+                                         {scenes::box({0.8, 1, 0.5}), scenes::translation({0.4, 0, 0.25})}});
+    const Maps maps = renderer().render(scene, flatCamera(), linesOf(square));
+    // 32 pixels a unit: joints at -0.8, 0 and 0.8, the outline at -1.5 and 1.5. A mark stands on either side.
+    for (const int y : {50, 64, 77}) {
+        std::vector<int> marked;
+        for (int x = 0; x < square.width; ++x) {
+            if (maps.types.at(x, y) != 0) marked.push_back(x);
+        }
+        EXPECT_THAT(marked,
+                    ElementsAre(16, testing::AnyOf(37, 38), testing::AnyOf(63, 64), testing::AnyOf(89, 90), 111))
+            << y;
+    }
+}
+
 TEST_P(Lines, ofSolidsThatTouchInAPlaneDoNotSpeckle) {
     const Scene scene = loadScene(assets + "touching_solids.glb");
     for (int view = 0; view < 24; ++view) {
