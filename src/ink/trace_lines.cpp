@@ -40,10 +40,9 @@ struct Sample {
 
 class Tracer {
 public:
-    Tracer(const LineBuffers& buffers, const Scene& scene, const std::vector<std::uint32_t>& firstTriangles,
-           const Camera& camera, double unit)
+    Tracer(const LineBuffers& buffers, const ScreenTriangles& triangles, const Camera& camera, double unit)
         : buffers_{buffers},
-          triangles_{scene, firstTriangles, camera, buffers.marks.size},
+          triangles_{triangles},
           orthographic_{camera.orthographic()},
           focalLength_{camera.focalLength(buffers.marks.size) * (camera.orthographic() ? unit : 1.0)},
           types_{buffers.marks.size, 1} {}
@@ -149,7 +148,7 @@ private:
     }
 
     const LineBuffers& buffers_;
-    ScreenTriangles triangles_;
+    const ScreenTriangles& triangles_;
     bool orthographic_;
     double focalLength_;
     Image<std::uint8_t> types_;
@@ -363,7 +362,8 @@ TracedLines traceLines(LineBuffers buffers, const Scene& scene, const std::vecto
                        const Camera& camera, double unit, DrawnTypes types, int samplesPerPixel, TraceIds ids) {
     TracedLines traced;
     PinholeFilter{buffers, camera, unit}.apply();
-    Tracer tracer{buffers, scene, firstTriangles, camera, unit};
+    const ScreenTriangles triangles{scene, firstTriangles, camera, buffers.marks.size};
+    Tracer tracer{buffers, triangles, camera, unit};
     CellJoiner joiner{types, samplesPerPixel, buffers.marks.size, traced.strokes};
     CrossingRow above = tracer.row(0);
     for (int y = 1; y < buffers.marks.size.height; ++y) {
@@ -372,9 +372,7 @@ TracedLines traceLines(LineBuffers buffers, const Scene& scene, const std::vecto
         above = std::move(below);
     }
     traced.types = tracer.takeTypes();
-    if (ids == TraceIds::Keep) {
-        traced.ids = traceIds(buffers, scene, ScreenTriangles{scene, firstTriangles, camera, buffers.marks.size});
-    }
+    if (ids == TraceIds::Keep) traced.ids = traceIds(buffers, scene, triangles);
     if (samplesPerPixel > 1) {
         if (ids == TraceIds::Keep) traced.ids = idsOfPixels(traced, samplesPerPixel);
         traced.types = typesOfPixels(traced.types, samplesPerPixel);
