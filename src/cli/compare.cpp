@@ -1,5 +1,3 @@
-#include <charconv>
-#include <limits>
 #include <memory>
 
 #include <fmt/format.h>
@@ -7,13 +5,14 @@
 
 #include <inkedge/compare.h>
 
+#include "cli/checks.h"
+#include "cli/streams.h"
 #include "cli/verbs.h"
 
 namespace inkedge::cli {
 namespace {
 
 constexpr int picturesDiffer = 1;
-constexpr double unlimited = std::numeric_limits<double>::max();
 
 struct CompareArguments {
     std::string a;
@@ -35,28 +34,15 @@ void printJson(const Comparison& c) {
                                       {"maximum", c.maximum},
                                       {"maximum_at", {c.maximumX, c.maximumY}},
                                       {"mean", c.mean}};
-    fmt::print("{}\n", json.dump(2));
+    print(json.dump(2) + "\n");
 }
 
 void printText(const Comparison& c) {
-    fmt::print("{}: {} of {} pixels over the level ({:.4f} %), largest difference {:.4g} at {},{}, mean {:.4g}\n",
-               c.same ? "same" : "different", c.pixelsOverLevel,
-               static_cast<std::uint64_t>(c.size.width) * static_cast<std::uint64_t>(c.size.height),
-               100.0 * c.shareOverLevel, c.maximum, c.maximumX, c.maximumY, c.mean);
-}
-
-CLI::Validator numberFrom(double low, double high) {
-    return CLI::Validator{[low, high](const std::string& text) {
-                              double value = 0.0;
-                              const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-                              const bool number = error == std::errc{} && end == text.data() + text.size();
-                              if (number && value >= low && value <= high) return std::string{};
-                              return fmt::format("expected a number {}, found '{}'",
-                                                 high == unlimited ? fmt::format("from {}", low)
-                                                                   : fmt::format("from {} to {}", low, high),
-                                                 text);
-                          },
-                          ""};
+    print(
+        fmt::format("{}: {} of {} pixels over the level ({:.4f} %), largest difference {:.4g} at {},{}, mean {:.4g}\n",
+                    c.same ? "same" : "different", c.pixelsOverLevel,
+                    static_cast<std::uint64_t>(c.size.width) * static_cast<std::uint64_t>(c.size.height),
+                    100.0 * c.shareOverLevel, c.maximum, c.maximumX, c.maximumY, c.mean));
 }
 
 int compare(const CompareArguments& arguments) {

@@ -1,12 +1,15 @@
-// Turns outcomes into exit codes: 0 success, 1 to 5 an Error's kind, 1 also when pictures differ.
-#include <cstdio>
+// Turns outcomes into exit codes: 0 success, 1 to 5 an Error's kind, 1 also when pictures differ or time is over, 128
+// and the signal's number when interrupted.
 #include <exception>
 #include <new>
+#include <sstream>
 
 #include <fmt/format.h>
 
 #include <inkedge/error.h>
 
+#include "cli/signals.h"
+#include "cli/streams.h"
 #include "cli/verbs.h"
 
 namespace {
@@ -14,8 +17,8 @@ namespace {
 constexpr int runtimeFailure = static_cast<int>(inkedge::Error::Kind::Runtime);
 constexpr int usageFailure = static_cast<int>(inkedge::Error::Kind::Usage);
 
-int report(const std::string& message, int exitCode) {
-    fmt::print(stderr, "inkedge: error: {}\n", message);
+int report(std::string_view message, int exitCode) {
+    inkedge::cli::tell("error: ", message);
     return exitCode;
 }
 
@@ -27,7 +30,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
     const std::vector<std::string> unknown = app.remaining(true);
     const std::string text = firstLine(error.what());
     if (verbs.empty()) {
-        return fmt::format("expected render, compare or doctor, found {}; see inkedge --help",
+        return fmt::format("expected render, inspect, compare or doctor, found {}; see inkedge --help",
                            unknown.empty() ? "nothing" : fmt::format("'{}'", unknown.front()));
     }
     const std::string remedy = fmt::format("see inkedge {} --help", verbs.front()->get_name());
@@ -50,11 +53,15 @@ int run(CLI::App& app, int argc, char** argv) {
     inkedge::cli::Action action;
     inkedge::cli::addRender(app, action);
     inkedge::cli::addCompare(app, action);
+    inkedge::cli::addInspect(app, action);
     inkedge::cli::addDoctor(app, action);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& helpOrVersion) {
-        return app.exit(helpOrVersion);
+        std::ostringstream text;
+        app.exit(helpOrVersion, text, text);
+        inkedge::cli::print(text.str());
+        return 0;
     } catch (const CLI::ParseError& error) {
         return report(explain(app, error), usageFailure);
     }
@@ -64,6 +71,8 @@ int run(CLI::App& app, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    inkedge::cli::holdStandardStreams();
+    inkedge::cli::handleSignals();
     CLI::App app{"Clean line drawings of 3D models, without a screen.", "inkedge"};
     app.set_version_flag("--version", "inkedge " INKEDGE_VERSION);
     app.require_subcommand(1);
@@ -74,6 +83,8 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         return report("expected enough memory, found too little; use a smaller model or --size", runtimeFailure);
     } catch (const std::exception& error) {
-        return report(firstLine(error.what()), runtimeFailure);
+        return report(fmt::format("expected the work to come to its end, found: {}; report this, please",
+                                  firstLine(error.what())),
+                      runtimeFailure);
     }
 }

@@ -1,6 +1,5 @@
 #include <chrono>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 
 #include <fmt/format.h>
@@ -9,7 +8,10 @@
 #include <inkedge/renderer.h>
 #include <inkedge/write.h>
 
+#include "cli/checks.h"
 #include "cli/settings_sources.h"
+#include "cli/signals.h"
+#include "cli/streams.h"
 #include "cli/verbs.h"
 
 namespace inkedge::cli {
@@ -19,6 +21,7 @@ struct RenderArguments {
     std::string model;
     std::string output;
     std::string metadataFile;
+    std::optional<double> timeout;  // seconds
     bool json = false;
     bool quiet = false;
     bool verbose = false;
@@ -66,21 +69,23 @@ void checkOutputs(const RenderArguments& arguments, const Settings& settings, co
     if (!arguments.metadataFile.empty()) expectFolderOf(arguments.metadataFile);
 }
 
-void writeToStandardOutput(const std::vector<std::uint8_t>& bytes) {
-    std::cout.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    std::cout.flush();
-    if (!std::cout) throw Error{Error::Kind::Output, "-: expected stdout to take the picture, found it closed or full"};
+void startTimeout(const RenderArguments& arguments) {
+    if (!arguments.timeout) return;
+    limitTime(*arguments.timeout,
+              fmt::format("inkedge: error: {}: expected the work to end within {} s, found it still going; raise "
+                          "--timeout or ask for less (a smaller model, --size or --supersampling)\n",
+                          arguments.model, *arguments.timeout));
 }
 
 void printSummary(const Maps& maps, const std::vector<std::filesystem::path>& files) {
-    fmt::print(stderr, "inkedge: drawn by {} ({}): {}, OpenGL {}\n", maps.backend.backend, maps.backend.platform,
-               maps.backend.renderer, maps.backend.version);
-    for (const StageTime& time : maps.times)
-        fmt::print(stderr, "inkedge: {:>10} {:8.1f} ms\n", time.stage, time.milliseconds);
-    for (const auto& file : files) fmt::print(stderr, "inkedge: wrote {}\n", file.string());
+    tell("", fmt::format("drawn by {} ({}): {}, OpenGL {}", maps.backend.backend, maps.backend.platform,
+                         maps.backend.renderer, maps.backend.version));
+    for (const StageTime& time : maps.times) tell("", fmt::format("{:>10} {:8.1f} ms", time.stage, time.milliseconds));
+    for (const auto& file : files) tell("wrote ", file.string());
 }
 
 int render(const RenderArguments& arguments) {
+    startTimeout(arguments);
     const Settings settings = arguments.settings.resolve();
     checkStandardOutput(arguments, settings);
     const std::filesystem::path output = expandTemplate(arguments.output, arguments.model);
@@ -91,7 +96,7 @@ int render(const RenderArguments& arguments) {
     const StageTime loading{"load", millisecondsSince(begin)};
     if (!arguments.quiet) {
         for (const std::string& warning : scene.warnings()) {
-            fmt::print(stderr, "inkedge: warning: {}: {}\n", arguments.model, warning);
+            tell("warning: ", fmt::format("{}: {}", arguments.model, warning));
         }
     }
     const Camera camera = frameCamera(scene, settings.camera, settings.picture.size);
@@ -105,7 +110,8 @@ int render(const RenderArguments& arguments) {
     begin = Clock::now();
     std::vector<std::filesystem::path> files;
     if (output == "-") {
-        writeToStandardOutput(encodePng(maps.picture));
+        const std::vector<std::uint8_t> png = encodePng(maps.picture);
+        print({reinterpret_cast<const char*>(png.data()), png.size()});
     } else {
         files = writeMaps(maps, settings.maps, output);
     }
@@ -119,7 +125,8 @@ int render(const RenderArguments& arguments) {
         nlohmann::ordered_json summary = nlohmann::ordered_json::parse(metadata);
         summary["model"] = arguments.model;
         for (const auto& file : files) summary["files"].push_back(file.string());
-        fmt::print("{}\n", summary.dump(2));
+        constexpr auto replaceWhatIsNotUtf8 = nlohmann::ordered_json::error_handler_t::replace;
+        print(summary.dump(2, ' ', false, replaceWhatIsNotUtf8) + "\n");
     }
     if (arguments.verbose) printSummary(maps, files);
     return 0;
@@ -138,6 +145,9 @@ void addRender(CLI::App& app, Action& action) {
         ->type_name("FILE");
     verb->add_option("--metadata", arguments->metadataFile, "write camera, settings, backend and timings as JSON")
         ->type_name("FILE");
+    verb->add_option("--timeout", arguments->timeout, "end with exit status 1 if it takes longer")
+        ->check(numberOver(0.0, longestTimeout))
+        ->type_name("SECONDS");
     verb->add_flag("--json", arguments->json, "print the metadata and the files written on stdout");
     verb->add_flag("-q,--quiet", arguments->quiet, "no warnings");
     verb->add_flag("-v,--verbose", arguments->verbose, "say what drew the picture, the timings and the files written");

@@ -68,19 +68,45 @@ std::unique_ptr<Context> createContext(const BackendSettings& wish) {
 
 }  // namespace gl
 
+namespace {
+
+// Every way to a context, and why EGL shows none where it does not.
+std::vector<gl::Candidate> allCandidates(std::string& why) {
+    std::vector<gl::Candidate> all = gl::eglCandidates(why);
+    if (!why.empty()) all.push_back({{.backend = "egl", .platform = "any"}, {}, nullptr});
+    all.push_back(gl::osmesaCandidate());
+    return all;
+}
+
+}  // namespace
+
+std::vector<BackendInfo> listBackends() {
+    std::string why;
+    std::vector<BackendInfo> list;
+    for (const gl::Candidate& candidate : allCandidates(why)) list.push_back(candidate.info);
+    return list;
+}
+
+BackendReport probeBackend(std::size_t number) {
+    std::string why;
+    const std::vector<gl::Candidate> all = allCandidates(why);
+    if (number >= all.size()) {
+        throw Error{Error::Kind::Usage,
+                    fmt::format("backend: expected a number from 0 to {}, found {}", all.size() - 1, number)};
+    }
+    const gl::Candidate& candidate = all[number];
+    if (candidate.create == nullptr) return {candidate.info, why};
+    try {
+        return {candidate.create(candidate)->info(), {}};
+    } catch (const Error& error) {
+        return {candidate.info, error.what()};
+    }
+}
+
 std::vector<BackendReport> probeBackends() {
     std::vector<BackendReport> reports;
-    std::string why;
-    std::vector<gl::Candidate> all = gl::eglCandidates(why);
-    if (!why.empty()) reports.push_back({{.backend = "egl", .platform = "any"}, why});
-    all.push_back(gl::osmesaCandidate());
-    for (const gl::Candidate& candidate : all) {
-        try {
-            reports.push_back({candidate.create(candidate)->info(), {}});
-        } catch (const Error& error) {
-            reports.push_back({candidate.info, error.what()});
-        }
-    }
+    const std::size_t count = listBackends().size();
+    for (std::size_t i = 0; i < count; ++i) reports.push_back(probeBackend(i));
     return reports;
 }
 

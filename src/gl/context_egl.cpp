@@ -165,10 +165,7 @@ public:
         }
         const EGLenum apiBefore = egl().queryApi();
         egl().bindApi(EGL_OPENGL_API);
-        constexpr std::array attributes{
-            EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-        context_ = egl().createContext(display_->handle(), EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+        context_ = createContext();
         egl().bindApi(apiBefore);
         if (context_ == EGL_NO_CONTEXT) {
             throw Error{
@@ -186,6 +183,27 @@ public:
     ~EglContext() override { egl().destroyContext(display_->handle(), context_); }
 
 private:
+    // A context that is lost with a reset of the graphics processor tells so; others go on with wrong pictures. Not
+    // every driver can be asked for it.
+    [[nodiscard]] EGLContext createContext() const {
+        constexpr std::size_t resets = 6;
+        std::array attributes{EGL_CONTEXT_MAJOR_VERSION,
+                              4,
+                              EGL_CONTEXT_MINOR_VERSION,
+                              5,
+                              EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                              EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                              EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                              EGL_LOSE_CONTEXT_ON_RESET,
+                              EGL_NONE};
+        const auto create = [&] {
+            return egl().createContext(display_->handle(), EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+        };
+        if (const EGLContext context = create(); context != EGL_NO_CONTEXT) return context;
+        attributes[resets] = EGL_NONE;
+        return create();
+    }
+
     struct Binding {
         EGLenum api;
         EGLDisplay display;

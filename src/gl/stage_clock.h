@@ -15,7 +15,7 @@ public:
     StageClock(const Api& api, std::vector<StageTime>& times) : api_{api}, times_{times} {}
 
     /// Waits for the stage's work to be done and notes its time.
-    /// @throws Error  (Kind::Runtime) if OpenGL reports an error
+    /// @throws Error  (Kind::Runtime) if OpenGL reports an error or a lost context
     void finish(const char* stage);
 
 private:

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <inkedge/error.h>
+#include "gl/errors.h"
 
 namespace inkedge::gl {
 
@@ -23,13 +23,7 @@ Texture TexturePool::acquire(Size size, GLenum format) {
     api_.CreateTextures(GL_TEXTURE_2D, 1, &id);
     TextureName name{api_, id};
     api_.TextureStorage2D(id, 1, format, size.width, size.height);
-    if (api_.GetError() == GL_OUT_OF_MEMORY) {
-        throw Error{
-            Error::Kind::Runtime,
-            fmt::format("expected graphics memory for a picture of {} x {}, found too little; ask for a smaller "
-                        "--size",
-                        size.width, size.height)};
-    }
+    checkErrors(api_, fmt::format("a picture of {} x {} pixels", size.width, size.height), "ask for a smaller --size");
     api_.TextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     api_.TextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     api_.TextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

@@ -39,7 +39,7 @@ public:
     explicit TexturePool(const Api& api) : api_{api} {}
 
     /// @param format  a sized internal format, for example GL_RGBA32F. The contents are undefined.
-    /// @throws Error  (Kind::Runtime) if the context is out of memory
+    /// @throws Error  (Kind::Runtime) if the context is out of memory or lost
     [[nodiscard]] Texture acquire(Size size, GLenum format);
 
     /// Frees what the views since the last call did not use.

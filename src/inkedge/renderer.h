@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,7 +30,7 @@ public:
     /// Draws one view: the picture and the maps that settings.maps names. settings.load, .camera and .backend are not
     /// looked at. The last scene's upload is kept for the next call.
     /// @throws Error  (Kind::Usage) if the size is 0 or over the context's limit, or the camera is unusable;
-    ///                (Kind::Runtime) if the context runs out of memory
+    ///                (Kind::Runtime) if the context runs out of memory, or is lost: then make a new Renderer
     [[nodiscard]] Maps render(const Scene&, const Camera&, const Settings& = {});
 
     [[nodiscard]] const BackendInfo& backend() const noexcept;
@@ -48,7 +49,16 @@ struct BackendReport {
     [[nodiscard]] bool works() const noexcept { return failure.empty(); }
 };
 
-/// Tries every backend, in the order in which Backend::Auto tries them.
+/// The backends of this machine in the order in which Backend::Auto tries them. None is tried: the GL strings are
+/// empty.
+[[nodiscard]] INKEDGE_API std::vector<BackendInfo> listBackends();
+
+/// Tries one of listBackends(). A broken driver may crash here; inkedge doctor tries each in a process of its own.
+/// @param number  0 to listBackends().size() - 1
+/// @throws Error  (Kind::Usage) if there is none of this number
+[[nodiscard]] INKEDGE_API BackendReport probeBackend(std::size_t number);
+
+/// Tries every backend, in the order of listBackends().
 [[nodiscard]] INKEDGE_API std::vector<BackendReport> probeBackends();
 
 }  // namespace inkedge

@@ -3,7 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <system_error>
+#include <vector>
 
 #include <inkedge/error.h>
 #include <inkedge/write.h>
@@ -11,6 +17,7 @@
 #include "io/file.h"
 #include "io/image_module.h"
 #include "io/picture.h"
+#include "io/read_png.h"
 
 namespace fs = std::filesystem;
 
@@ -20,22 +27,29 @@ namespace {
 /// An 8-bit level n / 255 is not exact in float: differences of such levels stray from theirs by less than this.
 constexpr double integerRounding = 1e-6;
 
-io::ReadPicture read(const fs::path& file) {
+[[noreturn]] void failToRead(const fs::path& file, std::string_view reason) {
+    throw Error{Error::Kind::Input, fmt::format("{}: cannot be read as a picture: {}", file.string(), reason)};
+}
+
+std::vector<std::uint8_t> readBytes(const fs::path& file) {
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
-    std::string failure;
-    io::ReadPicture picture;
-    if (!fs::exists(status)) {
-        failure = error ? error.message() : "No such file or directory";
-    } else if (fs::is_directory(status)) {
-        failure = "expected a file, found a folder";
-    } else {
-        picture = io::imageFormats(Error::Kind::Input).read(file);
-        failure = picture.failure;
+    if (fs::is_directory(status)) failToRead(file, "expected a file, found a folder; add a file's name");
+    if (status.type() == fs::file_type::not_found) failToRead(file, "expected a file, found none; check its name");
+    std::ifstream stream{file, std::ios::binary};
+    std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>{stream}, {}};
+    if (!stream) {
+        const std::string reason = std::generic_category().message(errno);
+        failToRead(file, fmt::format("expected a file that may be read, found: {}; change its mode", reason));
     }
-    if (!failure.empty()) {
-        throw Error{Error::Kind::Input, fmt::format("{}: cannot be read as a picture: {}", file.string(), failure)};
-    }
+    return bytes;
+}
+
+io::ReadPicture read(const fs::path& file) {
+    const std::vector<std::uint8_t> bytes = readBytes(file);
+    if (bytes.empty()) failToRead(file, "expected a picture, found an empty file; write it again");
+    io::ReadPicture picture = io::isPng(bytes) ? io::readPng(bytes) : io::imageFormats(Error::Kind::Input).read(file);
+    if (!picture.failure.empty()) failToRead(file, picture.failure);
     return picture;
 }
 
@@ -111,7 +125,8 @@ Comparison compare(const fs::path& a, const fs::path& b, const Tolerance& tolera
         io::imageFormats(Error::Kind::Input).compare(left.image, right.image, tolerance.level + rounding);
     if (!found.failure.empty()) {
         throw Error{Error::Kind::Runtime,
-                    fmt::format("{} and {} cannot be compared: {}", a.string(), b.string(), found.failure)};
+                    fmt::format("{}: expected it to be comparable to {}, found: {}; use a smaller picture", b.string(),
+                                a.string(), found.failure)};
     }
     if (difference) {
         writeFile(*difference, io::encodePicture(differencePicture(left.image, right.image), *difference));

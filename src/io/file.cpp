@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
+#include <cstdio>
+#include <optional>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -11,6 +13,7 @@
 #include <inkedge/write.h>
 
 #include "io/file.h"
+#include "io/temporary_name.h"
 
 namespace fs = std::filesystem;
 
@@ -22,8 +25,11 @@ namespace {
 class Descriptor {
 public:
     explicit Descriptor(int descriptor) noexcept : descriptor_{descriptor} {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
+    Descriptor(Descriptor&& from) noexcept : descriptor_{std::exchange(from.descriptor_, -1)} {}
+    Descriptor& operator=(Descriptor&& from) noexcept {
+        std::swap(descriptor_, from.descriptor_);
+        return *this;
+    }
     ~Descriptor() {
         if (descriptor_ >= 0) ::close(descriptor_);
     }
@@ -56,8 +62,11 @@ std::string explain(int error, const fs::path& target) {
         case ENOSPC:
         case EDQUOT:
             return fmt::format("expected room for the file, found: {}; free some or choose another place", reason);
+        case EFBIG:
+            return fmt::format("expected room for the file, found: {}; raise the limit (ulimit -f) or ask for less",
+                               reason);
         default:
-            return reason;
+            return fmt::format("expected a place that takes the file, found: {}; choose another", reason);
     }
 }
 
@@ -65,28 +74,34 @@ std::string explain(int error, const fs::path& target) {
     io::failToWrite(target, std::string_view{explain(error, target)});
 }
 
-/// Creates a file that was not there before; leaves its name in `name`.
-Descriptor createTemporary(const fs::path& folder, fs::path& name) {
-    static std::atomic<unsigned> count{0};
-    for (;;) {
-        name = folder / fmt::format(".inkedge-{}-{}.tmp", ::getpid(), count++);
-        const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor >= 0 || errno != EEXIST) return Descriptor{descriptor};
-    }
+std::string linkOf(const Descriptor& file) { return fmt::format("/proc/self/fd/{}", file.get()); }
+
+/// A file without a name, which can be given one while /proc is there; none where the file system has no such files.
+Descriptor createUnnamed(const fs::path& folder) {
+    Descriptor file{::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666)};
+    if (file.open() && ::access(linkOf(file).c_str(), F_OK) != 0) return Descriptor{-1};
+    return file;
 }
 
 /// @return 0, or the system's error number
-int writeAll(Descriptor& file, std::span<const std::uint8_t> bytes) {
+int giveName(const Descriptor& unnamed, const char* name) {
+    const int result = ::linkat(AT_FDCWD, linkOf(unnamed).c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW);
+    return result == 0 ? 0 : errno;
+}
+
+/// @return 0, or the system's error number
+int writeAll(const Descriptor& file, std::span<const std::uint8_t> bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(file.get(), bytes.data(), bytes.size());
         if (written < 0 && errno != EINTR) return errno;
         if (written > 0) bytes = bytes.subspan(static_cast<std::size_t>(written));
     }
-    return file.close() ? 0 : errno;
+    Descriptor duplicate{::dup(file.get())};  // closing any of a file's descriptors tells what became of its bytes
+    return duplicate.open() && duplicate.close() ? 0 : errno;
 }
 
 void writeInPlace(const fs::path& target, std::span<const std::uint8_t> bytes) {
-    Descriptor file{::open(target.c_str(), O_WRONLY | O_CLOEXEC)};
+    const Descriptor file{::open(target.c_str(), O_WRONLY | O_CLOEXEC)};
     if (!file.open()) failToWrite(target, errno);
     if (const int error = writeAll(file, bytes)) failToWrite(target, error);
 }
@@ -97,10 +112,35 @@ void failToWrite(const fs::path& target, std::string_view reason) {
     throw Error{Error::Kind::Output, fmt::format("{}: cannot be written: {}", target.string(), reason)};
 }
 
-StagedFiles::~StagedFiles() {
-    std::error_code ignored;
-    for (const File& file : files_) fs::remove(file.temporary, ignored);
-}
+struct StagedFiles::File {
+    fs::path target;       // as the caller named it
+    fs::path destination;  // target with its links followed
+    Descriptor data;
+    std::optional<TemporaryName> temporary;  // none while the file has no name
+
+    /// @return 0, or the system's error number
+    int create(Staging staging) {
+        if (staging == Staging::Unnamed) data = createUnnamed(folderOf(destination));
+        if (data.open()) return 0;
+        temporary.emplace(folderOf(destination));
+        data = Descriptor{::open(temporary->path(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)};
+        return data.open() ? 0 : errno;
+    }
+
+    /// @return 0, or the system's error number
+    int appear() {
+        if (!temporary) {
+            const int error = giveName(data, destination.c_str());
+            if (error != EEXIST) return error;
+            temporary.emplace(folderOf(destination));  // only a file with a name can replace another
+            if (const int failure = giveName(data, temporary->path())) return failure;
+        }
+        return std::rename(temporary->path(), destination.c_str()) == 0 ? 0 : errno;
+    }
+};
+
+StagedFiles::StagedFiles(Staging staging) : staging_{staging} {}
+StagedFiles::~StagedFiles() = default;
 
 void StagedFiles::add(const fs::path& target, std::span<const std::uint8_t> bytes) {
     std::error_code error;
@@ -111,24 +151,16 @@ void StagedFiles::add(const fs::path& target, std::span<const std::uint8_t> byte
 
     const fs::path destination = fs::exists(status) ? fs::canonical(target, error) : target;
     if (error && fs::exists(status)) failToWrite(target, error.value());
-    files_.reserve(files_.size() + 1);
-    File file{{}, destination, target};
-    Descriptor descriptor = createTemporary(folderOf(destination), file.temporary);
-    if (!descriptor.open()) failToWrite(target, errno);
+    File file{target, destination, Descriptor{-1}, {}};
+    if (const int failure = file.create(staging_)) failToWrite(target, failure);
+    if (const int failure = writeAll(file.data, bytes)) failToWrite(target, failure);
     files_.push_back(std::move(file));
-    if (const int failure = writeAll(descriptor, bytes)) {
-        fs::remove(files_.back().temporary, error);
-        files_.pop_back();
-        failToWrite(target, failure);
-    }
 }
 
 void StagedFiles::commit() {
     while (!files_.empty()) {
-        const File& file = files_.front();
-        std::error_code error;
-        fs::rename(file.temporary, file.destination, error);
-        if (error) failToWrite(file.target, error.value());
+        File& file = files_.front();
+        if (const int failure = file.appear()) failToWrite(file.target, failure);
         files_.erase(files_.begin());
     }
 }

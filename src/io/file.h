@@ -8,17 +8,23 @@
 
 namespace inkedge::io {
 
-/// Files that appear together: each is first written whole under a temporary name in its own folder, then all are
-/// renamed. What was not committed is removed with the object, so that a failure leaves nothing behind.
+/// How files are kept until they are whole.
+enum class Staging {
+    Unnamed,  ///< without a name where the file system can do so, so that nothing is left however the process ends
+    Named,    ///< under temporary names, which removeTemporaryFiles() removes
+};
+
+/// Files that appear together: each is first written whole in its own folder, then all get their names. What was not
+/// committed is removed with the object, so that a failure leaves nothing behind.
 class StagedFiles {
 public:
-    StagedFiles() = default;
+    explicit StagedFiles(Staging = Staging::Unnamed);
     StagedFiles(const StagedFiles&) = delete;
     StagedFiles& operator=(const StagedFiles&) = delete;
     ~StagedFiles();
 
-    /// Writes bytes under a temporary name. A link is followed; what is no regular file (a pipe, a device) cannot be
-    /// replaced and is written at once.
+    /// Writes bytes to a file that has not its name yet. A link is followed; what is no regular file (a pipe, a device)
+    /// cannot be replaced and is written at once.
     /// @throws Error  (Kind::Output) if target is a folder or protected, or its folder takes no file
     void add(const std::filesystem::path& target, std::span<const std::uint8_t> bytes);
 
@@ -27,11 +33,8 @@ public:
     void commit();
 
 private:
-    struct File {
-        std::filesystem::path temporary;
-        std::filesystem::path destination;  // target with its links followed
-        std::filesystem::path target;       // as the caller named it
-    };
+    struct File;
+    Staging staging_;
     std::vector<File> files_;
 };
 

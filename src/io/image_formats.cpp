@@ -14,6 +14,7 @@
 namespace inkedge::io {
 namespace {
 
+constexpr const char* notThisFile = "; write it again, as .png or .exr";
 constexpr int rowsAtOnce = 64;  // a multiple of every scanline block that the formats compress
 
 std::string oneLine(std::string text) {
@@ -126,14 +127,14 @@ ReadPicture readFile(const std::filesystem::path& path) {
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string(), &wish);
     ReadPicture result;
     if (!input) {
-        result.failure = oneLine(OIIO::geterror());
+        result.failure = "expected a picture of a known format, found: " + oneLine(OIIO::geterror()) + notThisFile;
         return result;
     }
     const OIIO::ImageSpec& spec = input->spec();
     result.image = Image<float>{{spec.width, spec.height}, spec.nchannels};
     result.integers = !spec.format.is_floating_point();
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, result.image.pixels.data())) {
-        result.failure = oneLine(input->geterror());
+        result.failure = "expected a whole picture, found: " + oneLine(input->geterror()) + notThisFile;
     }
     return result;
 }

@@ -1,7 +1,6 @@
 // inkedge render: what it writes, where, and what it says.
-#include <png.h>
-
 #include "cli/command.h"
+#include "cli/decode_png.h"
 
 namespace {
 
@@ -9,25 +8,6 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-struct Picture {
-    unsigned width = 0;
-    unsigned height = 0;
-    std::string grey;  ///< a byte a pixel
-};
-
-Picture decodePng(const std::string& bytes) {
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) {
-        ADD_FAILURE() << "expected a PNG, found " << bytes.size() << " bytes: " << image.message;
-        return {};
-    }
-    image.format = PNG_FORMAT_GRAY;
-    Picture picture{image.width, image.height, std::string(PNG_IMAGE_SIZE(image), '\0')};
-    EXPECT_NE(png_image_finish_read(&image, nullptr, picture.grey.data(), 0, nullptr), 0) << image.message;
-    return picture;
-}
 
 class Render : public Command {};
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string_view>
+
+namespace inkedge::cli {
+
+/// Opens what the caller closed of stdin, stdout and stderr, so that no file of ours gets their numbers and, with them,
+/// the messages of others. Writing there then fails.
+void holdStandardStreams();
+
+/// Writes to stdout at once. @throws Error  (Kind::Output) if stdout is closed, full or no longer read
+void print(std::string_view result);
+
+/// Writes "inkedge: ", both texts and a line's end to stderr; where stderr is closed or full, nobody is told.
+void tell(std::string_view label, std::string_view text) noexcept;
+
+}  // namespace inkedge::cli
