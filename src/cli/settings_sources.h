@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -15,7 +16,8 @@ namespace inkedge::cli {
 class SettingsSources {
 public:
     /// Adds the flags, from the one settings table.
-    void addTo(CLI::App&);
+    /// @param groups  of settings, those that the verb uses; none given: all
+    void addTo(CLI::App&, std::initializer_list<std::string_view> groups = {});
 
     /// The settings: flag over environment over configuration file over preset over default.
     /// @throws Error  (Kind::Usage) if a source has an unknown name or a wrong value: the message names the source;

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
+#include <tuple>
 #include <unordered_map>
 
+#include <fmt/format.h>
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 
-#include <inkedge/error.h>
-
+#include "gl/errors.h"
 #include "scene/patch_numbers.h"
 #include "scene/topology.h"
 
@@ -89,16 +89,41 @@ void append(const Mesh& mesh, const MeshTopology& topology, Geometry& geometry) 
     }
 }
 
-// Draws only the triangles of an instance's layered patches; their indices are added behind all others.
-void appendLayers(const Scene& scene, std::uint32_t instance, GLuint place, Geometry& geometry,
+// Triangles of an instance that are drawn alike.
+struct Item {
+    std::uint32_t instance = 0;
+    std::uint32_t first = 0;  // of the mesh's triangles
+    std::uint32_t count = 0;
+    bool oneSided = false;
+    bool mirrored = false;
+};
+
+std::vector<Item> itemsOf(const Scene& scene) {
+    std::vector<Item> items;
+    const std::vector<Instance>& instances = scene.instances();
+    for (std::uint32_t i = 0; i < instances.size(); ++i) {
+        const auto total = static_cast<std::uint32_t>(scene.meshes()[instances[i].mesh].indices.size() / 3);
+        const std::uint32_t oneSided = scene.oneSidedTriangles(instances[i].mesh);
+        const bool mirrored = mirrors(instances[i]);
+        if (oneSided > 0) items.push_back({i, 0, oneSided, true, mirrored});
+        if (oneSided < total) items.push_back({i, oneSided, total - oneSided, false, mirrored});
+    }
+    std::ranges::stable_sort(items, {}, [&](const Item& item) {
+        return std::tuple{item.oneSided, item.mirrored, instances[item.instance].mesh};
+    });
+    return items;
+}
+
+// Draws only the triangles of layered patches; their indices are added behind all others.
+void appendLayers(const Scene& scene, const Item& item, GLuint place, Geometry& geometry,
                   std::vector<DrawCommand>& commands) {
     const PatchNumbers& patches = scene.patchNumbers();
-    const std::uint32_t meshNumber = scene.instances()[instance].mesh;
+    const std::uint32_t meshNumber = scene.instances()[item.instance].mesh;
     const MeshTopology& topology = scene.topology(meshNumber);
     const DrawCommand& mesh = geometry.meshes[meshNumber];
     const auto first = static_cast<GLuint>(geometry.indices.size());
-    for (std::uint32_t t = 0; t < topology.patches.size(); ++t) {
-        if (!patches.layered[patches.base[instance] + topology.patches[t]]) continue;
+    for (std::uint32_t t = item.first; t < item.first + item.count; ++t) {
+        if (!patches.layered[patches.base[item.instance] + topology.patches[t]]) continue;
         for (std::uint32_t c = 3 * t; c < 3 * t + 3; ++c) {
             geometry.indices.push_back(geometry.indices[mesh.firstIndex + c]);
         }
@@ -128,31 +153,38 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
         firstTriangles_.push_back(triangles);
         triangles += geometry.meshes[instance.mesh].indexCount / 3;
     }
-    instanceOrder_.resize(instances.size());
-    std::iota(instanceOrder_.begin(), instanceOrder_.end(), 0U);
-    std::ranges::stable_sort(instanceOrder_, {}, [&](std::uint32_t i) {
-        return std::pair{mirrors(instances[i]), instances[i].mesh};
-    });
-
+    const std::vector<Item> items = itemsOf(scene);
     std::vector<DrawCommand> commands;
     std::vector<DrawCommand> layerCommands;
     std::vector<glm::uvec3> numberings;
-    for (std::uint32_t place = 0; place < instanceOrder_.size(); ++place) {
-        const std::uint32_t i = instanceOrder_[place];
-        const Instance& instance = instances[i];
-        const Instance* before = place > 0 ? &instances[instanceOrder_[place - 1]] : nullptr;
-        if (before == nullptr || before->mesh != instance.mesh || mirrors(*before) != mirrors(instance)) {
-            commands.push_back(geometry.meshes[instance.mesh]);
-            commands.back().baseInstance = place;
-            mirroredCount_ += mirrors(instance) ? 1 : 0;
+    const auto extend = [](std::vector<Run>& runs, const Item& item, std::size_t first, std::size_t end) {
+        Run run{item.oneSided, item.mirrored, static_cast<GLsizei>(first), 0};
+        if (runs.empty() || !runs.back().drawnLike(run)) runs.push_back(run);
+        runs.back().count = static_cast<GLsizei>(end) - runs.back().first;
+    };
+    for (std::uint32_t place = 0; place < items.size(); ++place) {
+        const Item& item = items[place];
+        const Item* const before = place > 0 ? &items[place - 1] : nullptr;
+        const std::uint32_t mesh = instances[item.instance].mesh;
+        const bool another = before == nullptr || before->oneSided != item.oneSided ||
+                             before->mirrored != item.mirrored || instances[before->instance].mesh != mesh;
+        if (another) {
+            DrawCommand command = geometry.meshes[mesh];
+            command.firstIndex += 3 * item.first;
+            command.indexCount = 3 * item.count;
+            command.baseInstance = place;
+            commands.push_back(command);
+            extend(runs_, item, commands.size() - 1, commands.size());
         }
         ++commands.back().instanceCount;
-        numberings.emplace_back(scene.patchNumbers().base[i], firstTriangles_[i],
-                                geometry.meshes[instance.mesh].indexCount / 3);
-        appendLayers(scene, i, place, geometry, layerCommands);
+        instanceOrder_.push_back(item.instance);
+        numberings.emplace_back(scene.patchNumbers().base[item.instance],
+                                firstTriangles_[item.instance] + item.first, item.count);
+        const std::size_t layers = layerCommands.size();
+        appendLayers(scene, item, place, geometry, layerCommands);
+        if (layerCommands.size() > layers) extend(layerRuns_, item, layers, layerCommands.size());
     }
-    commandCount_ = static_cast<GLsizei>(commands.size());
-    layerCommandCount_ = static_cast<GLsizei>(layerCommands.size());
+    for (Run& run : layerRuns_) run.first += static_cast<GLsizei>(commands.size());
     commands.insert(commands.end(), layerCommands.begin(), layerCommands.end());
 
     vertices_ = createFilledBuffer(api, geometry.vertices);
@@ -160,10 +192,9 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
     commands_ = createFilledBuffer(api, commands);
     numberings_ = createFilledBuffer(api, numberings);
     patchNumbers_ = createFilledBuffer(api, signedPatchNumbers(scene.patchNumbers()));
-    placements_ = createFilledBuffer(api, std::vector<PlacedInstance>(instances.size()), GL_DYNAMIC_STORAGE_BIT);
-    if (api.GetError() == GL_OUT_OF_MEMORY) {
-        throw Error{Error::Kind::Runtime, "expected graphics memory for the scene, found too little"};
-    }
+    placements_ = createFilledBuffer(api, std::vector<PlacedInstance>(items.size()), GL_DYNAMIC_STORAGE_BIT);
+    checkErrors(api, fmt::format("a scene of {} triangles", triangles),
+                "draw a smaller model or use --backend osmesa");
     vertexArray_ = createVertexArray(api);
     const GLuint id = vertexArray_.id();
     api.VertexArrayElementBuffer(id, indices_.id());
@@ -193,18 +224,16 @@ void UploadedScene::draw(Part part) const {
     api_.BindVertexArray(vertexArray_.id());
     api_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_.id());
     api_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, patchNumbers_.id());
-    const auto drawCommands = [&](GLsizei first, GLsizei count, GLenum frontFace) {
-        if (count == 0) return;
-        api_.FrontFace(frontFace);
-        const auto offset = static_cast<std::uintptr_t>(first) * sizeof(DrawCommand);
-        api_.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset), count, 0);
-    };
-    if (part == Part::Layers) {
-        drawCommands(commandCount_, layerCommandCount_, GL_CCW);
-    } else {
-        drawCommands(0, commandCount_ - mirroredCount_, GL_CCW);
-        drawCommands(commandCount_ - mirroredCount_, mirroredCount_, GL_CW);
-    }
+    api_.CullFace(GL_BACK);
+    for (const Run& run : part == Part::Layers ? layerRuns_ : runs_) draw(run);
+    api_.Disable(GL_CULL_FACE);
+}
+
+void UploadedScene::draw(const Run& run) const {
+    api_.FrontFace(run.mirrored ? GL_CW : GL_CCW);
+    run.oneSided ? api_.Enable(GL_CULL_FACE) : api_.Disable(GL_CULL_FACE);
+    const auto offset = static_cast<std::uintptr_t>(run.first) * sizeof(DrawCommand);
+    api_.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset), run.count, 0);
 }
 
 }  // namespace inkedge::gl

@@ -12,9 +12,11 @@
 
 namespace inkedge::gl {
 
-/// A scene in graphics memory: one vertex array for all meshes, one indirect draw command for each mesh and handedness.
+/// A scene in graphics memory: one vertex array for all meshes, one indirect draw command for all instances of a mesh that
+/// are drawn alike.
 class UploadedScene {
 public:
+    /// @throws Error  (Kind::Runtime) if the context is out of memory or lost
     UploadedScene(const Api&, const Scene&);
 
     [[nodiscard]] bool holds(const Scene& scene) const noexcept;
@@ -31,7 +33,8 @@ public:
         Layers,  ///< those whose patches overlap others in one plane: PatchNumbers::layered
     };
 
-    /// The instances in the order in which placements are given to draw().
+    /// The instances in the order in which placements are given to draw(). One may stand there twice: for its one-sided
+    /// triangles and for the others.
     [[nodiscard]] const std::vector<std::uint32_t>& instanceOrder() const noexcept { return instanceOrder_; }
 
     /// Sets where the instances stand in the coming draws.
@@ -41,12 +44,24 @@ public:
     /// Draws with what prepareDrawing() has set. Front faces are those that the normals point away from.
     void draw(Part) const;
 
-    [[nodiscard]] bool hasLayers() const noexcept { return layerCommandCount_ > 0; }
+    [[nodiscard]] bool hasLayers() const noexcept { return !layerRuns_.empty(); }
 
     /// For each instance of the scene the number of its first triangle in the scene.
     [[nodiscard]] const std::vector<std::uint32_t>& firstTriangles() const noexcept { return firstTriangles_; }
 
 private:
+    // Commands that follow each other and need the same state.
+    struct Run {
+        bool oneSided = false;  // backs are not drawn
+        bool mirrored = false;  // front faces wind clockwise
+        GLsizei first = 0;
+        GLsizei count = 0;
+        [[nodiscard]] bool drawnLike(const Run& other) const noexcept {
+            return oneSided == other.oneSided && mirrored == other.mirrored;
+        }
+    };
+    void draw(const Run&) const;
+
     const Api& api_;
     std::weak_ptr<const void> scene_;
     Buffer vertices_;
@@ -58,10 +73,8 @@ private:
     VertexArray vertexArray_;
     std::vector<std::uint32_t> instanceOrder_;
     std::vector<std::uint32_t> firstTriangles_;
-    GLsizei commandCount_ = 0;
-    GLsizei mirroredCount_ =
-        0;  // the last of the commands: their instances mirror, so their front faces wind clockwise
-    GLsizei layerCommandCount_ = 0;  // stand behind the others
+    std::vector<Run> runs_;
+    std::vector<Run> layerRuns_;
 };
 
 }  // namespace inkedge::gl

@@ -22,6 +22,23 @@ struct Mesh {
     std::vector<glm::vec3> normals;        ///< unit length, one for each position; empty: made by completeNormals()
     std::vector<std::uint32_t> indices;    ///< three a triangle, into positions
     std::vector<std::uint32_t> materials;  ///< one a triangle: 1 + its number in the file, 0: none; empty: all 0
+    /// One an index: whether the edge from this corner to its triangle's next only cuts a polygon of the file into
+    /// triangles; such an edge is smooth, however the polygon bends there. Empty: none does.
+    std::vector<bool> innerEdges;
+};
+
+/// What a model's file is, and what it offers to choose from.
+struct SceneSource {
+    std::string format;                   ///< "glTF 2.0", "OBJ", "STL", "PLY"; empty: no file
+    std::vector<std::string> scenes;      ///< names, in the order of LoadSettings::scene; may be empty texts
+    std::vector<std::string> animations;  ///< likewise, of LoadSettings::animation
+    std::vector<std::string> extensions;  ///< of glTF, that it uses
+};
+
+/// What the file says of a surface.
+struct Material {
+    std::string name;
+    bool doubleSided = true;  ///< false: its backs are not meant to be seen
 };
 
 /// A mesh placed in the world.
@@ -62,7 +79,9 @@ public:
         std::vector<Mesh> meshes;
         std::vector<Instance> instances;
         std::vector<SceneCamera> cameras;
+        std::vector<Material> materials;    ///< Mesh::materials counts them from 1; may be empty
         std::vector<std::string> warnings;  ///< one line each: what the file holds that is not drawn
+        SceneSource source;
     };
 
     /// Checks the data, and makes the normals that are missing, split at settings.creaseAngle.
@@ -73,12 +92,18 @@ public:
     [[nodiscard]] const std::vector<Mesh>& meshes() const noexcept;
     [[nodiscard]] const std::vector<Instance>& instances() const noexcept;
     [[nodiscard]] const std::vector<SceneCamera>& cameras() const noexcept;
+    [[nodiscard]] const std::vector<Material>& materials() const noexcept;
     [[nodiscard]] const std::vector<std::string>& warnings() const noexcept;
+    [[nodiscard]] const SceneSource& source() const noexcept;
 
     /// The box of mesh i's positions less its origin.
     [[nodiscard]] const Box& meshBox(std::size_t i) const noexcept;
+    /// The box of everything drawn, in world space.
+    [[nodiscard]] const Box& box() const noexcept;
     /// A sphere in world space around everything drawn.
     [[nodiscard]] const Sphere& bounds() const noexcept;
+    /// How many triangles of mesh i, the first ones, are seen from their front only: LoadSettings::backFaces.
+    [[nodiscard]] std::uint32_t oneSidedTriangles(std::size_t i) const noexcept;
     /// Degrees: faces that meet at more than this meet in a crease.
     [[nodiscard]] double creaseAngle() const noexcept;
     /// Triangles drawn: every instance counts.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,10 +23,39 @@ enum class Normals {
     Flat,      ///< one per face
 };
 
+/// What becomes of materials that blend with what lies behind them (glTF's alpha mode BLEND).
+enum class Transparent {
+    Solid,   ///< drawn like any other
+    Ignore,  ///< left out
+};
+
+/// Which sides of faces are seen.
+enum class BackFaces {
+    Draw,      ///< both, whatever the material says
+    Material,  ///< both only where the material is double-sided, as glTF 2.0 prescribes
+};
+
+/// How much of a machine one file may take. What goes beyond is refused before it is made.
+struct LoadLimits {
+    std::uint64_t fileSize = 2'147'483'647;            ///< bytes of a model and all files that belong to it
+    std::uint64_t decompressedSize = 1'073'741'824;    ///< bytes that compressed geometry comes to
+    std::uint64_t vertices = 134'217'728;              ///< vertices and indices of all meshes drawn; below 2^32
+    std::uint64_t instances = 16'777'216;              ///< meshes drawn, each time counted
+    std::uint64_t nodes = 4'194'304;                   ///< of a glTF's node trees
+    std::uint64_t nodeDepth = 1'048'576;               ///< from a root down, roots are at 1
+    std::uint64_t imagePixels = 67'108'864;            ///< of one picture
+};
+
 /// What the loader makes of a file.
 struct LoadSettings {
     Normals normals = Normals::Auto;
     double creaseAngle = 30.0;  ///< degrees, 0 to 180: faces that meet at more than this meet in a crease
+    std::optional<int> scene = {};  ///< of a glTF's scenes; none: its default scene
+    std::string animation = {};     ///< of a glTF's animations, by name or number; empty: its rest pose
+    double time = 0.0;          ///< seconds into the animation, which holds its first and last pose beyond its ends
+    Transparent transparent = Transparent::Solid;
+    BackFaces backFaces = BackFaces::Draw;
+    LoadLimits limits = {};
 };
 
 /// From where to look. World space of the file: right-handed, Y up, the front of a model towards +Z.
@@ -180,5 +210,12 @@ struct Preset {
     std::vector<std::pair<std::string_view, std::string_view>> values;  ///< setting, text
 };
 [[nodiscard]] INKEDGE_API const std::vector<Preset>& presets();
+
+/// Sets what a configuration file says: lines name = value in the words of settingTable(), the value between double
+/// quotes or not; empty lines and those that start with # are left out. A later line wins over an earlier one.
+/// @throws Error  (Kind::Input) if the file cannot be read or has over 1 MiB; (Kind::Usage) if a line is none of these,
+///                names no setting or has a value that it cannot take: the message names file and line. What earlier
+///                lines say is then set.
+INKEDGE_API void readConfig(Settings&, const std::filesystem::path& file);
 
 }  // namespace inkedge

@@ -19,6 +19,8 @@ constexpr double planeTolerance = 2e-6;   // of the scene's radius: float coordi
 constexpr double normalStep = 1.0 / 256;  // normals are sorted into cells this wide,
 constexpr double normalTolerance = 1e-4;  // and into each cell that they are this near to
 
+constexpr std::uint64_t maximumSteps = 300'000'000;  // about two seconds
+
 struct Face {
     std::uint32_t cell;  // of normals, numbered over a cube
     float distance;      // of the plane from the scene's centre, in radii
@@ -132,6 +134,8 @@ private:
         const double margin = planeTolerance * scene_.bounds().radius;
         std::vector<const FlatTriangle*> active;
         for (const FlatTriangle& one : flat) {
+            if (active.size() >= stepsLeft_) return markAll(group);
+            stepsLeft_ -= active.size();
             std::erase_if(active, [&](const FlatTriangle* other) { return other->high <= one.low; });
             for (const FlatTriangle* other : active) {
                 if (one.number == other->number || (layered_[one.patch] && layered_[other->patch])) continue;
@@ -140,6 +144,11 @@ private:
             }
             active.push_back(&one);
         }
+    }
+
+    // Drawing a face as a layer that is none costs time only.
+    void markAll(std::span<const Face> group) {
+        for (const Face& face : group) layered_[patchOf(face)] = true;
     }
 
     // In two axes of the plane, sorted along the first.
@@ -165,6 +174,7 @@ private:
     const PatchNumbers& patches_;
     std::vector<bool> layered_;
     std::vector<Face> faces_;
+    std::uint64_t stepsLeft_ = maximumSteps;
 };
 
 }  // namespace

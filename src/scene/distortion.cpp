@@ -4,8 +4,12 @@
 #include <cmath>
 #include <vector>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+
+#include "scene/load_message.h"
+#include "scene/topology.h"
 
 namespace inkedge {
 namespace {
@@ -20,6 +24,8 @@ bool keepsAngles(const glm::dmat3& m) {
            std::abs(glm::dot(m[2], m[0])) <= slack;
 }
 
+bool finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
 glm::vec3 transformedNormal(const glm::dmat3& cofactors, glm::vec3 normal) {
     const glm::dvec3 n = cofactors * glm::dvec3{normal};
     const double length = glm::length(n);
@@ -30,14 +36,16 @@ Mesh distorted(const Mesh& mesh, const glm::dmat3& m) {
     Mesh result = mesh;
     result.origin = m * mesh.origin;
     for (glm::vec3& p : result.positions) p = glm::vec3{m * glm::dvec3{p}};
+    if (!std::ranges::all_of(result.positions, finite) || !finite(glm::vec3{result.origin}))
+        load::refuse("mesh " + load::quote(mesh.name) +
+                     ": expected finite positions, found a transform that takes them out of range");
     // The inverse transpose up to its length, which also exists where the distortion flattens the mesh.
     const double sign = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
     const glm::dmat3 cofactors{sign * glm::cross(m[1], m[2]), sign * glm::cross(m[2], m[0]),
                                sign * glm::cross(m[0], m[1])};
     for (glm::vec3& n : result.normals) n = transformedNormal(cofactors, n);
     if (sign < 0.0) {  // mirrored: keep the front in front for normals yet to be made
-        for (std::size_t t = 0; t + 2 < result.indices.size(); t += 3)
-            std::swap(result.indices[t + 1], result.indices[t + 2]);
+        for (std::size_t t = 0; t + 2 < result.indices.size(); t += 3) turnOver(result, t);
     }
     return result;
 }
@@ -59,10 +67,16 @@ void dropUnplacedMeshes(Scene::Data& data) {
 
 }  // namespace
 
-void bakeDistortedInstances(Scene::Data& data) {
+void bakeDistortedInstances(Scene::Data& data, std::uint64_t mostElements) {
+    std::uint64_t elements = 0;
     for (Instance& instance : data.instances) {
         const glm::dmat3 linear{instance.transform};
         if (keepsAngles(linear)) continue;
+        elements += data.meshes[instance.mesh].positions.size() + data.meshes[instance.mesh].indices.size();
+        if (elements > mostElements)
+            load::refuse(fmt::format("expected at most {} vertices and indices in meshes that their instances distort, "
+                                     "found more; raise max-vertices",
+                                     mostElements));
         data.meshes.push_back(distorted(data.meshes[instance.mesh], linear));
         instance.mesh = static_cast<std::uint32_t>(data.meshes.size() - 1);
         const glm::dvec4 translation = instance.transform[3];

@@ -19,6 +19,7 @@ struct ElementType {
     friend bool operator==(const ElementType&, const ElementType&) = default;
 };
 inline constexpr ElementType scalar{"SCALAR", 1};
+inline constexpr ElementType vec2{"VEC2", 2};
 inline constexpr ElementType vec3{"VEC3", 3};
 inline constexpr ElementType vec4{"VEC4", 4};
 inline constexpr ElementType mat4{"MAT4", 16};

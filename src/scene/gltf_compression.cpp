@@ -12,6 +12,7 @@
 
 #include "scene/gltf_accessor.h"
 #include "scene/gltf_draco.h"
+#include "scene/gltf_json.h"
 #include "scene/gltf_meshopt.h"
 #include "scene/gltf_triangles.h"
 #include "scene/load_message.h"
@@ -22,56 +23,17 @@ using namespace load;
 
 namespace {
 
-using Json = nlohmann::json;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr const char* meshopt = "EXT_meshopt_compression";
 constexpr const char* draco = "KHR_draco_mesh_compression";
-constexpr std::uint64_t maximumDecompressedBytes = std::uint64_t{1} << 30;
-
-// ---- a document that nobody has checked
-
-std::string found(const Json& value) { return printable(std::string_view{value.dump()}.substr(0, 80)); }
-
-// An object's member; null if there is none.
-const Json& member(const Json& object, const char* key) {
-    static const Json none;
-    const auto at = object.is_object() ? object.find(key) : object.end();
-    return at == object.end() ? none : *at;
-}
-
-std::uint64_t number(const Json& object, const char* key, std::optional<std::uint64_t> otherwise = {}) {
-    const Json& value = member(object, key);
-    if (value.is_null() && otherwise) return *otherwise;
-    if (!value.is_number_unsigned())
-        refuse(fmt::format("expected a number of at least 0 as {}, found {}", key, found(value)));
-    return value.get<std::uint64_t>();
-}
-
-std::string text(const Json& object, const char* key, const char* otherwise) {
-    const Json& value = member(object, key);
-    if (value.is_null()) return otherwise;
-    if (!value.is_string()) refuse(fmt::format("expected a string as {}, found {}", key, found(value)));
-    return value.get<std::string>();
-}
-
-const Json& extension(const Json& object, const char* name) { return member(member(object, "extensions"), name); }
-
-std::size_t sizeOf(const Json& list) { return list.is_array() ? list.size() : 0; }
-
-// An entry of a list of the document.
-const Json& entry(const Json& document, const char* list, std::uint64_t index) {
-    const Json& all = member(document, list);
-    if (index >= sizeOf(all))
-        refuse(fmt::format("expected an index of {} below {}, found {}", list, sizeOf(all), index));
-    return all[index];
-}
 
 // ---- the work
 
 class Decompression {
 public:
-    Decompression(Json& document, std::vector<Bytes>& buffers) : document_{document}, buffers_{buffers} {}
+    Decompression(Json& document, std::vector<Bytes>& buffers, std::uint64_t mostBytes)
+        : document_{document}, buffers_{buffers}, bytesLeft_{mostBytes} {}
 
     void run() {
         const std::size_t views = sizeOf(member(document_, "bufferViews"));
@@ -238,7 +200,7 @@ private:
 
     Json& document_;
     std::vector<Bytes>& buffers_;
-    std::uint64_t bytesLeft_ = maximumDecompressedBytes;
+    std::uint64_t bytesLeft_;
     std::map<Json, Json> plain_;
 };
 
@@ -254,6 +216,8 @@ bool isFallback(const Json& buffer) {
     return member(extension(buffer, meshopt), "fallback") == true && (readsMeshopt() || !buffer.contains("uri"));
 }
 
-void decompress(Json& document, std::vector<Bytes>& buffers) { Decompression{document, buffers}.run(); }
+void decompress(Json& document, std::vector<Bytes>& buffers, std::uint64_t mostBytes) {
+    Decompression{document, buffers, mostBytes}.run();
+}
 
 }  // namespace inkedge::gltf

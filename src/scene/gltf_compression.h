@@ -21,8 +21,8 @@ namespace inkedge::gltf {
 /// out of bufferViews and primitives. What a decompressed accessor holds is exactly what its description says; whether
 /// its elements fit their use is the reader's to check. Does nothing for extensions that this build does not read,
 /// where the file has the data in plain, too.
-/// @throws Error  (Kind::Input) if compressed data are damaged, are not what the document says, come to over 1 GiB
-///                in all, or are there alone and this build does not read them
-void decompress(nlohmann::json& document, std::vector<std::vector<std::uint8_t>>& buffers);
+/// @throws Error  (Kind::Input) if compressed data are damaged, are not what the document says, come to over
+///                mostBytes in all, or are there alone and this build does not read them
+void decompress(nlohmann::json& document, std::vector<std::vector<std::uint8_t>>& buffers, std::uint64_t mostBytes);
 
 }  // namespace inkedge::gltf

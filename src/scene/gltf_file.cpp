@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/gltf_compression.h"
+#include "scene/gltf_json.h"
 #include "scene/gltf_uri.h"
 #include "scene/load_file.h"
 #include "scene/load_message.h"
@@ -23,7 +24,6 @@ using namespace load;
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 using namespace std::string_view_literals;
 
 constexpr int maximumDepth = 500;
@@ -125,8 +125,7 @@ Json parseJson(std::string_view text) {
                printable(message.substr(end == std::string_view::npos ? 0 : end + 2).substr(0, 300)));
     }
     if (!document.is_object()) refuse(fmt::format("expected a JSON object, found {}", document.type_name()));
-    for (const char* notGeometry : {"animations", "extensions", "images", "materials", "samplers", "textures"})
-        document.erase(notGeometry);
+    document.erase("extensions");
     simplify(document);
     return document;
 }
@@ -146,30 +145,49 @@ void checkVersion(const Json& document) {
     if (!minimum.empty() && minimum != "2.0") refuse("expected glTF 2.0, found minVersion " + quote(minimum));
 }
 
+// Extensions that bear on the shape and are read, and those that do not bear on it.
 bool isRead(std::string_view extension) {
-    constexpr std::array names{"KHR_mesh_quantization"sv, "EXT_mesh_gpu_instancing"sv, "KHR_texture_transform"sv,
-                               "KHR_texture_basisu"sv,    "EXT_texture_webp"sv,        "KHR_lights_punctual"sv,
-                               "KHR_animation_pointer"sv};
+    constexpr std::array names{
+        "KHR_mesh_quantization"sv,  "EXT_mesh_gpu_instancing"sv, "KHR_texture_transform"sv, "KHR_texture_basisu"sv,
+        "EXT_texture_webp"sv,       "KHR_lights_punctual"sv,     "KHR_animation_pointer"sv, "KHR_node_visibility"sv,
+        "KHR_node_hoverability"sv, "KHR_node_selectability"sv,   "EXT_lights_image_based"sv,
+    };
     return readsCompression(extension) || std::ranges::find(names, extension) != names.end() ||
            extension.starts_with("KHR_materials_") || extension.starts_with("KHR_xmp");
 }
 
-void checkRequiredExtensions(const Json& document) {
-    const Json required = document.value("extensionsRequired", Json::array());
-    if (!required.is_array())
-        refuse(fmt::format("extensionsRequired: expected an array, found {}", required.type_name()));
-    std::string unread;
-    bool onlyCompressions = true;
-    for (const Json& entry : required) {
-        if (!entry.is_string()) refuse(fmt::format("extensionsRequired: expected names, found {}", entry.type_name()));
-        const auto& extension = entry.get_ref<const std::string&>();
-        if (isRead(extension)) continue;
-        onlyCompressions = onlyCompressions && isCompression(extension);
-        unread += (unread.empty() ? "" : ", ") + printable(std::string_view{extension}.substr(0, 80));
+std::vector<std::string> extensionsIn(const Json& document, const char* list) {
+    const Json extensions = document.value(list, Json::array());
+    if (!extensions.is_array()) refuse(fmt::format("{}: expected an array, found {}", list, extensions.type_name()));
+    std::vector<std::string> names;
+    for (const Json& entry : extensions) {
+        if (!entry.is_string()) refuse(fmt::format("{}: expected names, found {}", list, entry.type_name()));
+        names.push_back(entry.get<std::string>());
     }
+    return names;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names)
+        list += (list.empty() ? "" : ", ") + printable(std::string_view{name}.substr(0, 80));
+    return list;
+}
+
+void checkRequiredExtensions(const Json& document) {
+    std::vector<std::string> unread = extensionsIn(document, "extensionsRequired");
+    std::erase_if(unread, isRead);
     if (unread.empty()) return;
-    if (onlyCompressions) refuse("the geometry is compressed with " + unread + ", which this build does not read");
-    refuse("expected only required extensions that this version reads, found " + unread);
+    if (std::ranges::all_of(unread, isCompression))
+        refuse("the geometry is compressed with " + listed(unread) + ", which this build does not read");
+    refuse("expected only required extensions that this version reads, found " + listed(unread));
+}
+
+std::vector<std::string> warningsOf(std::vector<std::string> used) {
+    std::erase_if(used, [](const std::string& name) { return isRead(name) || isCompression(name); });
+    if (used.empty()) return {};
+    return {fmt::format("uses {} that this version does not read: {}", used.size() == 1 ? "an extension" : "extensions",
+                        listed(used))};
 }
 
 Bytes bufferBytes(const fs::path& model, const Json& buffer, std::optional<Bytes> binaryChunk,
@@ -177,10 +195,7 @@ Bytes bufferBytes(const fs::path& model, const Json& buffer, std::optional<Bytes
     if (buffer.contains("uri")) {
         if (!buffer["uri"].is_string())
             refuse(fmt::format("expected a string as uri, found {}", buffer["uri"].type_name()));
-        const auto& uri = buffer["uri"].get_ref<const std::string&>();
-        if (isDataUri(uri)) return decodeDataUri(uri);
-        const fs::path file = fileOfUri(model, uri);
-        return within(quote(uri), [&] { return readBytes(file, bytesLeft); });
+        return readUri(model, buffer["uri"].get_ref<const std::string&>(), bytesLeft);
     }
     if (!binaryChunk) refuse("expected a uri or the binary chunk of a .glb, found neither");
     return std::move(*binaryChunk);
@@ -197,7 +212,7 @@ Bytes standIn(Json& buffer, std::size_t number) {
 
 // Takes the buffers' bytes, leaving numbers in place of their URIs.
 std::vector<Bytes> takeBuffers(const fs::path& model, Json& document, std::optional<Bytes> binaryChunk,
-                               std::uint64_t bytesLeft) {
+                               std::uint64_t& bytesLeft) {
     std::vector<Bytes> buffers;
     if (!document.contains("buffers")) return buffers;
     Json& list = document["buffers"];
@@ -237,9 +252,16 @@ bool looksLikeJson(std::string_view text) {
 
 }  // namespace
 
-File readFile(const fs::path& model) {
-    std::uint64_t bytesLeft = maximumFileBytes;
-    Bytes bytes = readBytes(model, bytesLeft);
+Bytes readUri(const fs::path& model, const std::string& uri, std::uint64_t& bytesLeft) {
+    if (isDataUri(uri)) return decodeDataUri(uri);
+    const fs::path file = fileOfUri(model, uri);
+    return within(quote(uri), [&] { return readBytes(file, bytesLeft); });
+}
+
+File readFile(const fs::path& model, const LoadLimits& limits) {
+    File file;
+    file.bytesLeft = limits.fileSize;
+    Bytes bytes = readBytes(model, file.bytesLeft);
     const std::string_view content = textOf(bytes);
     const bool binary = content.starts_with("glTF");
     if (!binary && !looksLikeJson(content))
@@ -249,11 +271,17 @@ File readFile(const fs::path& model) {
     Json document = parseJson(chunks.json);
     checkVersion(document);
     checkRequiredExtensions(document);
+    file.extensions = extensionsIn(document, "extensionsUsed");
+    file.warnings = warningsOf(file.extensions);
+    file.materials = readMaterials(document);
+    file.images = readImages(document);
+    for (const char* read : {"images", "materials", "samplers", "textures"}) document.erase(read);
     std::optional<Bytes> binaryChunk;
     if (!chunks.binary.empty()) binaryChunk = keepOnly(std::move(bytes), chunks.binary);
-    std::vector<Bytes> buffers = takeBuffers(model, document, std::move(binaryChunk), bytesLeft);
-    decompress(document, buffers);
-    return {document.dump(), std::move(buffers)};
+    file.buffers = takeBuffers(model, document, std::move(binaryChunk), file.bytesLeft);
+    decompress(document, file.buffers, limits.decompressedSize);
+    file.json = document.dump();
+    return file;
 }
 
 }  // namespace inkedge::gltf

@@ -29,8 +29,6 @@ using load::PolygonFormat;
 using load::refuse;
 using load::within;
 
-constexpr std::uint64_t maximumElements = std::uint64_t{1} << 28;  // vertices and corners
-
 // Has no files: of material libraries and the like only the names are known.
 class NoFiles : public Assimp::IOSystem {
 public:
@@ -86,17 +84,25 @@ struct Content {
     std::vector<std::uint32_t> faceMaterials;  // one a face, or none
     std::uint64_t points = 0;
     std::uint64_t lines = 0;
+    bool finerThanFloat = false;  // the file's coordinates
 };
 
-Content readContent(const std::filesystem::path& file, PolygonFormat format) {
-    std::uint64_t bytesLeft = load::maximumFileBytes;
-    Content content{load::readBytes(file, bytesLeft), {}, 0, 0};
+// @param origin  taken off all positions
+Content readContent(const std::filesystem::path& file, PolygonFormat format, const LoadLimits& limits,
+                    const glm::dvec3& origin) {
+    std::uint64_t bytesLeft = limits.fileSize;
+    Content content;
+    content.bytes = load::readBytes(file, bytesLeft);
     if (format == PolygonFormat::Obj) {
-        load::ObjContent obj = load::checkedObj(load::textOf(content.bytes));
-        return {std::move(obj.text), std::move(obj.faceMaterials), obj.points, obj.lines};
+        load::ObjContent obj = load::checkedObj(load::textOf(content.bytes), origin);
+        return {std::move(obj.text), std::move(obj.faceMaterials), obj.points, obj.lines, true};
     }
     if (format == PolygonFormat::Stl) content.bytes = load::safeStl(std::move(content.bytes));
-    if (format == PolygonFormat::Ply) content.bytes = load::safePly(load::textOf(content.bytes));
+    if (format == PolygonFormat::Ply) {
+        load::PlyContent ply = load::safePly(load::textOf(content.bytes), origin);
+        content.bytes = std::move(ply.bytes);
+        content.finerThanFloat = ply.finerThanFloat;
+    }
     return content;
 }
 
@@ -114,19 +120,20 @@ Scene::Data withoutFaces(const Content& content) {
 // Makes one mesh of all of a file's.
 class Joiner {
 public:
-    Joiner(const aiScene& source, PolygonFormat format, const Content& content)
+    Joiner(const aiScene& source, PolygonFormat format, const Content& content, const LoadLimits& limits)
         : source_{source},
           format_{format},
           faceMaterials_{content.faceMaterials},
           points_{content.points},
-          lines_{content.lines} {}
+          lines_{content.lines},
+          most_{limits.vertices} {}
 
     Scene::Data join(const std::string& name) {
         mesh_.name = name;
         forEachMesh([&](const aiMesh& mesh) { measure(mesh); });
         if (!faceMaterials_.empty() && faceCount_ != faceMaterials_.size())
             refuse(fmt::format("expected {} faces, found {}", faceMaterials_.size(), faceCount_));
-        if (vertexCount_ > 0) mesh_.origin = 0.5 * (low_ + high_);
+        if (vertexCount_ > 0) mesh_.origin = centre();
         mesh_.positions.reserve(vertexCount_);
         mesh_.indices.reserve(cornerCount_);
         forEachMesh([&](const aiMesh& mesh) { add(mesh); });
@@ -136,8 +143,16 @@ public:
             data_.meshes.push_back(std::move(mesh_));
             data_.instances.push_back({name, 0, glm::dmat4{1.0}});
         }
+        data_.source.format = load::name(format_);
         return std::move(data_);
     }
+
+    // Whether floats that far from the origin cannot tell the model's points apart well enough.
+    [[nodiscard]] bool coarse() const {
+        constexpr double visible = 1e-5;  // of the diagonal
+        return vertexCount_ > 0 && spacing() > visible * glm::distance(low_, high_);
+    }
+    [[nodiscard]] glm::dvec3 centre() const { return 0.5 * (low_ + high_); }
 
 private:
     template <class Action>
@@ -160,8 +175,8 @@ private:
         vertexCount_ += positions.size();
         faceCount_ += facesOf(mesh).size();
         for (const aiFace& face : facesOf(mesh)) cornerCount_ += face.mNumIndices;
-        if (vertexCount_ + cornerCount_ > maximumElements)
-            refuse(fmt::format("expected at most {} vertices and corners, found more", maximumElements));
+        if (vertexCount_ + cornerCount_ > most_)
+            refuse(fmt::format("expected at most {} vertices and corners, found more; raise max-vertices", most_));
         authored_ = authored_ || (mesh.mNormals != nullptr && format_ != PolygonFormat::Stl);
     }
 
@@ -194,6 +209,7 @@ private:
                 refuse(fmt::format("expected vertices below {}, found {} in face {}", mesh.mNumVertices,
                                    face.mIndices[i], number));
         if (face.mNumIndices == 3) return addTriangle(face, {0, 1, 2}, first);
+        mesh_.innerEdges.resize(mesh_.indices.size(), false);
         if (face.mNumIndices < 3) {
             ++(face.mNumIndices == 2 ? lines_ : points_);
             return;
@@ -208,27 +224,32 @@ private:
         const std::uint32_t a = face.mIndices[corners[0]];
         const std::uint32_t b = face.mIndices[corners[1]];
         const std::uint32_t c = face.mIndices[corners[2]];
-        if (a != b && b != c && c != a) mesh_.indices.insert(mesh_.indices.end(), {first + a, first + b, first + c});
+        if (a == b || b == c || c == a) return;
+        mesh_.indices.insert(mesh_.indices.end(), {first + a, first + b, first + c});
+        if (face.mNumIndices == 3) return;
+        for (std::size_t i = 0; i < 3; ++i)
+            mesh_.innerEdges.push_back(corners[(i + 1) % 3] != (corners[i] + 1) % face.mNumIndices);
     }
 
     // ---- after it
 
     void warn() {
         if (points_ + lines_ > 0) data_.warnings.push_back(warningOf(points_, lines_));
-        if (vertexCount_ == 0) return;
-        constexpr double visible = 1e-5;  // of the diagonal
+        if (!coarse()) return;
+        data_.warnings.push_back(
+            fmt::format("coordinates are kept to {:.2g}, as {} files are read as floats: much for a model {:.3g} across "
+                        "that far from the origin",
+                        spacing(), name(format_), glm::distance(low_, high_)));
+    }
+
+    // Of floats as far off as the vertices.
+    [[nodiscard]] double spacing() const {
         const glm::dvec3 largest = glm::max(glm::abs(low_), glm::abs(high_));
-        const double spacing =
-            std::max({largest.x, largest.y, largest.z}) * double{std::numeric_limits<float>::epsilon()};
-        const double diagonal = glm::distance(low_, high_);
-        if (spacing > visible * diagonal)
-            data_.warnings.push_back(fmt::format(
-                "coordinates are kept to {:.2g}, as {} files are read as floats: much for a model {:.3g} across that "
-                "far from the origin",
-                spacing, name(format_), diagonal));
+        return std::max({largest.x, largest.y, largest.z}) * double{std::numeric_limits<float>::epsilon()};
     }
 
     void dropWhatSaysNothing() {
+        if (!mesh_.innerEdges.empty()) mesh_.innerEdges.resize(mesh_.indices.size(), false);
         if (std::ranges::all_of(mesh_.materials, [](std::uint32_t material) { return material == 0; }))
             mesh_.materials.clear();
         if (std::ranges::all_of(mesh_.normals, [](const glm::vec3& normal) { return normal == glm::vec3{0.0F}; }))
@@ -240,6 +261,7 @@ private:
     const std::vector<std::uint32_t>& faceMaterials_;
     std::uint64_t points_;
     std::uint64_t lines_;
+    std::uint64_t most_;  // vertices and corners
     std::size_t face_ = 0;  // the next, of all meshes
     glm::dvec3 low_{std::numeric_limits<double>::max()};
     glm::dvec3 high_{std::numeric_limits<double>::lowest()};
@@ -257,13 +279,23 @@ private:
 
 bool readsPolygonFormats() noexcept { return true; }
 
-Scene::Data loadAssimp(const std::filesystem::path& file, PolygonFormat format) {
+Scene::Data loadAssimp(const std::filesystem::path& file, PolygonFormat format, const LoadLimits& limits) {
     return within(load::printable(file.string()), [&] {
         try {
-            const Content content = readContent(file, format);
-            if (format == PolygonFormat::Obj && content.faceMaterials.empty()) return withoutFaces(content);
-            Assimp::Importer importer;
-            return Joiner{import(importer, content.bytes, format), format, content}.join(file.stem().string());
+            glm::dvec3 origin{0.0};
+            for (;;) {
+                const Content content = readContent(file, format, limits, origin);
+                if (format == PolygonFormat::Obj && content.faceMaterials.empty()) return withoutFaces(content);
+                Assimp::Importer importer;
+                Joiner joiner{import(importer, content.bytes, format), format, content, limits};
+                Scene::Data data = joiner.join(file.stem().string());
+                if (origin == glm::dvec3{0.0} && content.finerThanFloat && joiner.coarse()) {
+                    origin = joiner.centre();  // once more, from near by
+                    continue;
+                }
+                for (Mesh& mesh : data.meshes) mesh.origin += origin;
+                return data;
+            }
         } catch (const Error&) {
             throw;
         } catch (const std::bad_alloc&) {

@@ -19,13 +19,14 @@ namespace inkedge {
 /// facets', gives a mesh without normals. Materials are numbered in the order in which an OBJ file first uses them,
 /// from
 /// 1. A face of an OBJ file has normals if all its corners have.
-/// Coordinates pass through float: what lies so far off that the model suffers is warned of. Points and lines are left
+/// What lies far from the origin is read once more from near by, so that no precision is lost; where the file itself has
+/// only floats, a model that suffers from that is warned of. Points and lines are left
 /// out with one warning. A file without triangles gives no meshes and no instances.
 ///
-/// @throws Error  (Kind::Input) if the file is missing, unreadable, over 2 GiB, not of the format, truncated, has a
-///                position that is not finite, a face without its vertices or over 2^28 vertices and corners, or this
-///                build does not read the format; the message starts with the path as given
+/// @throws Error  (Kind::Input) if the file is missing, unreadable, over the limits, not of the format, truncated, has a
+///                position that is not finite or a face without its vertices, or this build does not read the format; the message starts with the path as given
 /// Thread-safe.
-[[nodiscard]] Scene::Data loadAssimp(const std::filesystem::path& file, load::PolygonFormat format);
+[[nodiscard]] Scene::Data loadAssimp(const std::filesystem::path& file, load::PolygonFormat format,
+                                     const LoadLimits& limits = {});
 
 }  // namespace inkedge

@@ -42,8 +42,8 @@ Bytes readFirst(const fs::path& path, std::uint64_t size) {
 Bytes readBytes(const fs::path& path, std::uint64_t& bytesLeft) {
     const std::uint64_t size = checkedSize(path);
     if (size > bytesLeft)
-        refuse(fmt::format("expected at most {} bytes in all files of a model, found {} more", maximumFileBytes,
-                           size - bytesLeft));
+        refuse(fmt::format("expected at most {} more bytes in the files of a model, found {}; raise max-file-size",
+                           bytesLeft, size));
     bytesLeft -= size;
     return readFirst(path, size);
 }

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -10,9 +9,6 @@
 namespace inkedge::load {
 
 using Bytes = std::vector<std::uint8_t>;
-
-/// Of a model and all files that belong to it, together.
-inline constexpr std::uint64_t maximumFileBytes = std::numeric_limits<std::int32_t>::max();
 
 /// Reads a file whole and takes its size off bytesLeft.
 /// @throws Error  (Kind::Input) if it is missing, empty, unreadable, no regular file or larger than bytesLeft

@@ -2,318 +2,60 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>  // tiny_gltf.h needs it but leaves it out with TINYGLTF_NO_FS
 #include <limits>
 #include <map>
+#include <memory>
 #include <new>
 #include <numbers>
 #include <numeric>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
-#include <glm/gtc/matrix_access.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
-#define TINYGLTF_IMPLEMENTATION
-#define TINYGLTF_NO_EXTERNAL_IMAGE
-#define TINYGLTF_NO_FS
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#include <tiny_gltf.h>
-
-#include "scene/gltf_accessor.h"
+#include "scene/cut_out.h"
+#include "scene/gltf_animation.h"
 #include "scene/gltf_file.h"
+#include "scene/gltf_model.h"
+#include "scene/gltf_nodes.h"
 #include "scene/gltf_triangles.h"
-#include "scene/load_message.h"
+#include "scene/opacity_map.h"
 
 namespace inkedge {
 namespace {
 
+using gltf::at;
+using gltf::compose;
 using gltf::Component;
 using gltf::Expected;
+using gltf::finite;
+using gltf::nodeLabel;
+using gltf::readAttribute;
+using gltf::readNumbers;
+using gltf::readVectors;
 using load::label;
 using load::refuse;
 using load::within;
-
-constexpr std::uint64_t maximumElements = std::uint64_t{1} << 28;  // vertices and indices of all meshes drawn
-constexpr std::uint64_t maximumInstances = std::uint64_t{1} << 24;
 
 // KHR_mesh_quantization included.
 const Expected anyPosition{gltf::vec3,
                            {Component::Float, Component::Int8, Component::Uint8, Component::Int16, Component::Uint16}};
 const Expected anyNormal{gltf::vec3, {Component::Float, Component::Int8, Component::Int16}};
+const Expected anyCoordinates{
+    gltf::vec2, {Component::Float, Component::Int8, Component::Uint8, Component::Int16, Component::Uint16}};
+const Expected anyColor{gltf::vec4, {Component::Float, Component::Uint8, Component::Uint16}};
 const Expected anyRotation{gltf::vec4, {Component::Float, Component::Int8, Component::Int16}};
 const Expected anyWeights{gltf::vec4, {Component::Float, Component::Uint8, Component::Uint16}};
 const Expected anyJoints{gltf::vec4, {Component::Uint8, Component::Uint16}};
 const Expected floatVec3{gltf::vec3, {Component::Float}};
 const Expected floatMat4{gltf::mat4, {Component::Float}};
 
-// ---- tinygltf's model
-
-using Buffers = std::vector<std::vector<std::uint8_t>>;
-
-// Lets tinygltf reach no file: a buffer's uri is its number among those already read.
-tinygltf::FsCallbacks servedFrom(Buffers& buffers) {
-    const auto exists = [](const std::string&, void*) { return true; };
-    const auto expand = [](const std::string& name, void*) { return name; };
-    const auto read = [](std::vector<unsigned char>* bytes, std::string*, const std::string& name, void* all) {
-        *bytes = std::move(static_cast<Buffers*>(all)->at(std::stoul(name)));
-        return true;
-    };
-    return {exists, expand, read, nullptr, &buffers};
-}
-
-// The first line of tinygltf's errors that is one: a skin may do without inverse bind matrices.
-std::string firstError(std::string_view errors) {
-    while (!errors.empty()) {
-        const std::string_view line = errors.substr(0, errors.find('\n'));
-        if (!line.empty() && !line.starts_with("'inverseBindMatrices' property is missing"))
-            return load::printable(line.substr(0, 300));
-        errors.remove_prefix(std::min(errors.size(), line.size() + 1));
-    }
-    return {};
-}
-
-tinygltf::Model parse(gltf::File file) {
-    if (file.json.size() > std::numeric_limits<unsigned int>::max())
-        refuse(fmt::format("expected less than 4 GiB of JSON, found {} bytes", file.json.size()));
-    tinygltf::TinyGLTF parser;
-    parser.SetFsCallbacks(servedFrom(file.buffers));
-    tinygltf::Model model;
-    std::string errors;
-    std::string warnings;
-    const bool parsed = parser.LoadASCIIFromString(&model, &errors, &warnings, file.json.data(),
-                                                   static_cast<unsigned int>(file.json.size()), "");
-    // Some errors only make it leave an element out.
-    const std::string error = firstError(errors);
-    if (!parsed || !error.empty()) refuse("expected glTF 2.0, found: " + error);
-    return model;
-}
-
-template <class T>
-const T& at(const std::vector<T>& all, int index, std::string_view kind) {
-    if (index < 0 || static_cast<std::size_t>(index) >= all.size())
-        refuse(fmt::format("expected {} below {}, found {}", kind, all.size(), index));
-    return all[static_cast<std::size_t>(index)];
-}
-
-std::string nodeLabel(const tinygltf::Model& model, std::size_t node) {
-    return label("node", node, model.nodes[node].name);
-}
-
-// ---- accessors
-
-gltf::Elements elementsOf(const tinygltf::Model& model, int bufferView, std::uint64_t offset, std::uint64_t stride) {
-    const tinygltf::BufferView& view = at(model.bufferViews, bufferView, "a bufferView");
-    return within(label("bufferView", static_cast<std::size_t>(bufferView)), [&] {
-        const tinygltf::Buffer& buffer = at(model.buffers, view.buffer, "a buffer");
-        return gltf::Elements{gltf::partOf(buffer.data, view.byteOffset, view.byteLength), offset, stride};
-    });
-}
-
-gltf::ElementType elementType(int type) {
-    switch (type) {
-        case TINYGLTF_TYPE_SCALAR:
-            return gltf::scalar;
-        case TINYGLTF_TYPE_VEC2:
-            return {"VEC2", 2};
-        case TINYGLTF_TYPE_VEC3:
-            return gltf::vec3;
-        case TINYGLTF_TYPE_VEC4:
-            return gltf::vec4;
-        case TINYGLTF_TYPE_MAT2:
-            return {"MAT2", 4};
-        case TINYGLTF_TYPE_MAT3:
-            return {"MAT3", 9};
-        default:
-            return gltf::mat4;
-    }
-}
-
-std::uint64_t notNegative(int number) {
-    if (number < 0) refuse(fmt::format("expected a number of at least 0, found {}", number));
-    return static_cast<std::uint64_t>(number);
-}
-
-gltf::Accessor describe(const tinygltf::Model& model, const tinygltf::Accessor& source) {
-    gltf::Accessor accessor{
-        elementType(source.type), Component{source.componentType}, source.normalized, source.count, {}, {}};
-    if (source.bufferView != -1) {
-        const std::uint64_t stride = at(model.bufferViews, source.bufferView, "a bufferView").byteStride;
-        accessor.elements = elementsOf(model, source.bufferView, source.byteOffset, stride);
-    }
-    if (source.sparse.isSparse) {
-        const auto& indices = source.sparse.indices;
-        const auto& values = source.sparse.values;
-        accessor.sparse =
-            gltf::Accessor::Sparse{notNegative(source.sparse.count), Component{indices.componentType},
-                                   elementsOf(model, indices.bufferView, notNegative(indices.byteOffset), 0),
-                                   elementsOf(model, values.bufferView, notNegative(values.byteOffset), 0)};
-    }
-    return accessor;
-}
-
-// Names an accessor and what it is for in whatever goes wrong with it.
-template <class Read>
-auto withAccessor(const tinygltf::Model& model, int index, std::string_view use, Read&& read) {
-    return within(std::string{use}, [&] {
-        const tinygltf::Accessor& source = at(model.accessors, index, "an accessor");
-        return within(label("accessor", static_cast<std::size_t>(index)),
-                      [&] { return read(describe(model, source)); });
-    });
-}
-
-std::vector<double> readNumbers(const tinygltf::Model& model, int index, std::string_view use,
-                                const Expected& expected) {
-    return withAccessor(model, index, use,
-                        [&](const gltf::Accessor& accessor) { return gltf::readNumbers(accessor, expected); });
-}
-
-template <class Vector>
-std::vector<Vector> readVectors(const tinygltf::Model& model, int index, std::string_view use,
-                                const Expected& expected) {
-    constexpr std::size_t components = static_cast<std::size_t>(Vector::length());
-    const std::vector<double> numbers = readNumbers(model, index, use, expected);
-    std::vector<Vector> vectors(numbers.size() / components);
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        vectors[i / components][static_cast<int>(i % components)] = numbers[i];
-    return vectors;
-}
-
-// One vector for each of count vertices, or none if the attribute is missing.
-template <class Vector>
-std::vector<Vector> readAttribute(const tinygltf::Model& model, const std::map<std::string, int>& attributes,
-                                  const std::string& name, const Expected& expected, std::size_t count) {
-    const auto attribute = attributes.find(name);
-    if (attribute == attributes.end()) return {};
-    std::vector<Vector> vectors = readVectors<Vector>(model, attribute->second, name, expected);
-    if (vectors.size() != count)
-        refuse(fmt::format("{}: expected as many elements as POSITION has, {}, found {}", name, count, vectors.size()));
-    return vectors;
-}
-
-// 1 + the number of a primitive's material; 0: none. Which materials there are does not matter.
-std::uint32_t materialOf(const tinygltf::Primitive& primitive) {
-    if (primitive.material < -1) refuse(fmt::format("expected a material of at least 0, found {}", primitive.material));
-    return static_cast<std::uint32_t>(primitive.material + 1);
-}
-
-// ---- nodes
-
-bool finite(const glm::dmat4& matrix) {
-    return std::all_of(glm::value_ptr(matrix), glm::value_ptr(matrix) + 16, [](double x) { return std::isfinite(x); });
-}
-
-glm::dmat4 compose(const glm::dvec3& translation, const glm::dvec4& rotation, const glm::dvec3& scale) {
-    const double length = glm::length(rotation);
-    const glm::dvec4 unit = length > 0.0 ? rotation / length : glm::dvec4{0, 0, 0, 1};
-    glm::dmat4 matrix = glm::mat4_cast(glm::dquat{unit.w, unit.x, unit.y, unit.z});
-    for (int axis = 0; axis < 3; ++axis) matrix[axis] *= scale[axis];
-    matrix[3] = glm::dvec4{translation, 1.0};
-    return matrix;
-}
-
-const std::vector<double>& sized(const std::vector<double>& numbers, std::size_t size, std::string_view property) {
-    if (!numbers.empty() && numbers.size() != size)
-        refuse(fmt::format("expected {} numbers as {}, found {}", size, property, numbers.size()));
-    return numbers;
-}
-
-glm::dmat4 affine(const std::vector<double>& numbers) {
-    constexpr double rounding = 1e-6;
-    glm::dmat4 matrix = glm::make_mat4(numbers.data());
-    const glm::dvec4 last = glm::row(matrix, 3);
-    if (!(glm::length(last - glm::dvec4{0, 0, 0, 1}) <= rounding))
-        refuse(
-            fmt::format("expected a matrix with last row 0 0 0 1, found {} {} {} {}", last.x, last.y, last.z, last.w));
-    return glm::row(matrix, 3, glm::dvec4{0, 0, 0, 1});
-}
-
-glm::dmat4 localTransform(const tinygltf::Node& node) {
-    if (!sized(node.matrix, 16, "matrix").empty()) return affine(node.matrix);
-    glm::dvec3 translation{0.0};
-    glm::dvec4 rotation{0, 0, 0, 1};
-    glm::dvec3 scale{1.0};
-    if (!sized(node.translation, 3, "translation").empty()) translation = glm::make_vec3(node.translation.data());
-    if (!sized(node.rotation, 4, "rotation").empty()) rotation = glm::make_vec4(node.rotation.data());
-    if (!sized(node.scale, 3, "scale").empty()) scale = glm::make_vec3(node.scale.data());
-    return compose(translation, rotation, scale);
-}
-
-// Every node's parent, -1 for roots.
-std::vector<int> parentsOf(const tinygltf::Model& model) {
-    std::vector<int> parents(model.nodes.size(), -1);
-    for (std::size_t node = 0; node < model.nodes.size(); ++node) {
-        for (const int child : model.nodes[node].children) {
-            within(nodeLabel(model, node), [&] { at(model.nodes, child, "a child node"); });
-            int& parent = parents[static_cast<std::size_t>(child)];
-            if (parent != -1)
-                refuse(fmt::format("{}: expected one parent, found nodes {} and {}",
-                                   nodeLabel(model, static_cast<std::size_t>(child)), parent, node));
-            parent = static_cast<int>(node);
-        }
-    }
-    return parents;
-}
-
-[[noreturn]] void refuseCycle(const tinygltf::Model& model, const std::vector<int>& parents, std::size_t below) {
-    for (std::size_t step = 0; step < parents.size(); ++step) below = static_cast<std::size_t>(parents[below]);
-    refuse(nodeLabel(model, below) + ": expected a tree of nodes, found a node among its own descendants");
-}
-
-// Every node's transform to world space. Follows children without recursion: chains may be long.
-std::vector<glm::dmat4> worldTransforms(const tinygltf::Model& model, const std::vector<int>& parents) {
-    std::vector<glm::dmat4> worlds(model.nodes.size());
-    std::vector<std::size_t> order;
-    std::vector<bool> reached(model.nodes.size(), false);
-    for (std::size_t node = 0; node < parents.size(); ++node)
-        if (parents[node] == -1) order.push_back(node);
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const std::size_t node = order[i];
-        reached[node] = true;
-        within(nodeLabel(model, node), [&] {
-            const glm::dmat4 local = localTransform(model.nodes[node]);
-            worlds[node] = parents[node] == -1 ? local : worlds[static_cast<std::size_t>(parents[node])] * local;
-            if (!finite(worlds[node])) refuse("expected a finite transform, found an infinite one");
-        });
-        for (const int child : model.nodes[node].children) order.push_back(static_cast<std::size_t>(child));
-    }
-    for (std::size_t node = 0; node < reached.size(); ++node)
-        if (!reached[node]) refuseCycle(model, parents, node);
-    return worlds;
-}
-
-// The nodes drawn, parents before their children: the default scene's, else the first scene's, else all.
-std::vector<std::size_t> nodesDrawn(const tinygltf::Model& model, const std::vector<int>& parents) {
-    std::vector<int> roots;
-    if (model.defaultScene != -1 || !model.scenes.empty()) {
-        roots = at(model.scenes, model.defaultScene == -1 ? 0 : model.defaultScene, "a scene").nodes;
-    } else {
-        for (std::size_t node = 0; node < parents.size(); ++node)
-            if (parents[node] == -1) roots.push_back(static_cast<int>(node));
-    }
-    std::vector<std::size_t> order;
-    std::vector<bool> reached(model.nodes.size(), false);
-    std::vector<int> next{roots.rbegin(), roots.rend()};
-    while (!next.empty()) {
-        at(model.nodes, next.back(), "a node of the scene");
-        const auto node = static_cast<std::size_t>(next.back());
-        next.pop_back();
-        if (reached[node]) refuse(nodeLabel(model, node) + ": expected it once in the scene, found it twice");
-        reached[node] = true;
-        order.push_back(node);
-        const std::vector<int>& children = model.nodes[node].children;
-        next.insert(next.end(), children.rbegin(), children.rend());
-    }
-    return order;
-}
-
 // The copies that EXT_mesh_gpu_instancing makes of a node's mesh, in the node's space; without it, one.
-std::vector<glm::dmat4> copiesOf(const tinygltf::Model& model, const tinygltf::Node& node) {
+std::vector<glm::dmat4> copiesOf(const tinygltf::Model& model, const tinygltf::Node& node, std::uint64_t most) {
     const auto extension = node.extensions.find("EXT_mesh_gpu_instancing");
     if (extension == node.extensions.end()) return {glm::dmat4{1.0}};
     const tinygltf::Value& attributes = extension->second.Get("attributes");
@@ -322,6 +64,9 @@ std::vector<glm::dmat4> copiesOf(const tinygltf::Model& model, const tinygltf::N
         std::vector<Vector> vectors;
         const tinygltf::Value& index = attributes.Get(name);
         if (index.IsInt()) {
+            if (const std::uint64_t copies = gltf::elementCount(model, index.GetNumberAsInt(), name); copies > most)
+                refuse(fmt::format("expected at most {} more instances in the scene, found {}; raise max-instances",
+                                   most, copies));
             vectors = readVectors<Vector>(model, index.GetNumberAsInt(), name, expected);
             if (count && *count != vectors.size())
                 refuse(fmt::format("{}: expected as many instances as before, {}, found {}", name, *count,
@@ -476,7 +221,10 @@ glm::dvec3 centreOf(const std::vector<glm::dvec3>& positions) {
 }
 
 Mesh meshOf(Shape shape, const std::string& name) {
-    Mesh mesh{name, centreOf(shape.positions), {}, {}, std::move(shape.indices), {}};
+    Mesh mesh;
+    mesh.name = name;
+    mesh.origin = centreOf(shape.positions);
+    mesh.indices = std::move(shape.indices);
     mesh.positions.reserve(shape.positions.size());
     for (const glm::dvec3& position : shape.positions) mesh.positions.emplace_back(position - mesh.origin);
     if (shape.authored) mesh.normals.assign(shape.normals.begin(), shape.normals.end());
@@ -485,18 +233,166 @@ Mesh meshOf(Shape shape, const std::string& name) {
     return mesh;
 }
 
+// ---- cut-outs
+
+TextureWrap wrapOf(gltf::Wrap wrap) {
+    switch (wrap) {
+        case gltf::Wrap::Clamp:
+            return TextureWrap::Clamp;
+        case gltf::Wrap::Mirror:
+            return TextureWrap::Mirror;
+        case gltf::Wrap::Repeat:
+            break;
+    }
+    return TextureWrap::Repeat;
+}
+
+// The cut-outs of a file's materials, made when first asked for.
+class CutOuts {
+public:
+    CutOuts(const tinygltf::Model& model, const gltf::File& file, const std::filesystem::path& path,
+            const LoadLimits& limits)
+        : model_{model}, file_{file}, path_{path}, mostPixels_{limits.imagePixels}, bytesLeft_{file.bytesLeft} {}
+
+    // What is left of a part under a material with a mask.
+    // @throws Error  if its picture cannot be read
+    void apply(const gltf::Material& material, const tinygltf::Primitive& primitive, Shape& part) {
+        const std::vector<double> opacities = vertexOpacities(primitive, part.positions.size());
+        const auto opacityOf = [&](std::size_t triangle) {
+            if (opacities.empty()) return material.opacity;
+            const std::uint32_t* const corner = &part.indices[3 * triangle];
+            return material.opacity * (opacities[corner[0]] + opacities[corner[1]] + opacities[corner[2]]) / 3.0;
+        };
+        const std::vector<glm::dvec2> places = texturePlaces(material, primitive, part.positions.size());
+        Shape rest;
+        rest.authored = part.authored;
+        for (std::size_t t = 0; t < part.indices.size() / 3; ++t) cutTriangle(material, places, opacityOf(t), part, t, rest);
+        part = std::move(rest);
+    }
+
+private:
+    using Alpha = std::optional<Image<std::uint8_t>>;
+
+    // Of COLOR_0, where it has an alpha; none: all are 1.
+    [[nodiscard]] std::vector<double> vertexOpacities(const tinygltf::Primitive& primitive, std::size_t count) const {
+        const auto color = primitive.attributes.find("COLOR_0");
+        if (color == primitive.attributes.end()) return {};
+        if (at(model_.accessors, color->second, "an accessor").type != TINYGLTF_TYPE_VEC4) return {};
+        std::vector<double> opacities;
+        for (const glm::dvec4& c : readAttribute<glm::dvec4>(model_, primitive.attributes, "COLOR_0", anyColor, count))
+            opacities.push_back(c.a);
+        return opacities;
+    }
+
+    [[nodiscard]] std::vector<glm::dvec2> texturePlaces(const gltf::Material& material,
+                                                        const tinygltf::Primitive& primitive, std::size_t count) const {
+        if (!material.texture) return {};
+        const std::string name = fmt::format("TEXCOORD_{}", material.texture->set);
+        std::vector<glm::dvec2> places =
+            readAttribute<glm::dvec2>(model_, primitive.attributes, name, anyCoordinates, count);
+        for (glm::dvec2& place : places) place = material.texture->scale * place + material.texture->offset;
+        return places;
+    }
+
+    void cutTriangle(const gltf::Material& material, const std::vector<glm::dvec2>& places, double opacity,
+                     const Shape& part, std::size_t triangle, Shape& rest) {
+        constexpr CutOut::Piece whole{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}};
+        if (opacity < material.cutoff) return;
+        const std::uint32_t* const corners = &part.indices[3 * triangle];
+        CutOut* const cutOut = places.empty() ? nullptr : find(*material.texture, material.cutoff / opacity);
+        if (cutOut == nullptr) return add(part, triangle, whole, rest);
+        for (const CutOut::Piece& piece : cutOut->cut({places[corners[0]], places[corners[1]], places[corners[2]]}))
+            add(part, triangle, piece, rest);
+    }
+
+    static void add(const Shape& part, std::size_t triangle, const CutOut::Piece& piece, Shape& rest) {
+        const std::uint32_t* const corners = &part.indices[3 * triangle];
+        const auto mixed = [&](const std::vector<glm::dvec3>& of, const glm::dvec3& weights) {
+            return weights.x * of[corners[0]] + weights.y * of[corners[1]] + weights.z * of[corners[2]];
+        };
+        for (const glm::dvec3& weights : piece) {
+            rest.indices.push_back(static_cast<std::uint32_t>(rest.positions.size()));
+            rest.positions.push_back(mixed(part.positions, weights));
+            rest.normals.push_back(mixed(part.normals, weights));
+        }
+        rest.materials.push_back(part.materials[triangle]);
+    }
+
+    // None where the picture has no alpha or the threshold is nothing.
+    CutOut* find(const gltf::Texture& texture, double threshold) {
+        constexpr double opaque = 255.0;
+        if (!texture.image) refuse("expected its picture as PNG or JPEG, found it in another form only");
+        if (!(threshold > 0.0)) return nullptr;
+        const Alpha& alpha = opacityMap(*texture.image);
+        if (!alpha) return nullptr;
+        auto& cutOut = cutOuts_[{*texture.image, texture.wrapS, texture.wrapT, threshold}];
+        if (!cutOut)
+            cutOut = std::make_unique<CutOut>(*alpha, std::array{wrapOf(texture.wrapS), wrapOf(texture.wrapT)},
+                                              opaque * threshold);
+        return cutOut.get();
+    }
+
+    const Alpha& opacityMap(std::uint64_t image) {
+        const auto known = maps_.find(image);
+        if (known != maps_.end()) return known->second;
+        if (image >= file_.images.size())
+            refuse(fmt::format("expected an image below {}, found {}", file_.images.size(), image));
+        return within(label("image", image), [&]() -> const Alpha& {
+            const gltf::Image& source = file_.images[image];
+            return maps_.emplace(image, decode(source)).first->second;
+        });
+    }
+
+    Alpha decode(const gltf::Image& source) {
+        if (!source.bufferView) return decodeOpacity(gltf::readUri(path_, source.uri, bytesLeft_), mostPixels_);
+        if (*source.bufferView > std::numeric_limits<int>::max())
+            refuse(fmt::format("expected a bufferView, found {}", *source.bufferView));
+        return decodeOpacity(gltf::viewBytes(model_, static_cast<int>(*source.bufferView)), mostPixels_);
+    }
+
+    const tinygltf::Model& model_;
+    const gltf::File& file_;
+    const std::filesystem::path& path_;
+    std::uint64_t mostPixels_;
+    std::uint64_t bytesLeft_;
+    std::map<std::uint64_t, Alpha> maps_;
+    std::map<std::tuple<std::uint64_t, gltf::Wrap, gltf::Wrap, double>, std::unique_ptr<CutOut>> cutOuts_;
+};
+
+template <class T>
+std::vector<std::string> namesOf(const std::vector<T>& all) {
+    std::vector<std::string> names;
+    for (const T& each : all) names.push_back(load::printable(each.name));
+    return names;
+}
+
+// Primitives may share accessors, but a small file must not ask for much memory.
+std::uint64_t mostElements(const tinygltf::Model& model) {
+    std::uint64_t bytes = 0;
+    for (const tinygltf::Buffer& buffer : model.buffers) bytes += buffer.data.size();
+    return (std::uint64_t{1} << 24U) + 16 * bytes;
+}
+
 // ---- the scene
 
 class Loader {
 public:
-    explicit Loader(const tinygltf::Model& model)
-        : model_{model}, parents_{parentsOf(model)}, worlds_{worldTransforms(model, parents_)} {}
+    Loader(const tinygltf::Model& model, const gltf::File& file, const std::filesystem::path& path,
+           const LoadSettings& settings)
+        : model_{model},
+          file_{file},
+          settings_{settings},
+          nodes_{gltf::placeNodes(model, settings.limits)},
+          cutOuts_{model, file, path, settings.limits},
+          elementsLeft_{std::min(settings.limits.vertices, mostElements(model))} {}
 
     Scene::Data load() {
-        for (const std::size_t node : nodesDrawn(model_, parents_)) {
-            within(nodeLabel(model_, node), [&] {
+        for (const gltf::Material& material : file_.materials)
+            data_.materials.push_back({material.name, material.doubleSided});
+        for (const auto& [node, visible] : gltf::nodesOfScene(model_, nodes_, settings_.scene)) {
+            within(nodeLabel(model_, node), [&, node = node, visible = visible] {
                 if (model_.nodes[node].camera != -1) placeCamera(node);
-                if (model_.nodes[node].mesh != -1) placeMesh(node);
+                if (model_.nodes[node].mesh != -1 && visible) placeMesh(node);
             });
         }
         warnOfModes();
@@ -507,7 +403,7 @@ private:
     void placeCamera(std::size_t node) {
         const int index = model_.nodes[node].camera;
         const tinygltf::Camera& source = at(model_.cameras, index, "a camera");
-        SceneCamera camera{nameOf(node, source.name), rigid(worlds_[node]), SceneCamera{}.viewAngle, 0.0};
+        SceneCamera camera{nameOf(node, source.name), rigid(nodes_.toWorld[node]), SceneCamera{}.viewAngle, 0.0};
         if (const std::optional<std::string> missing = readLens(source, camera))
             warn(label("camera", static_cast<std::size_t>(index), source.name) + " is left out: expected " + *missing);
         else
@@ -525,22 +421,25 @@ private:
         if (!drawn) return;
         const std::string name = nameOf(node, mesh.name);
         if (!pose.joints.empty()) return place({name, *drawn, glm::dmat4{1.0}});  // a skin places its mesh itself
-        for (const glm::dmat4& copy : copiesOf(model_, source)) place({name, *drawn, worlds_[node] * copy});
+        for (const glm::dmat4& copy : copiesOf(model_, source, instancesLeft())) place({name, *drawn, nodes_.toWorld[node] * copy});
     }
 
     void place(Instance instance) {
         if (!finite(instance.transform)) refuse("expected instances with finite transforms, found an infinite one");
-        if (data_.instances.size() == maximumInstances)
-            refuse(fmt::format("expected at most {} instances in the scene, found more", maximumInstances));
+        if (instancesLeft() == 0)
+            refuse(fmt::format("expected at most {} instances in the scene, found more; raise max-instances",
+                               settings_.limits.instances));
         data_.instances.push_back(std::move(instance));
     }
+
+    std::uint64_t instancesLeft() const { return settings_.limits.instances - data_.instances.size(); }
 
     std::vector<glm::dmat4> jointMatrices(int index) const {
         const tinygltf::Skin& source = at(model_.skins, index, "a skin");
         return within(label("skin", static_cast<std::size_t>(index), source.name), [&] {
             if (source.joints.empty()) refuse("expected joints, found none");
             std::vector<glm::dmat4> joints;
-            for (const int joint : source.joints) joints.push_back(at(worlds_, joint, "a joint node"));
+            for (const int joint : source.joints) joints.push_back(at(nodes_.toWorld, joint, "a joint node"));
             if (source.inverseBindMatrices == -1) return joints;
             const std::vector<double> inverses =
                 readNumbers(model_, source.inverseBindMatrices, "inverseBindMatrices", floatMat4);
@@ -590,12 +489,17 @@ private:
             if (!warnedAs.empty()) warn(warnedAs + ": has no positions and is not drawn");
             return part;
         }
+        const gltf::Material* const material = materialOf(primitive);
+        if (material == nullptr && primitive.material != -1 && !warnedAs.empty())
+            warn(fmt::format("{}: expected a material below {}, found {}", warnedAs, file_.materials.size(),
+                             primitive.material));
+        if (isIgnored(material)) return part;
+        spend(gltf::elementCount(model_, position->second, "POSITION"));
         part.positions = readVectors<glm::dvec3>(model_, position->second, "POSITION", anyPosition);
         const std::size_t count = part.positions.size();
         part.normals = readAttribute<glm::dvec3>(model_, primitive.attributes, "NORMAL", anyNormal, count);
         part.authored = !part.normals.empty();
         part.normals.resize(count);
-        spend(count);
 
         const gltf::Mode mode{primitive.mode};
         const std::vector<std::uint32_t> corners = cornersOf(primitive, count);
@@ -604,27 +508,55 @@ private:
                              corners.size()));
         part.indices = gltf::triangleList(mode, corners);
         spend(part.indices.size());
-        part.materials.assign(part.indices.size() / 3, materialOf(primitive));
+        part.materials.assign(part.indices.size() / 3, static_cast<std::uint32_t>(primitive.material) + 1U);
         morph(model_, primitive, pose.weights, part);
         if (!pose.joints.empty()) skin(model_, primitive, pose.joints, part);
-        normalize(part.normals);
         checkPositions(part.positions);
+        if (material != nullptr && material->alpha == gltf::Material::Alpha::Mask) cutOut(*material, primitive, part);
+        normalize(part.normals);
         return part;
     }
 
+    // None, too, where the file leaves it out: what is drawn does not depend on it.
+    const gltf::Material* materialOf(const tinygltf::Primitive& primitive) const {
+        if (primitive.material < -1)
+            refuse(fmt::format("expected a material of at least 0, found {}", primitive.material));
+        const auto number = static_cast<std::size_t>(primitive.material);
+        return primitive.material == -1 || number >= file_.materials.size() ? nullptr : &file_.materials[number];
+    }
+
+    bool isIgnored(const gltf::Material* material) const {
+        return settings_.transparent == Transparent::Ignore && material != nullptr &&
+               material->alpha == gltf::Material::Alpha::Blend;
+    }
+
+    // A cut-out that cannot be made is drawn whole: one picture less is no reason to draw nothing.
+    void cutOut(const gltf::Material& material, const tinygltf::Primitive& primitive, Shape& part) {
+        try {
+            cutOuts_.apply(material, primitive, part);
+            spend(part.indices.size());
+        } catch (const Error& error) {
+            if (!uncut_.insert(primitive.material).second) return;
+            warn(fmt::format("{} is drawn without its cut-out: {}",
+                             label("material", static_cast<std::size_t>(primitive.material), material.name),
+                             error.what()));
+        }
+    }
+
     std::vector<std::uint32_t> cornersOf(const tinygltf::Primitive& primitive, std::size_t vertexCount) const {
-        if (primitive.indices != -1)
-            return withAccessor(model_, primitive.indices, "indices", [&](const gltf::Accessor& accessor) {
-                return gltf::readIndices(accessor, vertexCount);
-            });
+        if (primitive.indices != -1) return gltf::readIndices(model_, primitive.indices, vertexCount);
         std::vector<std::uint32_t> corners(vertexCount);
         std::iota(corners.begin(), corners.end(), 0U);
         return corners;
     }
 
     void spend(std::size_t elements) {
+        if (elements > elementsLeft_ && mostElements(model_) < settings_.limits.vertices)
+            refuse(fmt::format("expected at most {} vertices and indices from so small a file, found more",
+                               mostElements(model_)));
         if (elements > elementsLeft_)
-            refuse(fmt::format("expected at most {} vertices and indices in the scene, found more", maximumElements));
+            refuse(fmt::format("expected at most {} vertices and indices in the scene, found more; raise max-vertices",
+                               settings_.limits.vertices));
         elementsLeft_ -= elements;
     }
 
@@ -646,21 +578,33 @@ private:
     }
 
     const tinygltf::Model& model_;
-    std::vector<int> parents_;
-    std::vector<glm::dmat4> worlds_;  // node -> world
+    const gltf::File& file_;
+    const LoadSettings& settings_;
+    gltf::Nodes nodes_;
+    CutOuts cutOuts_;
     Scene::Data data_;
     std::map<std::pair<int, std::vector<double>>, std::optional<std::uint32_t>> meshes_;  // by mesh and morph weights
     std::set<int> seen_;                               // meshes whose ignored primitives are counted
     std::map<std::string_view, std::size_t> ignored_;  // primitives by mode
-    std::uint64_t elementsLeft_ = maximumElements;
+    std::set<int> uncut_;                              // materials warned of
+    std::uint64_t elementsLeft_;
 };
 
 }  // namespace
 
-Scene::Data loadGltf(const std::filesystem::path& file) {
-    return within(load::printable(file.string()), [&] {
+Scene::Data loadGltf(const std::filesystem::path& path, const LoadSettings& settings) {
+    return within(load::printable(path.string()), [&] {
         try {
-            return Loader{parse(gltf::readFile(file))}.load();
+            gltf::File file = gltf::readFile(path, settings.limits);
+            tinygltf::Model model = gltf::parse(std::move(file.json), std::move(file.buffers));
+            std::vector<std::string> warnings = std::move(file.warnings);
+            if (!settings.animation.empty())
+                for (std::string& warning : gltf::poseNodes(model, settings.animation, settings.time))
+                    warnings.push_back(std::move(warning));
+            Scene::Data data = Loader{model, file, path, settings}.load();
+            data.source = {"glTF 2.0", namesOf(model.scenes), namesOf(model.animations), file.extensions};
+            data.warnings.insert(data.warnings.begin(), warnings.begin(), warnings.end());
+            return data;
         } catch (const Error&) {
             throw;
         } catch (const std::bad_alloc&) {

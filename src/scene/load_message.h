@@ -26,7 +26,7 @@ auto within(const std::string& where, Action&& action) -> decltype(action()) {
     try {
         return action();
     } catch (const Error& error) {
-        refuse(where + ": " + error.what());
+        throw Error{error.kind(), where + ": " + error.what()};
     }
 }
 

@@ -19,6 +19,8 @@ namespace {
 
 class Checker {
 public:
+    explicit Checker(const glm::dvec3& origin) : origin_{origin} {}
+
     ObjContent check(std::string_view content) {
         content_.text.reserve(content.size() + 64);
         for (line_ = 1; !content.empty(); ++line_) {
@@ -54,8 +56,8 @@ private:
 
     void readLine(std::string_view line) {
         const std::string_view keyword = takeWord(line);
-        if (keyword == "v") return readVector("v", line, vertices_);
-        if (keyword == "vn") return readVector("vn", line, normals_);
+        if (keyword == "v") return readVector("v", line, origin_, vertices_);
+        if (keyword == "vn") return readVector("vn", line, glm::dvec3{0.0}, normals_);
         if (keyword == "f" || keyword == "fo") return readFace(line);
         if (keyword == "usemtl") return useMaterial(line);
         if (keyword == "p") content_.points += countWords(line);
@@ -68,7 +70,7 @@ private:
         return count;
     }
 
-    void readVector(std::string_view keyword, std::string_view line, std::uint64_t& count) {
+    void readVector(std::string_view keyword, std::string_view line, const glm::dvec3& origin, std::uint64_t& count) {
         write(keyword);
         for (int i = 0; i < 3; ++i) {
             const std::string_view word = takeWord(line);
@@ -77,7 +79,7 @@ private:
                 refuse(fmt::format("expected three finite numbers after {}, found {} and {}", keyword, i,
                                    word.empty() ? "no more" : quote(word)));
             write(" ");
-            write(static_cast<float>(*number));
+            write(static_cast<float>(*number - origin[i]));
         }
         write("\n");
         ++count;
@@ -165,6 +167,7 @@ private:
         std::size_t normalLine = 0;
     };
 
+    glm::dvec3 origin_;
     ObjContent content_;
     std::size_t line_ = 0;
     std::string joined_;
@@ -178,10 +181,10 @@ private:
 
 }  // namespace
 
-ObjContent checkedObj(std::string_view content) {
+ObjContent checkedObj(std::string_view content, const glm::dvec3& origin) {
     if (const std::size_t zero = content.find('\0'); zero != std::string_view::npos)
         refuse(fmt::format("expected OBJ, found a zero byte at byte {}", zero));
-    return Checker{}.check(content);
+    return Checker{origin}.check(content);
 }
 
 }  // namespace inkedge::load

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 namespace inkedge::load {
 
 /// What an OBJ file says about its surface, fit for a reader that trusts its input.
@@ -14,9 +16,10 @@ struct ObjContent {
     std::uint64_t lines = 0;                   ///< left out
 };
 
-/// Reads and checks every line. Free-form curves and surfaces and what does not bear on the shape are left out. O(n).
+/// Reads and checks every line. What stands far from the origin keeps its precision if an origin near it is taken off all
+/// positions before they become floats. Free-form curves and surfaces and what does not bear on the shape are left out. O(n).
 /// @throws Error  (Kind::Input) if the file is no text, or a line with v, vn or f is not as it should be; the message
 ///                names the line
-[[nodiscard]] ObjContent checkedObj(std::string_view content);
+[[nodiscard]] ObjContent checkedObj(std::string_view content, const glm::dvec3& origin = glm::dvec3{0.0});
 
 }  // namespace inkedge::load

@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <span>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -34,6 +39,7 @@ struct Property {
     std::optional<Type> length;  // of a list
     Type type;                   // of the number, or of a list's
     bool isUsed = false;         // bears on the shape
+    double origin = 0.0;         // taken off its numbers, which become doubles if it is not 0
 };
 
 struct Element {
@@ -137,11 +143,21 @@ bool isIndexList(const Property& property) {
     return isOneOf(property.name, {"vertex_indices", "vertex_index"}) && property.length && property.type.isInteger;
 }
 
-bool isFaces(const Element& element) { return isOneOf(element.name, {"face", "tristrips"}); }
+bool isStrips(const Element& element) { return element.name == "tristrips"; }
+
+bool isFaces(const Element& element) { return element.name == "face" || isStrips(element); }
 
 bool isUsed(const Element& element, const Property& property) {
     if (element.name == "vertex") return !property.length && isOneOf(property.name, {"x", "y", "z", "nx", "ny", "nz"});
     return isFaces(element) && isIndexList(property);
+}
+
+bool hasDoubles(const Header& header) {
+    return std::ranges::any_of(header.elements, [](const Element& element) {
+        return element.name == "vertex" && std::ranges::any_of(element.properties, [](const Property& p) {
+            return isOneOf(p.name, {"x", "y", "z"}) && p.type.size == 8;
+        });
+    });
 }
 
 void checkElement(const Element& element) {
@@ -174,19 +190,45 @@ void checkHeader(const Header& header) {
 
 void append(Bytes& bytes, std::string_view text) { bytes.insert(bytes.end(), text.begin(), text.end()); }
 
-void appendHeader(Bytes& bytes, const Header& header) {
-    append(bytes, fmt::format("ply\nformat {} 1.0\n", encodings[static_cast<std::size_t>(*header.encoding)]));
+// Triangle strips are cut into faces: assimp keeps the last triangle of each and leaks the others.
+std::string headerText(const Header& header, std::uint64_t stripTriangles) {
+    std::string text = fmt::format("ply\nformat {} 1.0\n", encodings[static_cast<std::size_t>(*header.encoding)]);
     for (const Element& element : header.elements) {
+        if (isStrips(element)) {
+            text += fmt::format("element face {}\nproperty list uchar int vertex_indices\n", stripTriangles);
+            continue;
+        }
         if (element.name != "vertex" && !isFaces(element)) continue;
-        append(bytes, fmt::format("element {} {}\n", element.name, element.count));
+        text += fmt::format("element {} {}\n", element.name, element.count);
         for (const Property& property : element.properties) {
             if (!property.isUsed) continue;
             const std::string list = property.length ? fmt::format("list {} ", property.length->name) : "";
-            append(bytes, fmt::format("property {}{} {}\n", list, property.type.name,
-                                      property.length ? "vertex_indices" : property.name));
+            text += fmt::format("property {}{} {}\n", list, property.origin == 0.0 ? property.type.name : "double",
+                                property.length ? "vertex_indices" : property.name);
         }
     }
-    append(bytes, "end_header\n");
+    return text + "end_header\n";
+}
+
+using Corners = std::array<std::uint32_t, 3>;
+
+// Calls add() for each triangle of a strip. An index of -1 ends a strip and starts another.
+template <class Add>
+void cutStrip(std::span<const std::int64_t> strip, Add&& add) {
+    std::vector<std::uint32_t> run;
+    for (const std::int64_t index : strip) {
+        if (index < -1 || index > std::numeric_limits<std::int32_t>::max())
+            refuse(fmt::format("expected vertices from 0, or -1 between strips, found {}", index));
+        if (index == -1) {
+            run.clear();
+            continue;
+        }
+        run.push_back(static_cast<std::uint32_t>(index));
+        const std::size_t end = run.size();
+        if (end < 3) continue;
+        const std::size_t odd = end % 2 == 0 ? 1 : 0;  // every second triangle runs the other way
+        add(Corners{run[end - 3 + odd], run[end - 2 - odd], run[end - 1]});
+    }
 }
 
 [[noreturn]] void refuseEnd(const Element& element, std::uint64_t found) {
@@ -201,6 +243,33 @@ public:
 
     // False at the end of the data.
     bool readElement(const Element& element) {
+        const auto pass = [&](const Property& property, std::string_view word) {
+            if (property.origin == 0.0)
+                append(out_, word);
+            else
+                append(out_, fmt::format("{}", *toNumber<double>(word) - property.origin));
+            append(out_, " ");
+        };
+        if (!read(element, pass, pass)) return false;
+        if (element.name == "vertex" || isFaces(element)) append(out_, "\n");
+        return true;
+    }
+
+    // The same, of strips: their indices are added to a list.
+    bool readStrip(const Element& element, std::vector<std::int64_t>& strip) {
+        const auto add = [&](const Property&, std::string_view word) { strip.push_back(*toNumber<std::int64_t>(word)); };
+        return read(
+            element, [](const Property&, std::string_view) {}, add);
+    }
+
+    void addFace(const Corners& c) { append(out_, fmt::format("3 {} {} {}\n", c[0], c[1], c[2])); }
+
+    void finish() {}
+
+private:
+    // Hands the words of used properties on: the lengths of lists, and numbers.
+    template <class TakeLength, class TakeNumber>
+    bool read(const Element& element, TakeLength&& takeLength, TakeNumber&& takeNumber) {
         for (const Property& property : element.properties) {
             std::uint64_t count = 1;
             if (property.length) {
@@ -209,31 +278,17 @@ public:
                 const std::optional<std::uint64_t> length = toNumber<std::uint64_t>(word);
                 if (!length) refuse("expected the length of a list, found " + quote(word));
                 count = *length;
-                pass(word, property);
+                if (property.isUsed) takeLength(property, word);
             }
-            for (; count > 0; --count)
-                if (!readNumber(property)) return false;
+            for (; count > 0; --count) {
+                const std::string_view word = takeWord(rest_);
+                if (word.empty()) return false;
+                if (property.type.isInteger ? !toNumber<std::int64_t>(word) : !toNumber<double>(word))
+                    refuse(fmt::format("expected a number of type {}, found {}", property.type.name, quote(word)));
+                if (property.isUsed) takeNumber(property, word);
+            }
         }
-        if (element.name == "vertex" || isFaces(element)) append(out_, "\n");
         return true;
-    }
-
-    void finish() {}
-
-private:
-    bool readNumber(const Property& property) {
-        const std::string_view word = takeWord(rest_);
-        if (word.empty()) return false;
-        if (property.type.isInteger ? !toNumber<std::int64_t>(word) : !toNumber<double>(word))
-            refuse(fmt::format("expected a number of type {}, found {}", property.type.name, quote(word)));
-        pass(word, property);
-        return true;
-    }
-
-    void pass(std::string_view word, const Property& property) {
-        if (!property.isUsed) return;
-        append(out_, word);
-        append(out_, " ");
     }
 
     std::string_view rest_;
@@ -249,11 +304,29 @@ public:
     // False at the end of the data.
     bool readElement(const Element& element) {
         return std::ranges::all_of(element.properties, [&](const Property& property) {
-            if (!property.isUsed) finish();
-            const bool read = skipProperty(property);
-            if (!property.isUsed) run_ = rest_;
+            if (property.isUsed && property.origin == 0.0) return skipProperty(property);
+            finish();
+            const bool read = property.isUsed ? passLessOrigin(property) : skipProperty(property);
+            run_ = rest_;
             return read;
         });
+    }
+
+    // The same, of strips: their indices are added to a list.
+    bool readStrip(const Element& element, std::vector<std::int64_t>& strip) {
+        finish();
+        const bool read = std::ranges::all_of(element.properties, [&](const Property& property) {
+            return property.isUsed ? readList(property, strip) : skipProperty(property);
+        });
+        run_ = rest_;
+        return read;
+    }
+
+    void addFace(const Corners& corners) {
+        out_.push_back(3);
+        for (const std::uint32_t corner : corners)
+            for (std::uint64_t i = 0; i < 4; ++i)
+                out_.push_back(static_cast<std::uint8_t>(corner >> (8 * placeOf(i, 4)) & 255));
     }
 
     // Passes on the run so far.
@@ -269,6 +342,34 @@ private:
         return length && skip(*length * property.type.size);
     }
 
+    bool readList(const Property& property, std::vector<std::int64_t>& list) {
+        const std::optional<std::uint64_t> length = takeLength(*property.length);
+        if (!length || *length * property.type.size > rest_.size()) return false;
+        for (std::uint64_t i = 0; i < *length; ++i) list.push_back(*takeInteger(property.type));
+        return true;
+    }
+
+    bool passLessOrigin(const Property& property) {
+        const std::optional<std::uint64_t> bits = takeBits(property.type.size);
+        if (!bits) return false;
+        const double number = numberOf(*bits, property.type) - property.origin;
+        const auto shifted = std::bit_cast<std::uint64_t>(number);
+        for (std::uint64_t i = 0; i < 8; ++i)
+            out_.push_back(static_cast<std::uint8_t>(shifted >> (8 * placeOf(i, 8)) & 255));
+        return true;
+    }
+
+    static double numberOf(std::uint64_t bits, const Type& type) {
+        if (type.isInteger) return static_cast<double>(integerOf(bits, type));
+        if (type.size == 8) return std::bit_cast<double>(bits);
+        return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+    }
+
+    static std::int64_t integerOf(std::uint64_t bits, const Type& type) {
+        const std::uint64_t signBit = type.hasSign ? std::uint64_t{1} << (8 * type.size - 1) : 0;
+        return static_cast<std::int64_t>((bits ^ signBit) - signBit);
+    }
+
     bool skip(std::uint64_t size) {
         if (size > rest_.size()) return false;
         rest_.remove_prefix(size);
@@ -276,16 +377,30 @@ private:
     }
 
     std::optional<std::uint64_t> takeLength(const Type& type) {
-        if (type.size > rest_.size()) return {};
-        std::uint64_t length = 0;
-        for (std::uint64_t i = 0; i < type.size; ++i) {
-            const std::uint64_t place = encoding_ == Encoding::BigEndian ? type.size - 1 - i : i;
-            length |= std::uint64_t{static_cast<unsigned char>(rest_[i])} << (8 * place);
-        }
-        rest_.remove_prefix(type.size);
-        if (type.hasSign && length >> (8 * type.size - 1) != 0)
-            refuse("expected the length of a list, found a negative number");
-        return length;
+        const std::optional<std::int64_t> length = takeInteger(type);
+        if (!length) return {};
+        if (*length < 0) refuse("expected the length of a list, found a negative number");
+        return static_cast<std::uint64_t>(*length);
+    }
+
+    std::optional<std::int64_t> takeInteger(const Type& type) {
+        const std::optional<std::uint64_t> bits = takeBits(type.size);
+        if (!bits) return {};
+        return integerOf(*bits, type);
+    }
+
+    std::optional<std::uint64_t> takeBits(std::uint64_t size) {
+        if (size > rest_.size()) return {};
+        std::uint64_t bits = 0;
+        for (std::uint64_t i = 0; i < size; ++i)
+            bits |= std::uint64_t{static_cast<unsigned char>(rest_[i])} << (8 * placeOf(i, size));
+        rest_.remove_prefix(size);
+        return bits;
+    }
+
+    // The weight of byte i of a number.
+    std::uint64_t placeOf(std::uint64_t i, std::uint64_t size) const {
+        return encoding_ == Encoding::BigEndian ? size - 1 - i : i;
     }
 
     std::string_view rest_;
@@ -294,30 +409,47 @@ private:
     Encoding encoding_;
 };
 
+// The number of faces that strips were cut into.
 template <class Data>
-void readData(const Header& header, Data data) {
+std::uint64_t readData(const Header& header, Data data) {
+    std::uint64_t cut = 0;
+    std::vector<std::int64_t> strip;
+    const auto readStrip = [&](const Element& element) {
+        strip.clear();
+        if (!data.readStrip(element, strip)) return false;
+        cutStrip(strip, [&](const Corners& corners) {
+            data.addFace(corners);
+            ++cut;
+        });
+        return true;
+    };
     for (const Element& element : header.elements)
         for (std::uint64_t i = 0; i < element.count; ++i)
-            if (!data.readElement(element)) refuseEnd(element, i);
+            if (!(isStrips(element) ? readStrip(element) : data.readElement(element))) refuseEnd(element, i);
     data.finish();
+    return cut;
 }
 
 }  // namespace
 
-Bytes safePly(std::string_view content) {
+PlyContent safePly(std::string_view content, const glm::dvec3& origin) {
     const std::size_t size = content.size();
     Header header = takeHeader(content);
     checkHeader(header);
     for (Element& element : header.elements)
-        for (Property& property : element.properties) property.isUsed = isUsed(element, property);
+        for (Property& property : element.properties) {
+            property.isUsed = isUsed(element, property);
+            if (element.name == "vertex" && property.isUsed && property.name.size() == 1)  // not nx, ny, nz
+                property.origin = origin[property.name[0] - 'x'];
+        }
     Bytes bytes;
     bytes.reserve(size + size / 8 + 1024);
-    appendHeader(bytes, header);
-    if (header.encoding == Encoding::Text)
-        readData(header, TextData{content, bytes});
-    else
-        readData(header, BinaryData{content, bytes, *header.encoding});
-    return bytes;
+    const std::uint64_t cut = header.encoding == Encoding::Text
+                                  ? readData(header, TextData{content, bytes})
+                                  : readData(header, BinaryData{content, bytes, *header.encoding});
+    const std::string start = headerText(header, cut);
+    bytes.insert(bytes.begin(), start.begin(), start.end());
+    return {std::move(bytes), header.encoding == Encoding::Text || hasDoubles(header)};
 }
 
 }  // namespace inkedge::load

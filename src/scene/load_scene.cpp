@@ -36,12 +36,12 @@ std::optional<PolygonFormat> polygonFormat(std::string_view extension) {
 }
 
 // By extension, but for binary glTF, which says what it is.
-Scene::Data loadByFormat(const fs::path& file) {
+Scene::Data loadByFormat(const fs::path& file, const LoadSettings& settings) {
     const std::string extension = lowerCaseExtension(file);
-    if (extension == ".glb" || extension == ".gltf") return loadGltf(file);
+    if (extension == ".glb" || extension == ".gltf") return loadGltf(file, settings);
     const load::Bytes start = load::within(load::printable(file.string()), [&] { return load::readStart(file, 512); });
-    if (load::textOf(start).starts_with("glTF")) return loadGltf(file);
-    if (const std::optional<PolygonFormat> format = polygonFormat(extension)) return loadAssimp(file, *format);
+    if (load::textOf(start).starts_with("glTF")) return loadGltf(file, settings);
+    if (const std::optional<PolygonFormat> format = polygonFormat(extension)) return loadAssimp(file, *format, settings.limits);
     load::refuse(
         fmt::format("{}: expected a model by its extension, {}, found {} with {}", load::printable(file.string()),
                     readsPolygonFormats() ? ".glb, .gltf, .obj, .stl or .ply" : ".glb or .gltf",
@@ -51,7 +51,7 @@ Scene::Data loadByFormat(const fs::path& file) {
 }  // namespace
 
 Scene loadScene(const fs::path& file, const LoadSettings& settings) {
-    Scene::Data data = loadByFormat(file);
+    Scene::Data data = loadByFormat(file, settings);
     try {
         return Scene{std::move(data), settings};
     } catch (const Error& error) {

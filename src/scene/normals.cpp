@@ -32,14 +32,14 @@ double cornerAngle(const Mesh& mesh, std::uint32_t corner) {
 }
 
 // For every corner the corner that stands for all that share its normal.
-Corners smoothingGroups(const MeshTopology& topology, double creaseAngle) {
+Corners smoothingGroups(const Mesh& mesh, const MeshTopology& topology, double creaseAngle) {
     const double smoothCosine = std::cos(glm::radians(creaseAngle));
     UnionFind groups{static_cast<std::uint32_t>(topology.points.size())};
     for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
         const std::uint32_t twin = topology.twins[h];
         // Faces wound against each other have normals to opposite sides: they cannot share one.
         if (!isHalfEdge(twin) || twin < h || topology.points[h] == topology.points[twin]) continue;
-        if (bendCosine(topology, h, twin) < smoothCosine) continue;
+        if (bendCosine(topology, h, twin) < smoothCosine && !isInner(mesh, h, twin)) continue;
         groups.unite(h, nextHalfEdge(twin));
         groups.unite(nextHalfEdge(h), twin);
     }
@@ -89,7 +89,7 @@ void windByNormals(Mesh& mesh) {
         const glm::dvec3 area =
             glm::cross(glm::dvec3{mesh.positions[face[1]]} - a, glm::dvec3{mesh.positions[face[2]]} - a);
         const glm::dvec3 normals{mesh.normals[face[0]] + mesh.normals[face[1]] + mesh.normals[face[2]]};
-        if (glm::dot(area, normals) < 0.0) std::swap(face[1], face[2]);
+        if (glm::dot(area, normals) < 0.0) turnOver(mesh, t);
     }
 }
 
@@ -112,7 +112,7 @@ void completeNormals(Mesh& mesh, const MeshTopology& topology, const LoadSetting
 
     Corners groups(mesh.indices.size());
     std::iota(groups.begin(), groups.end(), 0U);
-    if (settings.normals == Normals::Auto) groups = smoothingGroups(topology, settings.creaseAngle);
+    if (settings.normals == Normals::Auto) groups = smoothingGroups(mesh, topology, settings.creaseAngle);
     splitVertices(mesh, wanted, groupNormals(mesh, topology.faceNormals, groups), groups);
 }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -24,6 +26,8 @@ namespace inkedge {
 struct Scene::Prepared : Scene::Data {
     std::vector<Box> meshBoxes;
     std::vector<MeshTopology> topologies;
+    std::vector<std::uint32_t> oneSided;
+    Box box;
     Sphere bounds;
     double creaseAngle = 0.0;
     std::uint64_t triangleCount = 0;
@@ -45,6 +49,14 @@ void check(const Mesh& mesh, std::size_t number) {
     if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size()) {
         refuse(fmt::format("{}: expected {} normals, one a position, found {}", who, mesh.positions.size(),
                            mesh.normals.size()));
+    }
+    if (!mesh.innerEdges.empty() && mesh.innerEdges.size() != mesh.indices.size()) {
+        refuse(fmt::format("{}: expected {} inner edges, one an index, found {}", who, mesh.indices.size(),
+                           mesh.innerEdges.size()));
+    }
+    if (!mesh.materials.empty() && mesh.materials.size() != mesh.indices.size() / 3) {
+        refuse(fmt::format("{}: expected {} materials, one a triangle, found {}", who, mesh.indices.size() / 3,
+                           mesh.materials.size()));
     }
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         if (!finite(mesh.positions[i])) {
@@ -90,6 +102,30 @@ void dropUnusedVertices(Mesh& mesh) {
     for (std::uint32_t& i : mesh.indices) i = to[i];
 }
 
+// Brings the triangles of single-sided materials to the front.
+// @return how many they are
+std::uint32_t sortBySides(Mesh& mesh, const std::vector<Material>& materials) {
+    const auto isDoubleSided = [&](std::uint32_t t) {
+        const std::uint32_t material = mesh.materials.empty() ? 0 : mesh.materials[t];
+        return material > 0 && material <= materials.size() && materials[material - 1].doubleSided;
+    };
+    std::vector<std::uint32_t> order(mesh.indices.size() / 3);
+    std::iota(order.begin(), order.end(), 0U);
+    const auto doubleSided = std::stable_partition(order.begin(), order.end(), std::not_fn(isDoubleSided));
+    const auto count = static_cast<std::uint32_t>(doubleSided - order.begin());
+    if (doubleSided == order.end() || count == 0) return count;
+    Mesh sorted = mesh;
+    for (std::size_t t = 0; t < order.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            sorted.indices[3 * t + k] = mesh.indices[3 * order[t] + k];
+            if (!mesh.innerEdges.empty()) sorted.innerEdges[3 * t + k] = mesh.innerEdges[3 * order[t] + k];
+        }
+        if (!mesh.materials.empty()) sorted.materials[t] = mesh.materials[order[t]];
+    }
+    mesh = std::move(sorted);
+    return count;
+}
+
 Box boxOf(const std::vector<glm::vec3>& positions) {
     if (positions.empty()) return {};
     glm::vec3 low = positions.front();
@@ -101,15 +137,18 @@ Box boxOf(const std::vector<glm::vec3>& positions) {
     return {low, high};
 }
 
-Sphere boundingSphere(const Scene& scene) {
+Box worldBox(const Scene& scene) {
     constexpr std::array axes{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}};
-    glm::dvec3 low{};
-    glm::dvec3 high{};
+    Box box;
     for (int i = 0; i < 3; ++i) {
-        high[i] = support(scene, axes[static_cast<std::size_t>(i)]);
-        low[i] = -support(scene, -axes[static_cast<std::size_t>(i)]);
+        box.max[i] = support(scene, axes[static_cast<std::size_t>(i)]);
+        box.min[i] = -support(scene, -axes[static_cast<std::size_t>(i)]);
     }
-    const glm::dvec3 centre = 0.5 * (low + high);
+    return box;
+}
+
+Sphere boundingSphere(const Scene& scene) {
+    const glm::dvec3 centre = 0.5 * (scene.box().min + scene.box().max);
     return {centre, farthestDistance(scene, centre)};
 }
 
@@ -124,9 +163,10 @@ Scene::Scene(Data data, const LoadSettings& settings) {
     prepared->creaseAngle = settings.creaseAngle;
     std::erase_if(prepared->instances, [&](const Instance& i) { return prepared->meshes[i.mesh].indices.empty(); });
     if (prepared->instances.empty()) refuse("expected at least one triangle to draw, found none");
-    bakeDistortedInstances(*prepared);
+    bakeDistortedInstances(*prepared, settings.limits.vertices);
     for (Mesh& mesh : prepared->meshes) {
         dropUnusedVertices(mesh);
+        prepared->oneSided.push_back(settings.backFaces == BackFaces::Draw ? 0 : sortBySides(mesh, prepared->materials));
         applyAuthoredNormals(mesh, settings);
         MeshTopology topology = buildTopology(mesh);
         completeNormals(mesh, topology, settings);
@@ -139,6 +179,7 @@ Scene::Scene(Data data, const LoadSettings& settings) {
     }
     Prepared& filled = *prepared;
     data_ = std::move(prepared);
+    filled.box = worldBox(*this);
     filled.bounds = boundingSphere(*this);
     if (!std::isfinite(filled.bounds.radius)) refuse("expected finite bounds, found coordinates that overflow");
     filled.patchNumbers = numberPatches(*this, settings.creaseAngle);
@@ -147,9 +188,13 @@ Scene::Scene(Data data, const LoadSettings& settings) {
 const std::vector<Mesh>& Scene::meshes() const noexcept { return data_->meshes; }
 const std::vector<Instance>& Scene::instances() const noexcept { return data_->instances; }
 const std::vector<SceneCamera>& Scene::cameras() const noexcept { return data_->cameras; }
+const std::vector<Material>& Scene::materials() const noexcept { return data_->materials; }
 const std::vector<std::string>& Scene::warnings() const noexcept { return data_->warnings; }
 const Box& Scene::meshBox(std::size_t i) const noexcept { return data_->meshBoxes[i]; }
+const SceneSource& Scene::source() const noexcept { return data_->source; }
+const Box& Scene::box() const noexcept { return data_->box; }
 const Sphere& Scene::bounds() const noexcept { return data_->bounds; }
+std::uint32_t Scene::oneSidedTriangles(std::size_t i) const noexcept { return data_->oneSided[i]; }
 double Scene::creaseAngle() const noexcept { return data_->creaseAngle; }
 std::uint64_t Scene::triangleCount() const noexcept { return data_->triangleCount; }
 const MeshTopology& Scene::topology(std::size_t i) const noexcept { return data_->topologies[i]; }

@@ -6,8 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <glm/vector_relational.hpp>
 
+#include "scene/box_tree.h"
 #include "scene/topology.h"
 #include "scene/world_triangles.h"
 
@@ -15,6 +15,9 @@ namespace inkedge {
 namespace {
 
 constexpr double seamTolerance = 5e-5;  // of the scene's radius: 1/40 pixel of a model framed at 1024 pixels
+
+// Only a soup of faces in each other's way needs more; seams beyond are then drawn.
+std::uint64_t maximumSteps(std::size_t borders) { return 40'000'000 + 100 * std::uint64_t{borders}; }
 
 struct Border {
     glm::dvec3 a;
@@ -33,6 +36,7 @@ std::vector<Border> collectBorders(const Scene& scene, const std::vector<std::ui
         const WorldTriangles triangles{scene, instance, scene.bounds().centre};
         for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
             if (topology.twins[h] != noHalfEdge || !mayHaveSeams(topology, h / 3)) continue;
+            if (topology.originals[h / 3] != h / 3) continue;  // a face that repeats another has no twins of its own
             const glm::dvec3 a = triangles.corner(h);
             const glm::dvec3 b = triangles.corner(nextHalfEdge(h));
             const glm::dvec3 third = triangles.corner(nextHalfEdge(nextHalfEdge(h)));
@@ -67,23 +71,21 @@ void joinAcrossSeams(const Scene& scene, const std::vector<std::uint32_t>& base,
     const double tolerance = seamTolerance * scene.bounds().radius;
     // Faces that go on across the seam at a bend under the crease angle point away from each other by more than this.
     const double oppositeCosine = -std::cos(glm::radians(creaseAngle));
-    std::vector<Border> borders = collectBorders(scene, base);
+    const std::vector<Border> borders = collectBorders(scene, base);
 
-    // Sweep along x: what is behind the sweep by more than the tolerance is dropped.
-    const auto low = [](const Border& b) { return glm::min(b.a, b.b); };
-    const auto high = [](const Border& b) { return glm::max(b.a, b.b); };
-    std::ranges::sort(borders, {}, [&](const Border& b) { return low(b).x; });
-    std::vector<const Border*> active;
-    for (const Border& border : borders) {
-        const glm::dvec3 from = low(border) - tolerance;
-        const glm::dvec3 to = high(border) + tolerance;
-        std::erase_if(active, [&](const Border* other) { return high(*other).x < from.x; });
-        for (const Border* other : active) {
-            if (glm::any(glm::lessThan(high(*other), from)) || glm::any(glm::greaterThan(low(*other), to))) continue;
-            if (glm::dot(border.into, other->into) > oppositeCosine) continue;
-            if (runAlong(border, *other, tolerance)) joined.unite(border.patch, other->patch);
-        }
-        active.push_back(&border);
+    std::vector<Box> boxes;
+    boxes.reserve(borders.size());
+    for (const Border& border : borders) boxes.push_back({glm::min(border.a, border.b), glm::max(border.a, border.b)});
+    const BoxTree tree{boxes};
+    std::uint64_t stepsLeft = maximumSteps(borders.size());
+    for (std::uint32_t i = 0; i < borders.size(); ++i) {
+        const Border& border = borders[i];
+        tree.forEachOverlap({boxes[i].min - tolerance, boxes[i].max + tolerance}, stepsLeft, [&](std::uint32_t j) {
+            const Border& other = borders[j];
+            if (j <= i || joined.root(border.patch) == joined.root(other.patch)) return;
+            if (glm::dot(border.into, other.into) > oppositeCosine) return;
+            if (runAlong(border, other, tolerance)) joined.unite(border.patch, other.patch);
+        });
     }
 }
 

@@ -144,6 +144,14 @@ void joinAcrossThinFace(const MeshTopology& topology, std::uint32_t t, double cr
 
 }  // namespace
 
+void turnOver(Mesh& mesh, std::size_t first) {
+    std::swap(mesh.indices[first + 1], mesh.indices[first + 2]);
+    if (mesh.innerEdges.empty()) return;
+    const bool edge = mesh.innerEdges[first];
+    mesh.innerEdges[first] = mesh.innerEdges[first + 2];
+    mesh.innerEdges[first + 2] = edge;
+}
+
 double bendCosine(const MeshTopology& topology, std::uint32_t halfEdge, std::uint32_t twin) {
     const double cosine = glm::dot(topology.faceNormals[halfEdge / 3], topology.faceNormals[twin / 3]);
     return topology.points[halfEdge] == topology.points[twin] ? -cosine : cosine;
@@ -175,7 +183,9 @@ void buildPatches(const Mesh& mesh, double creaseAngle, MeshTopology& topology) 
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
             const std::uint32_t twin = topology.twins[h];
             if (!isHalfEdge(twin) || twin < h || !hasNormal(topology, twin / 3)) continue;
-            if (bendCosine(topology, h, twin) < creaseCosine || normalsSplit(mesh, topology, h, twin, creaseCosine)) {
+            const bool bends =
+                bendCosine(topology, h, twin) < creaseCosine || normalsSplit(mesh, topology, h, twin, creaseCosine);
+            if (bends && !isInner(mesh, h, twin)) {
                 topology.creases[h] = topology.creases[twin] = true;
             } else {
                 sets.unite(t, twin / 3);

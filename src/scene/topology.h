@@ -46,8 +46,17 @@ inline constexpr double leastHeight = 4.0;
 /// other.
 [[nodiscard]] double bendCosine(const MeshTopology&, std::uint32_t halfEdge, std::uint32_t twin);
 
+/// Turns a triangle over: its second and third corner change places.
+/// @param first  its first index's place
+void turnOver(Mesh&, std::size_t first);
+
+/// Whether the edge between two faces lies within a polygon of the file (Mesh::innerEdges).
+[[nodiscard]] inline bool isInner(const Mesh& mesh, std::uint32_t halfEdge, std::uint32_t twin) {
+    return !mesh.innerEdges.empty() && mesh.innerEdges[halfEdge] && mesh.innerEdges[twin];
+}
+
 /// Fills creases and patches: the faces that hang together across edges that are no creases. A crease bends by more
-/// than the angle, or its two faces' normals are split by more than that at both ends. The mesh has all its normals.
+/// than the angle, or its two faces' normals are split by more than that at both ends; inner edges are none. The mesh has all its normals.
 /// O(n).
 void buildPatches(const Mesh&, double creaseAngle, MeshTopology&);
 

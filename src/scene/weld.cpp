@@ -85,8 +85,10 @@ public:
 
 private:
     [[nodiscard]] std::uint64_t slot(glm::dvec3 cell) const {
+        constexpr double farthest = 0x1p62;  // along an axis where all points lie far off and nearly in one plane
+        const glm::dvec3 bounded = glm::clamp(cell, -farthest, farthest);
         std::uint64_t h = 0;
-        for (int i = 0; i < 3; ++i) h = mix(h, static_cast<std::uint64_t>(static_cast<std::int64_t>(cell[i])));
+        for (int i = 0; i < 3; ++i) h = mix(h, static_cast<std::uint64_t>(static_cast<std::int64_t>(bounded[i])));
         return h & (heads_.size() - 1);
     }
 

@@ -46,6 +46,20 @@ int parseCount(std::string_view text) {
     return value;
 }
 
+// A whole number; k, M and G stand for thousands, millions and thousands of millions.
+std::uint64_t parseAmount(std::string_view text, std::uint64_t most = std::uint64_t{1} << 40U) {
+    const Expected expected{fmt::format("a whole number from 1 to {}, k, M or G after it if wished", most)};
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const std::string_view suffix = text.substr(static_cast<std::size_t>(end - text.data()));
+    std::uint64_t unit = suffix.empty() ? 1 : 0;
+    if (suffix == "k") unit = 1'000;
+    if (suffix == "M") unit = 1'000'000;
+    if (suffix == "G") unit = 1'000'000'000;
+    if (error != std::errc{} || unit == 0 || value == 0 || value > most / unit) throw expected;
+    return value * unit;
+}
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
     for (std::size_t begin = 0;;) {
@@ -100,6 +114,7 @@ std::string text(Color color) { return fmt::format("#{:02x}{:02x}{:02x}", color.
 std::string text(glm::dvec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
 std::string text(double value) { return fmt::format("{}", value); }
 std::string text(float value) { return fmt::format("{}", value); }
+std::string text(std::uint64_t value) { return fmt::format("{}", value); }
 std::string text(int value) { return fmt::format("{}", value); }
 
 template <class T>
@@ -116,6 +131,8 @@ template <class T>
 Choice(std::string_view, T) -> Choice<T>;
 constexpr std::array normalsChoices{Choice{"auto", Normals::Auto}, Choice{"authored", Normals::Authored},
                                     Choice{"flat", Normals::Flat}};
+constexpr std::array transparentChoices{Choice{"solid", Transparent::Solid}, Choice{"ignore", Transparent::Ignore}};
+constexpr std::array backFacesChoices{Choice{"draw", BackFaces::Draw}, Choice{"material", BackFaces::Material}};
 constexpr std::array detectorChoices{Choice{"planes", Detector::Planes}, Choice{"classic", Detector::Classic}};
 constexpr std::array kernelChoices{Choice{"sobel", Kernel::Sobel}, Choice{"farid", Kernel::Farid}};
 constexpr std::array depthMapChoices{Choice{"linear", DepthMap::Linear}, Choice{"window", DepthMap::Window}};
@@ -333,6 +350,51 @@ constexpr std::array table{
                        "faces that meet at more than this meet in a crease",
                        [](S& s, Text t) { s.load.creaseAngle = parseNumber(t, 0.0, 180.0); },
                        [](const S& s) { return text(s.load.creaseAngle); }},
+    SettingDescription{"scene", "", "model", "N", "0 to the glTF file's last", "the file's default scene",
+                       "which of the file's scenes to draw", [](S& s, Text t) { s.load.scene = parseCount(t); },
+                       [](const S& s) { return text(s.load.scene); }},
+    SettingDescription{"animation", "", "model", "NAME|N", "an animation of the glTF file", "",
+                       "pose the model as an animation of the file does", [](S& s, Text t) { s.load.animation = t; },
+                       [](const S& s) { return s.load.animation; }},
+    SettingDescription{"time", "", "model", "SECONDS", "0 or more", "0", "when in the animation",
+                       [](S& s, Text t) { s.load.time = parseNumber(t, 0.0, 1e9); },
+                       [](const S& s) { return text(s.load.time); }},
+    SettingDescription{"transparent", "", "model", "solid|ignore", "one of these", "solid",
+                       "what becomes of materials that blend with what lies behind them",
+                       [](S& s, Text t) { s.load.transparent = parseChoice(transparentChoices, t); },
+                       [](const S& s) { return choiceName(transparentChoices, s.load.transparent); }},
+    SettingDescription{"back-faces", "", "model", "draw|material", "one of these", "draw",
+                       "draw the backs of all faces, or only those of double-sided materials",
+                       [](S& s, Text t) { s.load.backFaces = parseChoice(backFacesChoices, t); },
+                       [](const S& s) { return choiceName(backFacesChoices, s.load.backFaces); }},
+    SettingDescription{"max-file-size", "", "limits", "BYTES", "1 to 1099511627776; k, M, G may follow", "2147483647",
+                       "most bytes of a model and the files that belong to it",
+                       [](S& s, Text t) { s.load.limits.fileSize = parseAmount(t); },
+                       [](const S& s) { return text(s.load.limits.fileSize); }},
+    SettingDescription{"max-decompressed-size", "", "limits", "BYTES", "1 to 1099511627776; k, M, G may follow", "1073741824",
+                       "most bytes that compressed geometry comes to",
+                       [](S& s, Text t) { s.load.limits.decompressedSize = parseAmount(t); },
+                       [](const S& s) { return text(s.load.limits.decompressedSize); }},
+    SettingDescription{"max-vertices", "", "limits", "N", "1 to 4000000000; k, M, G may follow", "134217728",
+                       "most vertices and indices of all meshes",
+                       [](S& s, Text t) { s.load.limits.vertices = parseAmount(t, 4'000'000'000); },
+                       [](const S& s) { return text(s.load.limits.vertices); }},
+    SettingDescription{"max-instances", "", "limits", "N", "1 to 1099511627776; k, M, G may follow", "16777216",
+                       "most meshes drawn, counted each time",
+                       [](S& s, Text t) { s.load.limits.instances = parseAmount(t); },
+                       [](const S& s) { return text(s.load.limits.instances); }},
+    SettingDescription{"max-nodes", "", "limits", "N", "1 to 1099511627776; k, M, G may follow", "4194304",
+                       "most nodes of a glTF file",
+                       [](S& s, Text t) { s.load.limits.nodes = parseAmount(t); },
+                       [](const S& s) { return text(s.load.limits.nodes); }},
+    SettingDescription{"max-node-depth", "", "limits", "N", "1 to 1099511627776; k, M, G may follow", "1048576",
+                       "most nodes from a root down",
+                       [](S& s, Text t) { s.load.limits.nodeDepth = parseAmount(t); },
+                       [](const S& s) { return text(s.load.limits.nodeDepth); }},
+    SettingDescription{"max-image-pixels", "", "limits", "N", "1 to 1099511627776; k, M, G may follow", "67108864",
+                       "most pixels of a picture that a material needs",
+                       [](S& s, Text t) { s.load.limits.imagePixels = parseAmount(t); },
+                       [](const S& s) { return text(s.load.limits.imagePixels); }},
 
     SettingDescription{"detector", "", "detector", "planes|classic", "one of these", "planes",
                        "planes: where visible faces do not go on into each other; classic: gradients over thresholds",

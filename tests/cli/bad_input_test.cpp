@@ -143,8 +143,8 @@ TEST_F(BadInput, CommandLinesThatAreNone) {
     const auto expectRefusal = [&](const Arguments& arguments, const std::string& text) {
         expectFailure(run(arguments), 2, HasSubstr(text));
     };
-    expectRefusal({}, "expected render, compare or doctor, found nothing; see inkedge --help");
-    expectRefusal({"draw", "a.glb"}, "expected render, compare or doctor, found 'draw'; see inkedge --help");
+    expectRefusal({}, "expected render, inspect, compare or doctor, found nothing; see inkedge --help");
+    expectRefusal({"draw", "a.glb"}, "expected render, inspect, compare or doctor, found 'draw'; see inkedge --help");
     expectRefusal({"render"}, "expected MODEL, found none" + usage);
     expectRefusal({"render", roof()}, "expected --output, found none" + usage);
     expectRefusal({"render", roof(), "-o"}, "--output: expected one value, found none" + usage);
@@ -162,12 +162,14 @@ TEST_F(BadInput, CommandLinesThatAreNone) {
 
 TEST_F(BadInput, PicturesThatCannotBeCompared) {
     const std::string model = roof();
-    expectError(run({"compare", "missing.png", model}), 3, HasSubstr("missing.png"));
+    expectFailure(run({"compare", "missing.png", model}), 3, HasSubstr("missing.png: cannot be read as a picture: "));
     const std::string small = models_ / "small.png";
     const std::string large = models_ / "large.png";
     expectSuccess(run({"render", model, "-o", small, "--size", "8x8"}));
     expectSuccess(run({"render", model, "-o", large, "--size", "9x8"}));
-    expectError(run({"compare", small, model}), 3, HasSubstr(model));
+    expectFailure(run({"compare", small, model}), 3, HasSubstr(model + ": cannot be read as a picture: "));
+    const std::string cut = file("cut.png", contents(large).substr(0, 60));
+    expectFailure(run({"compare", small, cut}), 3, HasSubstr(cut + ": cannot be read as a picture: "));
     expectFailure(run({"compare", small, large}), 3, HasSubstr("8 x 8 pixels"));
     expectFailure(run({"compare", small, small, "-o", "missing/difference.png"}), 5, HasSubstr("difference.png"));
     expectFailure(run({"compare", small, small, "-o", "difference.gif"}), 2, HasSubstr("difference.gif"));

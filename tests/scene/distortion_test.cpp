@@ -35,7 +35,7 @@ TEST(BakeDistortedInstances, leavesWhatKeepsAnglesAlone) {
          {glm::dmat4{1.0}, scenes::rotation(33, {1, 2, 3}), scenes::scaling(glm::dvec3{0.01}),
           scenes::scaling({-1, 1, 1}), scenes::translation({1e6, 0, 0}) * scenes::rotation(5, {0, 1, 0})}) {
         Scene::Data data = dataOf(scenes::cube(), {kept, kept});
-        bakeDistortedInstances(data);
+        bakeDistortedInstances(data, LoadLimits{}.vertices);
         EXPECT_THAT(data.meshes, SizeIs(1));
         EXPECT_EQ(data.instances[1].transform, kept);
     }
@@ -47,7 +47,7 @@ TEST(BakeDistortedInstances, movesEveryVertexToWhereItStoodBefore) {
     for (const glm::dmat4& m : {shear(), scenes::scaling({1, 2, 1}), shear() * scenes::scaling({-3, 1, 1})}) {
         const Scene::Data before = dataOf(mesh, {m});
         Scene::Data after = before;
-        bakeDistortedInstances(after);
+        bakeDistortedInstances(after, LoadLimits{}.vertices);
         ASSERT_THAT(after.meshes, SizeIs(1)) << "the mesh that no instance places any more is kept";
         const glm::dmat3 linear{after.instances[0].transform};
         EXPECT_EQ(linear, glm::dmat3{1.0});
@@ -59,7 +59,7 @@ TEST(BakeDistortedInstances, movesEveryVertexToWhereItStoodBefore) {
 
 TEST(BakeDistortedInstances, keepsTheMeshForInstancesThatDoNotDistort) {
     Scene::Data data = dataOf(scenes::cube(), {glm::dmat4{1.0}, shear(), scenes::scaling({2, 1, 1})});
-    bakeDistortedInstances(data);
+    bakeDistortedInstances(data, LoadLimits{}.vertices);
     EXPECT_THAT(data.meshes, SizeIs(3));
     EXPECT_EQ(data.meshes[data.instances[0].mesh].positions, scenes::cube().positions);
     EXPECT_NE(data.instances[1].mesh, data.instances[2].mesh);
@@ -67,7 +67,7 @@ TEST(BakeDistortedInstances, keepsTheMeshForInstancesThatDoNotDistort) {
 
 TEST(BakeDistortedInstances, keepsNormalsAcrossTheirSurfaces) {
     Scene::Data data = dataOf(scenes::sphere(1.0, 48), {shear() * scenes::scaling({1, 3, -1})});
-    bakeDistortedInstances(data);
+    bakeDistortedInstances(data, LoadLimits{}.vertices);
     const Mesh& mesh = data.meshes[data.instances[0].mesh];
     ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
     int checked = 0;
@@ -88,7 +88,7 @@ TEST(BakeDistortedInstances, keepsNormalsAcrossTheirSurfaces) {
 
 TEST(BakeDistortedInstances, bearsAScaleOfZero) {
     Scene::Data data = dataOf(scenes::sphere(1.0, 16), {scenes::scaling({1, 0, 1})});
-    bakeDistortedInstances(data);
+    bakeDistortedInstances(data, LoadLimits{}.vertices);
     for (const glm::vec3 n : data.meshes[0].normals) {
         const float length = glm::length(n);
         EXPECT_TRUE(length == 0.0F || std::abs(length - 1.0F) < 1e-5F);

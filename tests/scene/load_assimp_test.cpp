@@ -261,16 +261,64 @@ TEST_F(LoadAssimp, leavesOutTrianglesWithARepeatedVertex) {
               triangleCorners);
 }
 
-TEST_F(LoadAssimp, recentresPositionsAndWarnsOfTheFloatsThatTheyPassThrough) {
+TEST_F(LoadAssimp, recentresPositionsAndWarnsOfFloatsThatAreTooCoarse) {
     const Scene::Data data = obj("v 5400000 0 0\nv 5400001 0 0\nv 5400000 1 0\nf 1 2 3\n");
     EXPECT_EQ(data.meshes.at(0).origin, glm::dvec3(5400000.5, 0.5, 0));
     EXPECT_EQ(corners(data).at(1), glm::dvec3(5400001, 0, 0));
-    EXPECT_THAT(data.warnings, ElementsAre("coordinates are kept to 0.64, as OBJ files are read as floats: much for a "
-                                           "model 1.41 across that far from the origin"));
-    EXPECT_THAT(obj("v 50 0 0\nv 51 0 0\nv 50 1 0\nf 1 2 3\n").warnings, IsEmpty());
+    EXPECT_THAT(data.warnings, IsEmpty());
+    const std::string floats = raw<float>({5400000, 0, 0, 5400001, 0, 0, 5400000, 1, 0});
+    EXPECT_THAT(plyFile(ply("binary_little_endian", floatXyz,
+                            floats + raw<std::uint8_t>(3) + raw<std::int32_t>({0, 1, 2}), 3)).warnings,
+                ElementsAre("coordinates are kept to 0.64, as PLY files are read as floats: much for a model 1.41 across "
+                            "that far from the origin"));
+}
+
+// ---- precision
+
+// A millimetre's step 5,000 km from the origin: floats there are half a metre apart.
+TEST_F(LoadAssimp, keepsWhatIsFinerThanFloatsFarFromTheOrigin) {
+    const std::vector<glm::dvec3> corners{{5.0e6, 1.0, -4.0e6}, {5.0e6 + 0.001, 1.0, -4.0e6}, {5.0e6, 1.001, -4.0e6}};
+    std::string vertices;
+    std::string doubles;
+    for (const glm::dvec3& c : corners) {
+        vertices += fmt::format("{} {} {}\n", c.x, c.y, c.z);
+        doubles += raw(c.x) + raw(c.y) + raw(c.z);
+    }
+    std::string objVertices;
+    for (const glm::dvec3& c : corners) objVertices += fmt::format("v {} {} {}\n", c.x, c.y, c.z);
+    const std::string doubleXyz = "property double x\nproperty double y\nproperty double z\n";
+    const std::string binary = doubles + raw<std::uint8_t>(3) + raw<std::int32_t>({0, 1, 2});
+    for (const Scene::Data& data :
+         {obj(objVertices + "f 1 2 3\n"), load(PolygonFormat::Ply, ply("ascii", floatXyz, vertices + "3 0 1 2\n", 3)),
+          load(PolygonFormat::Ply, ply("binary_little_endian", doubleXyz, binary, 3))}) {
+        EXPECT_THAT(data.warnings, IsEmpty());
+        const Mesh& mesh = data.meshes.at(0);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec3 found = mesh.origin + glm::dvec3{mesh.positions.at(mesh.indices.at(i))};
+            EXPECT_LE(glm::distance(found, corners[i]), 1e-8) << i;  // doubles there are 1e-9 apart
+        }
+    }
 }
 
 // ---- polygons
+
+TEST_F(LoadAssimp, marksTheEdgesThatOnlyCutPolygons) {
+    const Mesh square = obj("v 0 0 0\nv 1 0 0\nv 1 1 0.7\nv 0 1 0\nf 1 2 3 4\n").meshes.at(0);
+    ASSERT_THAT(square.indices, SizeIs(6));
+    int inner = 0;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const glm::vec3 a = square.positions[square.indices[i]];
+        const glm::vec3 b = square.positions[square.indices[i / 3 * 3 + (i + 1) % 3]];
+        EXPECT_EQ(square.innerEdges.at(i), a.x != b.x && a.y != b.y) << i;
+        inner += square.innerEdges.at(i) ? 1 : 0;
+    }
+    EXPECT_EQ(inner, 2);
+    EXPECT_THAT(obj(triangleObj).meshes.at(0).innerEdges, IsEmpty());
+    // The second polygon is a triangle: all its edges are the file's.
+    const Mesh mixed = obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nf 1 2 3 4\nf 2 5 3\n").meshes.at(0);
+    EXPECT_EQ(std::ranges::count(mixed.innerEdges, true), 2);
+    EXPECT_THAT(mixed.innerEdges, SizeIs(9));
+}
 
 // An L with a corner on a straight side, at 1.
 const std::string letterL = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\nv 1 1 0\nv 0 1 0\n";
@@ -441,6 +489,23 @@ TEST_F(LoadAssimp, refusesMalformedStlByFacet) {
     broken.replace(broken.find("vertex 1"), 8, "vertex x");
     EXPECT_EQ(refusal(PolygonFormat::Stl, triangleStl + broken), "facet 1: expected a finite number, found 'x'");
     EXPECT_EQ(refusal(PolygonFormat::Stl, triangleStl + "more"), "expected solid or the end of the file, found 'more'");
+}
+
+TEST_F(LoadAssimp, cutsTheTriangleStripsOfPlyEveryOneOfThem) {
+    const std::string header = "\nelement vertex 5\n" + floatXyz + "element tristrips 2\n";
+    const std::string positions = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n";
+    const std::string property = "property list int int vertex_indices\nend_header\n";
+    const auto square = plyFile("ply\nformat ascii 1.0" + header + property + positions + "4 0 1 2 3\n4 -1 2 3 4\n");
+    EXPECT_EQ(area(square), glm::dvec3(0, 0, 1.5));
+    EXPECT_THAT(square.meshes.at(0).indices, SizeIs(9));
+
+    const std::string numbers = raw<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0});
+    const auto binary = plyFile("ply\nformat binary_little_endian 1.0" + header + property + numbers +
+                                raw<std::int32_t>({8, 0, 1, 2, 3, -1, 2, 3, 4, 2, 0, 1}));
+    EXPECT_EQ(area(binary), glm::dvec3(0, 0, 1.5));
+
+    EXPECT_THAT(refusal(PolygonFormat::Ply, "ply\nformat ascii 1.0" + header + property + positions + "3 0 1 -2\n0\n"),
+                HasSubstr("expected vertices from 0, or -1 between strips, found -2"));
 }
 
 TEST_F(LoadAssimp, skipsWhatPlyFilesHoldBesidesTheShape) {

@@ -107,6 +107,9 @@ TEST(Scene, refusesToDrawNothing) {
 TEST(Scene, refusesBoundsThatOverflow) {
     auto data = cubeData();
     data.instances[0].transform = scenes::scaling(glm::dvec3{1e200});
+    expectRefusal(data, "mesh 'part': expected finite positions, found a transform that takes them out of range");
+    data.instances[0].transform = scenes::translation({1e308, 0, 0});
+    data.instances.push_back({"other", 0, scenes::translation({-1e308, 0, 0})});
     expectRefusal(data, "expected finite bounds, found coordinates that overflow");
 }
 

@@ -170,6 +170,23 @@ TEST(BuildPatches, endAtBendsOverTheCreaseAngle) {
     EXPECT_THAT(patchesOf(fold(-40.0), 39.99), ElementsAre(0, 0, 1, 1));
 }
 
+TEST(BuildPatches, goOnAcrossTheInnerEdgesOfAPolygon) {
+    Mesh mesh = fold(40.0);  // the fold is the edge from corner 1 to 2 of triangle 0, and triangle 2's own
+    const MeshTopology topology = buildTopology(mesh);
+    const auto bend = static_cast<std::uint32_t>(
+        std::ranges::find_if(topology.twins, [&](std::uint32_t h) { return isHalfEdge(h) && h / 3 >= 2; }) -
+        topology.twins.begin());
+    mesh.innerEdges.assign(mesh.indices.size(), false);
+    mesh.innerEdges[bend] = mesh.innerEdges[topology.twins[bend]] = true;
+    EXPECT_THAT(patchesOf(mesh, 30.0), ElementsAre(0, 0, 0, 0));
+
+    // Turned over, a triangle takes its inner edges along.
+    for (std::size_t t = 0; t < 12; t += 3) turnOver(mesh, t);
+    EXPECT_THAT(patchesOf(mesh, 30.0), ElementsAre(0, 0, 0, 0));
+    mesh.innerEdges.assign(mesh.indices.size(), false);
+    EXPECT_THAT(patchesOf(mesh, 30.0), ElementsAre(0, 0, 1, 1));
+}
+
 TEST(BuildPatches, areACubesSixFacesAndAWholeSphere) {
     EXPECT_THAT(patchesOf(scenes::cube(), 30.0), ElementsAre(0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5));
     EXPECT_THAT(patchesOf(scenes::sphere(), 30.0), Each(0));

@@ -25,6 +25,11 @@ TEST(WeldByPosition, weldsMinusZeroToZero) {
     EXPECT_EQ(weld.pointCount, 1U);
 }
 
+TEST(WeldByPosition, bearsPointsFarOffAndCloseTogether) {
+    const Weld weld = weldByPosition(std::vector<glm::vec3>{{3e38F, 0, 0}, {3e38F, 1e-30F, 0}, {3e38F, 0, 1e-30F}});
+    EXPECT_EQ(weld.pointCount, 3U);
+}
+
 // The box of these positions has a diagonal of 1000 or a little more: the tolerance is 5e-4.
 std::vector<glm::vec3> near(glm::vec3 a, glm::vec3 b) { return {{-500, 0, 0}, {500, 0, 0}, a, b}; }
 

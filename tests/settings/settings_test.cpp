@@ -51,6 +51,9 @@ std::vector<std::string> samples(const SettingDescription& row) {
     if (row.values == "PX") return {"0.5", "2.25", "0.35mm"};
     if (row.values == "TYPE,...") return {"none", "crease", "outline,object"};
     if (row.values == "TYPE:width=W,color=C;...") return {"crease:width=1", "outline:width=0.5mm,color=#123456"};
+    if (row.values == "NAME|N") return {"Run", "2"};
+    if (row.values == "SECONDS") return {"0", "2.5"};
+    if (row.group == "limits") return {"1", "123456"};
     if (row.values == "N") return {"0", "7"};
     ADD_FAILURE() << "--" << row.name << " takes " << row.values << ", for which this test knows no samples";
     return {};
@@ -307,6 +310,7 @@ TEST(Set, refusesUnknownMaps) {
 
 TEST(Set, leavesTheSettingsAloneWhenItRefuses) {
     for (const SettingDescription& row : settingTable()) {
+        if (row.values == "NAME|N") continue;  // takes any text
         Settings settings;
         set(settings, row.name, samples(row).back(), "test");
         EXPECT_THROW(set(settings, row.name, "!", "test"), Error) << row.name;

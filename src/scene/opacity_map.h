@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include <inkedge/image.h>
+
+namespace inkedge {
+
+/// The alpha channel of a PNG picture, 0 to 255; none if the picture has no alpha: it is opaque everywhere.
+/// @param mostPixels  the limit
+/// @throws Error      (Kind::Input) if it is no PNG or JPEG, damaged, or larger than the limit
+[[nodiscard]] std::optional<Image<std::uint8_t>> decodeOpacity(std::span<const std::uint8_t> picture,
+                                                               std::uint64_t mostPixels);
+
+}  // namespace inkedge

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+
+#include <inkedge/camera.h>
+#include <inkedge/scene.h>
+
+#include "fuzz/promise.h"
+
+namespace inkedge::fuzz {
+
+/// For speed: what lies beyond is the business of tests/hostile.
+inline LoadSettings smallLimits() {
+    LoadSettings settings;
+    settings.limits.decompressedSize = 1 << 26;
+    settings.limits.vertices = 1 << 20;
+    settings.limits.instances = 1 << 14;
+    settings.limits.nodes = 1 << 18;
+    settings.limits.imagePixels = 1 << 20;
+    return settings;
+}
+
+/// A model gives a scene that can be framed, or an Error for it.
+inline void loadAndFrame(const std::filesystem::path& model) {
+    refusedAtMost([&] {
+        const Scene scene = loadScene(model, smallLimits());
+        for (const std::string& warning : scene.warnings())
+            expect(warning.find('\n') == std::string::npos, "warnings of one line", warning);
+        const Camera camera = frameCamera(scene, {}, {64, 64});
+        expect(std::isfinite(camera.near) && std::isfinite(camera.far) && camera.near < camera.far,
+               "a near plane before the far one", "none");
+    });
+}
+
+}  // namespace inkedge::fuzz
