@@ -1,11 +1,19 @@
+#include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <exception>
 #include <filesystem>
+#include <functional>
+#include <future>
 #include <memory>
+#include <mutex>
+#include <thread>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <inkedge/renderer.h>
+#include <inkedge/views.h>
 #include <inkedge/write.h>
 
 #include "cli/checks.h"
@@ -21,6 +29,8 @@ struct RenderArguments {
     std::string model;
     std::string output;
     std::string metadataFile;
+    std::string views;  // as viewsOf() takes them; empty: one
+    int jobs = 0;       // 0: as many as there are cores
     std::optional<double> timeout;  // seconds
     bool json = false;
     bool quiet = false;
@@ -35,8 +45,8 @@ double millisecondsSince(Clock::time_point begin) {
 }
 
 // Fills {model} and {view}; {map} is filled by outputFiles().
-std::string expandTemplate(std::string text, const std::filesystem::path& model) {
-    const std::pair<std::string, std::string> fields[]{{"{model}", model.stem().string()}, {"{view}", "0"}};
+std::string expandTemplate(std::string text, const std::filesystem::path& model, const std::string& view) {
+    const std::pair<std::string, std::string> fields[]{{"{model}", model.stem().string()}, {"{view}", view}};
     for (const auto& [field, value] : fields) {
         for (std::size_t at = 0; (at = text.find(field, at)) != std::string::npos; at += value.size()) {
             text.replace(at, field.size(), value);
@@ -45,10 +55,22 @@ std::string expandTemplate(std::string text, const std::filesystem::path& model)
     return text;
 }
 
+std::vector<View> viewsFrom(const RenderArguments& arguments, const Settings& settings) {
+    if (arguments.views.empty()) return {{"0", settings.camera}};
+    std::vector<View> views = viewsOf(arguments.views, settings.camera);
+    for (const auto& [flag, file] : {std::pair{"--output", arguments.output}, {"--metadata", arguments.metadataFile}}) {
+        if (views.size() > 1 && !file.empty() && file.find("{view}") == std::string::npos)
+            throw Error{Error::Kind::Usage,
+                        fmt::format("{}: expected {{view}} in it for {} views, found '{}'", flag, views.size(), file)};
+    }
+    return views;
+}
+
 void checkStandardOutput(const RenderArguments& arguments, const Settings& settings) {
     if (arguments.output != "-") return;
     if (arguments.json) throw Error{Error::Kind::Usage, "--json: expected --output FILE, found - (both use stdout)"};
     if (!settings.maps.empty()) throw Error{Error::Kind::Usage, "--maps: expected --output FILE, found -"};
+    if (!arguments.views.empty()) throw Error{Error::Kind::Usage, "--views: expected --output FILE, found -"};
 }
 
 // A folder that is missing fails before the work, and before another file is written.
@@ -62,11 +84,13 @@ void expectFolderOf(const std::filesystem::path& file) {
                             exists ? "a file in its way; choose another place" : "none; create it first")};
 }
 
-void checkOutputs(const RenderArguments& arguments, const Settings& settings, const std::filesystem::path& output) {
+void checkOutputs(const RenderArguments& arguments, const Settings& settings, const View& view) {
+    const std::filesystem::path output = expandTemplate(arguments.output, arguments.model, view.name);
     if (output != "-") {
         for (const auto& file : outputFiles(output, settings.maps)) expectFolderOf(file);
     }
-    if (!arguments.metadataFile.empty()) expectFolderOf(arguments.metadataFile);
+    if (!arguments.metadataFile.empty())
+        expectFolderOf(expandTemplate(arguments.metadataFile, arguments.model, view.name));
 }
 
 void startTimeout(const RenderArguments& arguments) {
@@ -84,51 +108,151 @@ void printSummary(const Maps& maps, const std::vector<std::filesystem::path>& fi
     for (const auto& file : files) tell("wrote ", file.string());
 }
 
-int render(const RenderArguments& arguments) {
-    startTimeout(arguments);
-    const Settings settings = arguments.settings.resolve();
-    checkStandardOutput(arguments, settings);
-    const std::filesystem::path output = expandTemplate(arguments.output, arguments.model);
-    checkOutputs(arguments, settings, output);
-
-    auto begin = Clock::now();
-    const Scene scene = loadScene(arguments.model, settings.load);
-    const StageTime loading{"load", millisecondsSince(begin)};
-    if (!arguments.quiet) {
-        for (const std::string& warning : scene.warnings()) {
-            tell("warning: ", fmt::format("{}: {}", arguments.model, warning));
-        }
-    }
-    const Camera camera = frameCamera(scene, settings.camera, settings.picture.size);
-
-    begin = Clock::now();
-    Renderer renderer{settings.backend};
-    const StageTime makingContext{"context", millisecondsSince(begin)};
-    Maps maps = renderer.render(scene, camera, settings);
-    maps.times.insert(maps.times.begin(), {loading, makingContext});
-
-    begin = Clock::now();
+struct Summary {
+    Maps maps;  // without their pixels
     std::vector<std::filesystem::path> files;
+    nlohmann::ordered_json json;
+};
+
+// Draws one view and writes what is asked for.
+Summary renderView(const RenderArguments& arguments, Settings settings, const Scene& scene, const View& view,
+                   Renderer& renderer, const std::vector<StageTime>& before) {
+    settings.camera = view.camera;
+    const Camera camera = frameCamera(scene, settings.camera, settings.picture.size);
+    Summary summary;
+    Maps maps = renderer.render(scene, camera, settings);
+    maps.times.insert(maps.times.begin(), before.begin(), before.end());
+
+    const auto begin = Clock::now();
+    const std::filesystem::path output = expandTemplate(arguments.output, arguments.model, view.name);
     if (output == "-") {
         const std::vector<std::uint8_t> png = encodePng(maps.picture);
         print({reinterpret_cast<const char*>(png.data()), png.size()});
     } else {
-        files = writeMaps(maps, settings.maps, output);
+        summary.files = writeMaps(maps, settings.maps, output);
     }
     maps.times.push_back({"write", millisecondsSince(begin)});
 
     const std::string metadata = metadataJson(scene, maps, settings);
     if (!arguments.metadataFile.empty()) {
-        writeFile(arguments.metadataFile, {reinterpret_cast<const std::uint8_t*>(metadata.data()), metadata.size()});
+        writeFile(expandTemplate(arguments.metadataFile, arguments.model, view.name),
+                  {reinterpret_cast<const std::uint8_t*>(metadata.data()), metadata.size()});
     }
     if (arguments.json) {
-        nlohmann::ordered_json summary = nlohmann::ordered_json::parse(metadata);
-        summary["model"] = arguments.model;
-        for (const auto& file : files) summary["files"].push_back(file.string());
-        constexpr auto replaceWhatIsNotUtf8 = nlohmann::ordered_json::error_handler_t::replace;
-        print(summary.dump(2, ' ', false, replaceWhatIsNotUtf8) + "\n");
+        summary.json = nlohmann::ordered_json::parse(metadata);
+        summary.json["model"] = arguments.model;
+        for (const auto& file : summary.files) summary.json["files"].push_back(file.string());
     }
-    if (arguments.verbose) printSummary(maps, files);
+    summary.maps.times = std::move(maps.times);
+    summary.maps.backend = std::move(maps.backend);
+    return summary;
+}
+
+// Views are drawn by several renderers at once, each with its pictures' encoding: a software driver leaves cores idle
+// between its own threads, and a graphics processor while pictures are encoded. The first error ends the work.
+class ViewPool {
+public:
+    using DrawView = std::function<Summary(std::size_t view, Renderer&)>;
+
+    ViewPool(std::size_t views, DrawView draw) : draw_{std::move(draw)}, summaries_(views) {}
+
+    std::vector<Summary> run(Renderer first, std::size_t workers, const BackendSettings& backend) {
+        {
+            std::vector<std::jthread> others;
+            for (std::size_t i = 1; i < workers; ++i)
+                others.emplace_back([&] {
+                    guarded([&] {
+                        Renderer renderer{backend};
+                        work(renderer);
+                    });
+                });
+            guarded([&] { work(first); });
+        }
+        if (failure_) std::rethrow_exception(failure_);
+        return std::move(summaries_);
+    }
+
+private:
+    void work(Renderer& renderer) {
+        for (std::size_t view = next_++; view < summaries_.size(); view = next_++)
+            summaries_[view] = draw_(view, renderer);
+    }
+
+    template <class Work>
+    void guarded(Work&& work) {
+        try {
+            work();
+        } catch (...) {
+            next_ = summaries_.size();
+            const std::scoped_lock lock{mutex_};
+            if (!failure_) failure_ = std::current_exception();
+        }
+    }
+
+    DrawView draw_;
+    std::vector<Summary> summaries_;
+    std::atomic<std::size_t> next_ = 0;
+    std::mutex mutex_;
+    std::exception_ptr failure_;
+};
+
+// A renderer costs a context and a copy of the scene on the graphics side: only for several views.
+std::size_t workersFor(const RenderArguments& arguments, std::size_t views) {
+    constexpr std::size_t viewsWorthAContext = 4;
+    const std::size_t most = arguments.jobs > 0 ? static_cast<std::size_t>(arguments.jobs)
+                                                : std::max(1U, std::thread::hardware_concurrency());
+    return std::clamp<std::size_t>(views / viewsWorthAContext, 1, most);
+}
+
+void warn(const RenderArguments& arguments, const Scene& scene) {
+    if (arguments.quiet) return;
+    for (const std::string& warning : scene.warnings()) {
+        tell("warning: ", fmt::format("{}: {}", arguments.model, warning));
+    }
+}
+
+struct StartedRenderer {
+    Renderer renderer;
+    StageTime time;
+};
+
+int render(const RenderArguments& arguments) {
+    startTimeout(arguments);
+    const Settings settings = arguments.settings.resolve();
+    checkStandardOutput(arguments, settings);
+    const std::vector<View> views = viewsFrom(arguments, settings);
+    for (const View& view : views) checkOutputs(arguments, settings, view);
+
+    // A driver takes its time to start, and so does a model to load.
+    std::future<StartedRenderer> starting = std::async(std::launch::async, [&] {
+        const auto begin = Clock::now();
+        Renderer renderer{settings.backend};
+        return StartedRenderer{std::move(renderer), {"context", millisecondsSince(begin)}};
+    });
+    const auto begin = Clock::now();
+    const Scene scene = loadScene(arguments.model, settings.load);
+    const StageTime loading{"load", millisecondsSince(begin)};
+    warn(arguments, scene);
+    StartedRenderer started = starting.get();
+    const StageTime makingContext = started.time;
+
+    ViewPool pool{views.size(), [&](std::size_t view, Renderer& renderer) {
+                      const std::vector<StageTime> before =
+                          view == 0 ? std::vector{loading, makingContext} : std::vector<StageTime>{};
+                      return renderView(arguments, settings, scene, views[view], renderer, before);
+                  }};
+    const std::vector<Summary> summaries =
+        pool.run(std::move(started.renderer), workersFor(arguments, views.size()), settings.backend);
+
+    if (arguments.json) {
+        nlohmann::ordered_json all = nlohmann::ordered_json::array();
+        for (const Summary& summary : summaries) all.push_back(summary.json);
+        constexpr auto replaceWhatIsNotUtf8 = nlohmann::ordered_json::error_handler_t::replace;
+        const nlohmann::ordered_json& shown = arguments.views.empty() ? all.front() : all;
+        print(shown.dump(2, ' ', false, replaceWhatIsNotUtf8) + "\n");
+    }
+    if (arguments.verbose)
+        for (const Summary& summary : summaries) printSummary(summary.maps, summary.files);
     return 0;
 }
 
@@ -145,6 +269,12 @@ void addRender(CLI::App& app, Action& action) {
         ->type_name("FILE");
     verb->add_option("--metadata", arguments->metadataFile, "write camera, settings, backend and timings as JSON")
         ->type_name("FILE");
+    verb->add_option("--views", arguments->views,
+                     "draw several views: turntable:N, sphere:N, or a JSON list of camera settings; --output needs {view}")
+        ->type_name("VIEWS");
+    verb->add_option("--jobs", arguments->jobs, "views drawn at the same time [cores]")
+        ->check(numberFrom(1, 1024))
+        ->type_name("N");
     verb->add_option("--timeout", arguments->timeout, "end with exit status 1 if it takes longer")
         ->check(numberOver(0.0, longestTimeout))
         ->type_name("SECONDS");

@@ -29,6 +29,12 @@ enum class Transparent {
     Ignore,  ///< left out
 };
 
+/// What becomes of materials whose pictures have holes (glTF's alpha mode MASK).
+enum class AlphaMask {
+    Cut,     ///< what is not there is not drawn, and where it begins is an edge
+    Ignore,  ///< drawn whole
+};
+
 /// Which sides of faces are seen.
 enum class BackFaces {
     Draw,      ///< both, whatever the material says
@@ -54,6 +60,7 @@ struct LoadSettings {
     std::string animation = {};     ///< of a glTF's animations, by name or number; empty: its rest pose
     double time = 0.0;          ///< seconds into the animation, which holds its first and last pose beyond its ends
     Transparent transparent = Transparent::Solid;
+    AlphaMask alphaMask = AlphaMask::Cut;
     BackFaces backFaces = BackFaces::Draw;
     LoadLimits limits = {};
 };

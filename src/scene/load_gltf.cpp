@@ -512,7 +512,7 @@ private:
         morph(model_, primitive, pose.weights, part);
         if (!pose.joints.empty()) skin(model_, primitive, pose.joints, part);
         checkPositions(part.positions);
-        if (material != nullptr && material->alpha == gltf::Material::Alpha::Mask) cutOut(*material, primitive, part);
+        if (isCut(material)) cutOut(*material, primitive, part);
         normalize(part.normals);
         return part;
     }
@@ -523,6 +523,11 @@ private:
             refuse(fmt::format("expected a material of at least 0, found {}", primitive.material));
         const auto number = static_cast<std::size_t>(primitive.material);
         return primitive.material == -1 || number >= file_.materials.size() ? nullptr : &file_.materials[number];
+    }
+
+    bool isCut(const gltf::Material* material) const {
+        return settings_.alphaMask == AlphaMask::Cut && material != nullptr &&
+               material->alpha == gltf::Material::Alpha::Mask;
     }
 
     bool isIgnored(const gltf::Material* material) const {

@@ -132,6 +132,7 @@ Choice(std::string_view, T) -> Choice<T>;
 constexpr std::array normalsChoices{Choice{"auto", Normals::Auto}, Choice{"authored", Normals::Authored},
                                     Choice{"flat", Normals::Flat}};
 constexpr std::array transparentChoices{Choice{"solid", Transparent::Solid}, Choice{"ignore", Transparent::Ignore}};
+constexpr std::array alphaMaskChoices{Choice{"cut", AlphaMask::Cut}, Choice{"ignore", AlphaMask::Ignore}};
 constexpr std::array backFacesChoices{Choice{"draw", BackFaces::Draw}, Choice{"material", BackFaces::Material}};
 constexpr std::array detectorChoices{Choice{"planes", Detector::Planes}, Choice{"classic", Detector::Classic}};
 constexpr std::array kernelChoices{Choice{"sobel", Kernel::Sobel}, Choice{"farid", Kernel::Farid}};
@@ -363,6 +364,10 @@ constexpr std::array table{
                        "what becomes of materials that blend with what lies behind them",
                        [](S& s, Text t) { s.load.transparent = parseChoice(transparentChoices, t); },
                        [](const S& s) { return choiceName(transparentChoices, s.load.transparent); }},
+    SettingDescription{"alpha-mask", "", "model", "cut|ignore", "one of these", "cut",
+                       "cut materials with holes out along their outline, or draw them whole",
+                       [](S& s, Text t) { s.load.alphaMask = parseChoice(alphaMaskChoices, t); },
+                       [](const S& s) { return choiceName(alphaMaskChoices, s.load.alphaMask); }},
     SettingDescription{"back-faces", "", "model", "draw|material", "one of these", "draw",
                        "draw the backs of all faces, or only those of double-sided materials",
                        [](S& s, Text t) { s.load.backFaces = parseChoice(backFacesChoices, t); },

@@ -71,6 +71,7 @@ const std::map<std::string_view, Example>& examples() {
         {"animation", {.value = "swing", .wrong = "", .shows = "/bounds", .beside = {"--time", "1"}, .asset = "lantern"}},
         {"time", {.value = "0.5", .wrong = "-1", .shows = "/bounds", .beside = {"--animation", "swing"}, .asset = "lantern"}},
         {"transparent", {.value = "ignore", .wrong = "yes", .shows = "/triangles", .asset = "lantern"}},
+        {"alpha-mask", {.value = "ignore", .wrong = "yes", .shows = "/triangles", .asset = "lantern"}},
         {"back-faces", {.value = "material", .wrong = "cull", .shows = "picture.png", .asset = "lantern"}},
         {"max-file-size", limitExample("max-file-size", "1G", "0")},
         {"max-decompressed-size", limitExample("max-decompressed-size", "1G", "1T")},

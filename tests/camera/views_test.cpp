@@ -1,0 +1,109 @@
+#include <inkedge/views.h>
+
+#include <cmath>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <inkedge/error.h>
+
+#include "io/expect_error.h"
+#include "io/temporary_folder.h"
+
+namespace inkedge {
+namespace {
+
+using testing::HasSubstr;
+using testing::SizeIs;
+
+glm::dvec3 towardsCamera(const CameraSettings& camera) {
+    const double azimuth = glm::radians(camera.azimuthAngle.value());
+    const double elevation = glm::radians(camera.elevationAngle.value());
+    return {std::cos(elevation) * std::sin(azimuth), std::sin(elevation), std::cos(elevation) * std::cos(azimuth)};
+}
+
+TEST(Turntable, GoesRoundEvenlyFromTheBasesAzimuth) {
+    CameraSettings base;
+    base.azimuthAngle = 10.0;
+    base.elevationAngle = 20.0;
+    const std::vector<View> views = viewsOf("turntable:8", base);
+    ASSERT_THAT(views, SizeIs(8));
+    for (std::size_t i = 0; i < 8; ++i) {
+        EXPECT_EQ(views[i].name, fmt::format("{:03}", i));
+        EXPECT_DOUBLE_EQ(*views[i].camera.azimuthAngle, 10.0 + 45.0 * static_cast<double>(i));
+        EXPECT_EQ(views[i].camera.elevationAngle, base.elevationAngle);
+    }
+    EXPECT_EQ(viewsOf("turntable:1", {}).front().camera.azimuthAngle, 0.0);
+    EXPECT_EQ(viewsOf("turntable:20000", {}).back().name, "19999");
+}
+
+TEST(SphereOfViews, SpreadsEvenly) {
+    constexpr std::size_t count = 200;
+    const std::vector<View> views = viewsOf("sphere:200", {});
+    glm::dvec3 sum{0.0};
+    double nearest = 2.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        sum += towardsCamera(views[i].camera);
+        for (std::size_t k = 0; k < i; ++k)
+            nearest = std::min(nearest, glm::distance(towardsCamera(views[i].camera), towardsCamera(views[k].camera)));
+    }
+    EXPECT_LE(glm::length(sum) / count, 0.01);
+    // Of a hexagonal packing of as many points the distance is sqrt(8 pi / (sqrt(3) n)); the lattice keeps most of it.
+    EXPECT_GE(nearest, 0.75 * std::sqrt(8.0 * M_PI / (std::sqrt(3.0) * count)));
+}
+
+class ViewsFile : public testing::Test {
+protected:
+    [[nodiscard]] std::string file(const std::string& content) const {
+        std::ofstream{folder_ / "views.json"} << content;
+        return folder_ / "views.json";
+    }
+    void expectRefusal(const std::string& content, const std::string& message) const {
+        expectError(Error::Kind::Usage, HasSubstr(message), [&] { static_cast<void>(viewsOf(file(content), {})); });
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(ViewsFile, SetsWhatItNamesAndLeavesTheRestAsItIs) {
+    CameraSettings base;
+    base.viewAngle = 50.0;
+    const auto views = viewsOf(
+        file(R"([{"name": "front", "camera-azimuth-angle": 0}, {"camera-position": [1, 2, 3.5], "camera-view-angle": "20"}])"),
+        base);
+    ASSERT_THAT(views, SizeIs(2));
+    EXPECT_EQ(views[0].name, "front");
+    EXPECT_EQ(views[0].camera.azimuthAngle, 0.0);
+    EXPECT_EQ(views[0].camera.viewAngle, 50.0);
+    EXPECT_EQ(views[1].name, "001");
+    EXPECT_EQ(views[1].camera.position, glm::dvec3(1, 2, 3.5));
+    EXPECT_EQ(views[1].camera.viewAngle, 20.0);
+}
+
+TEST_F(ViewsFile, IsRefusedWithTheViewThatIsWrong) {
+    expectRefusal("{}", "expected a JSON list of 1 to 1000000 views, found object");
+    expectRefusal("[]", "found 0");
+    expectRefusal("[", "expected a JSON list of views, found something else");
+    expectRefusal("[3]", "view 0: expected an object, found number");
+    expectRefusal(R"([{}, {"size": "3x3"}])", "view 1: expected name or a camera setting, found 'size'");
+    expectRefusal(R"([{"camera-position": [1, 2]}])", "view 0: camera-position: expected three numbers x,y,z, found '1,2'");
+    expectRefusal(R"([{"name": "../up"}])", "view 0: name: expected letters, digits, -, _ and ., found \"../up\"");
+    expectRefusal(R"([{"name": "a"}, {"name": "a"}])", "view 1: expected a name of its own, found 'a' again");
+}
+
+TEST(ViewsText, IsRefusedWhenItNamesNothing) {
+    expectError(Error::Kind::Input, HasSubstr("expected turntable:N, sphere:N or a file of views"),
+                [] { static_cast<void>(viewsOf("circle:8", {})); });
+    for (const char* wrong : {"turntable:", "turntable:0", "turntable:-3", "sphere:1.5", "sphere:2000000"})
+        expectError(Error::Kind::Usage, HasSubstr("expected a number of views from 1 to 1000000"),
+                    [&] { static_cast<void>(viewsOf(wrong, {})); });
+    CameraSettings base;
+    base.position = glm::dvec3{1, 0, 0};
+    expectError(Error::Kind::Usage, HasSubstr("expected no camera-position, camera-direction or camera-index"),
+                [&] { static_cast<void>(viewsOf("turntable:4", base)); });
+}
+
+}  // namespace
+}  // namespace inkedge
