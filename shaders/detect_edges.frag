@@ -1,49 +1,89 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 
-#include "shared/depth.glsl"
+// Edges of the depth map and of the normal map. CPU definition: reference.h, detectEdges(); measure_edges.frag is the same
+// for one pixel. One invocation decides 4 x 4 pixels, which share what they fetch and the sums along rows:
+//
+//   . . . . . . . .    a row of samples (.) gives four derivatives and four smoothed values;
+//   . . . . . . . .    as soon as 2 RADIUS + 1 rows of these are there, they give a row of pixels (#).
+//   . . # # # # . .
+//   . . # # # # . .    Farid's kernels; Sobel's need one column and one row less on each side.
+#include "shared/edges.glsl"
 
-// Edge detection of Hertzmann 1999, appendix A, on the depth map and on the three channels of the normal map at once.
-// CPU definition: reference.h, detectEdges().
-#define KERNEL_SOBEL 0
-#define KERNEL_FARID 1
-
-#include "shared/kernels.glsl"
-
-layout(binding = 0) uniform sampler2D surfaces;  // rgb: normal, a: eye-space depth
-
-layout(location = 0) uniform Depths depths;
-layout(location = 3) uniform bool windowDepth;      // find depth edges in window depth instead of linear depth
 layout(location = 4) uniform float depthThreshold;
 layout(location = 5) uniform float normalThreshold;
 
-layout(location = 0) out uint marks;  // bit 0: depth edge, bit 1: normal edge
-#ifdef WRITE_MAGNITUDES
-layout(location = 1) out vec2 magnitudes;  // depth; normal, the largest of the three channels
-#endif
+// Two bits a pixel: depth edge, normal edge; row by row, the first pixel lowest.
+layout(location = 0) out uint marks;
 
-// The four channels that edges are found in, at a pixel; beyond the border the border pixel is repeated.
-vec4 channels(ivec2 pixel) {
-    vec4 s = texelFetch(surfaces, clamp(pixel, ivec2(0), textureSize(surfaces, 0) - 1), 0);
-    s.a = windowDepth ? windowDepthFromEye(s.a, depths) : (s.a - depths.near) / (depths.far - depths.near);
-    return s;
+const int SIDE = 4;
+const int SPAN = SIDE + 2 * RADIUS;
+
+// Row r of samples; rows are counted from the uppermost that the block needs.
+vec4 alongX[SPAN * SIDE];
+vec4 acrossX[SPAN * SIDE];
+
+void sumRow(int r, vec4 row[SPAN]) {
+    for (int x = 0; x < SIDE; ++x) {
+        vec4 taps[TAPS];
+        for (int i = 0; i < TAPS; ++i) taps[i] = row[x + i];
+        alongX[r * SIDE + x] = differentiated(taps);
+        acrossX[r * SIDE + x] = smoothed(taps);
+    }
 }
 
-void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 ix = vec4(0.0);
-    vec4 iy = vec4(0.0);
-    for (int y = -RADIUS; y <= RADIUS; ++y) {
-        for (int x = -RADIUS; x <= RADIUS; ++x) {
-            vec4 s = channels(pixel + ivec2(x, y));
-            ix += DERIVATIVE[x + RADIUS] * SMOOTHING[y + RADIUS] * s;
-            iy += SMOOTHING[x + RADIUS] * DERIVATIVE[y + RADIUS] * s;
+uint marksOfRow(int y) {
+    uint found = 0u;
+    for (int x = 0; x < SIDE; ++x) {
+        vec4 derivatives[TAPS];
+        vec4 smooths[TAPS];
+        for (int i = 0; i < TAPS; ++i) {
+            derivatives[i] = alongX[(y + i) * SIDE + x];
+            smooths[i] = acrossX[(y + i) * SIDE + x];
         }
+        vec2 magnitudes = magnitudesOf(smoothed(derivatives), differentiated(smooths));
+        uint depth = magnitudes.x >= depthThreshold ? 1u : 0u;  // equation 7
+        uint normal = magnitudes.y >= normalThreshold ? 2u : 0u;
+        found |= (depth | normal) << (2 * (y * SIDE + x));
     }
-    vec4 magnitude = sqrt(ix * ix + iy * iy);  // equation 6
-    float normalMagnitude = max(magnitude.r, max(magnitude.g, magnitude.b));
-    marks = (magnitude.a >= depthThreshold ? 1u : 0u) | (normalMagnitude >= normalThreshold ? 2u : 0u);  // equation 7
-#ifdef WRITE_MAGNITUDES
-    magnitudes = vec2(magnitude.a, normalMagnitude);
+    return found;
+}
+
+// Offsets must be constants, hence no loop. Software drivers clamp and fetch such a texel in half the time of texelFetch().
+#define SAMPLE(x, y) channels(textureLodOffset(surfaces, corner, 0.0, ivec2(x, y)))
+#if KERNEL == KERNEL_SOBEL
+#define ROW(y) \
+    vec4[](SAMPLE(-1, y), SAMPLE(0, y), SAMPLE(1, y), SAMPLE(2, y), SAMPLE(3, y), SAMPLE(4, y))
+#else
+#define ROW(y) \
+    vec4[](SAMPLE(-2, y), SAMPLE(-1, y), SAMPLE(0, y), SAMPLE(1, y), SAMPLE(2, y), SAMPLE(3, y), SAMPLE(4, y), SAMPLE(5, y))
+#endif
+
+void main() {
+    vec2 corner = (float(SIDE) * floor(gl_FragCoord.xy) + 0.5) / vec2(textureSize(surfaces, 0));
+#if KERNEL == KERNEL_SOBEL
+    sumRow(0, ROW(-1));
+    sumRow(1, ROW(0));
+    sumRow(2, ROW(1));
+    marks = marksOfRow(0);
+    sumRow(3, ROW(2));
+    marks |= marksOfRow(1);
+    sumRow(4, ROW(3));
+    marks |= marksOfRow(2);
+    sumRow(5, ROW(4));
+    marks |= marksOfRow(3);
+#else
+    sumRow(0, ROW(-2));
+    sumRow(1, ROW(-1));
+    sumRow(2, ROW(0));
+    sumRow(3, ROW(1));
+    sumRow(4, ROW(2));
+    marks = marksOfRow(0);
+    sumRow(5, ROW(3));
+    marks |= marksOfRow(1);
+    sumRow(6, ROW(4));
+    marks |= marksOfRow(2);
+    sumRow(7, ROW(5));
+    marks |= marksOfRow(3);
 #endif
 }

@@ -1,10 +1,16 @@
 #version 450 core
+#extension GL_GOOGLE_include_directive : require
 
 // The plane and the patch that each pixel sees. On a plane w = 1/z is linear in the picture (orthographic: w = -z is), so
 // its derivatives are those of the triangle and describe its whole plane.
 layout(location = 0) in float eyeDepth;
 layout(location = 1) flat in float patchNumber;
 layout(location = 2) flat in uvec2 triangles;
+
+#ifdef SURFACE
+layout(location = 3) in vec3 surfaceNormal;
+layout(location = 4) in float surfaceDepth;
+#endif
 
 layout(location = 2) uniform bool orthographic;
 
@@ -13,6 +19,11 @@ layout(location = 0) out vec4 plane;  // only the last channel is written: adds 
 #else
 layout(location = 0) out vec4 plane;     // RGBA32F: w, dw/dx, dw/dy, patch number (0: background, or layers to come)
 layout(location = 1) out uint triangle;  // R32UI: 1 + the scene's triangle, 0: background
+#endif
+#ifdef SURFACE
+layout(location = 2) out vec4 surface;  // as draw_surface.frag writes it
+
+#include "shared/lights.glsl"
 #endif
 
 void main() {
@@ -23,5 +34,9 @@ void main() {
     plane = vec4(w, dFdx(w), dFdy(w), max(patchNumber, 0.0));
     // Drivers differ in whether the count of primitives starts again with each instance.
     triangle = triangles.x + uint(gl_PrimitiveID) % triangles.y + 1u;
+#ifdef SURFACE
+    vec3 n = seenSide(surfaceNormal);
+    surface = vec4(positiveLights(n) - negativeLights(n), surfaceDepth);
+#endif
 #endif
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -46,23 +47,61 @@ struct View {
     const Settings& settings;
 };
 
-// Depth and normal maps, their edges, and, for the classic detector, the picture.
-void renderSurface(const View& view, gl::StageClock& clock, Maps& maps) {
-    const auto& [gpu, upload, scene, camera, settings] = view;
-    const bool classic = settings.detector.detector == Detector::Classic;
-    const bool keepMagnitudes = wantsAny(settings, {Map::DepthEdges, Map::NormalEdges});
+bool drawsClassic(const Settings& settings) { return settings.detector.detector == Detector::Classic; }
 
-    const SurfaceBuffers surface = drawSurface(gpu, upload, scene, camera, settings.detector, settings.picture.size);
-    clock.finish("surface");
+bool needsPlanes(const Settings& settings) {
+    return !drawsClassic(settings) || wantsAny(settings, {Map::Types, Map::Ids});
+}
+
+bool needsSurface(const Settings& settings) {
+    return drawsClassic(settings) ||
+           wantsAny(settings, {Map::Depth, Map::Normal, Map::DepthEdges, Map::NormalEdges});
+}
+
+// What the triangles are drawn into.
+struct Geometry {
+    std::optional<PlaneBuffers> planes;
+    std::optional<SurfaceBuffers> surface;
+};
+
+// In one pass where both are wanted, of one size and with lights that need one pass only.
+Geometry drawGeometry(const View& view, gl::StageClock& clock) {
+    const auto& [gpu, upload, scene, camera, settings] = view;
+    const PictureSettings& picture = settings.picture;
+    const int samples = picture.supersampling;
+    const bool planes = needsPlanes(settings);
+    const bool surface = needsSurface(settings);
+    Geometry geometry;
+    if (planes && surface && samples == 1 && settings.detector.normalLights == NormalLights::Single) {
+        PlanesAndSurface both =
+            drawPlanesAndSurface(gpu, upload, scene, camera, settings.detector.lightSpace, picture.size);
+        clock.finish("geometry");
+        return {std::move(both.planes), std::move(both.surface)};
+    }
+    if (planes) {
+        geometry.planes =
+            drawPlanes(gpu, upload, scene, camera, {picture.size.width * samples, picture.size.height * samples});
+        clock.finish("planes");
+    }
+    if (surface) {
+        geometry.surface = drawSurface(gpu, upload, scene, camera, settings.detector, picture.size);
+        clock.finish("surface");
+    }
+    return geometry;
+}
+
+// Depth and normal maps, their edges, and, for the classic detector, the picture.
+void renderSurface(const View& view, const SurfaceBuffers& surface, gl::StageClock& clock, Maps& maps) {
+    const auto& [gpu, upload, scene, camera, settings] = view;
+    const bool keepMagnitudes = wantsAny(settings, {Map::DepthEdges, Map::NormalEdges});
     readSurface(gpu.api, surface, settings, maps);
-    if (classic || keepMagnitudes) {
+    if (drawsClassic(settings) || keepMagnitudes) {
         const EdgeBuffers edges = detectEdges(gpu, surface.surface, camera, settings.detector,
                                               keepMagnitudes ? Magnitudes::Keep : Magnitudes::Drop);
         clock.finish("edges");
-        if (classic) {
-            const gl::Texture picture = composite(gpu, edges.marks, settings.picture);
+        if (drawsClassic(settings)) {
+            maps.picture = composite(readMarks(gpu.api, edges), settings.picture);
             clock.finish("composite");
-            maps.picture = readPicture(gpu.api, picture, settings.picture);
         }
         readEdges(gpu.api, edges, settings, maps);
     }
@@ -70,26 +109,22 @@ void renderSurface(const View& view, gl::StageClock& clock, Maps& maps) {
 }
 
 // Lines of the planes detector: their types, ids and, unless the classic detector draws it, the picture.
-void renderPlanes(const View& view, gl::StageClock& clock, Maps& maps) {
+void renderPlanes(const View& view, const PlaneBuffers& buffers, gl::StageClock& clock, Maps& maps) {
     const auto& [gpu, upload, scene, camera, settings] = view;
     const PictureSettings& picture = settings.picture;
-    const bool classic = settings.detector.detector == Detector::Classic;
-    const int samples = picture.supersampling;
     const double unit = unitLength(scene);
 
-    const PlaneBuffers buffers =
-        drawPlanes(gpu, upload, scene, camera, {picture.size.width * samples, picture.size.height * samples});
-    clock.finish("planes");
     LineBuffers lines;
     lines.marks = detectLines(gpu, buffers.planes, camera, unit, scene.creaseAngle());
     clock.finish("lines");
     lines.planes = gl::readFloats(gpu.api, buffers.planes, 4);
     lines.triangles = gl::readIntegers(gpu.api, buffers.triangles);
     clock.finish("read-back");
-    TracedLines traced = traceLines(std::move(lines), scene, upload.firstTriangles(), camera, unit, drawnTypes(picture),
-                                    samples, wants(settings, Map::Ids) ? TraceIds::Keep : TraceIds::Drop);
+    TracedLines traced =
+        traceLines(std::move(lines), scene, upload.firstTriangles(), camera, unit, drawnTypes(picture),
+                   picture.supersampling, wants(settings, Map::Ids) ? TraceIds::Keep : TraceIds::Drop);
     clock.finish("trace");
-    if (!classic) {
+    if (!drawsClassic(settings)) {
         if (wants(settings, Map::Edges)) maps.edges = mask(traced.types, picture.lines);
         maps.picture = paintStrokes(traced.strokes, picture);
         clock.finish("paint");
@@ -164,15 +199,9 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     gl::StageClock clock{state_->gpu->api, maps.times};
     const View view{*state_->gpu, state_->uploaded(scene), scene, camera, settings};
     clock.finish("upload");
-    if (settings.detector.detector == Detector::Planes) {
-        renderPlanes(view, clock, maps);
-        if (wantsAny(settings, {Map::Depth, Map::Normal, Map::DepthEdges, Map::NormalEdges})) {
-            renderSurface(view, clock, maps);
-        }
-    } else {
-        renderSurface(view, clock, maps);
-        if (wantsAny(settings, {Map::Types, Map::Ids})) renderPlanes(view, clock, maps);
-    }
+    const Geometry geometry = drawGeometry(view, clock);
+    if (geometry.planes) renderPlanes(view, *geometry.planes, clock, maps);
+    if (geometry.surface) renderSurface(view, *geometry.surface, clock, maps);
     state_->gpu->textures.trim();
     return maps;
 }

@@ -6,9 +6,12 @@ struct Depths {
     bool orthographic;
 };
 
-float windowDepthFromEye(float z, Depths d) {
-    float linear = (z - d.near) / (d.far - d.near);
-    return d.orthographic ? linear : linear * d.far / z;
+// Window-space depth, or depth that is linear from 0 at near to 1 at far. One expression without a branch: the choice
+// is made once a view, not once a pixel.
+float scaledDepth(float z, bool window, Depths d) {
+    bool hyperbolic = window && !d.orthographic;
+    precise float scaled = (z - d.near) * ((hyperbolic ? d.far : 1.0) / (d.far - d.near)) / (hyperbolic ? z : 1.0);
+    return scaled;
 }
 
 // From reversed window-space depth, 1 at near and 0 at far, which keeps the digits that 1 - depth would lose.

@@ -56,7 +56,7 @@ struct Edges {
     Image<std::uint8_t> edges;  ///< either
 };
 
-/// GPU twin: shaders/detect_edges.frag.
+/// GPU twins: shaders/detect_edges.frag for the edges, shaders/measure_edges.frag for the magnitudes.
 /// @param depth   eye-space depth, scene units
 /// @param normal  3 channels
 /// @throws Error  (Kind::Usage) if the sizes differ
@@ -89,7 +89,7 @@ struct PairMark {
 [[nodiscard]] INKEDGE_API Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength,
                                                           bool orthographic, double creaseAngle);
 
-/// The outline picture of the classic detector. GPU twin: shaders/composite.frag.
+/// The outline picture of the classic detector. Fast twin: src/passes/composite.h.
 /// @return  1, 3 or 4 channels, as Maps::picture
 [[nodiscard]] INKEDGE_API Image<std::uint8_t> composite(const Image<std::uint8_t>& edges, const PictureSettings&);
 

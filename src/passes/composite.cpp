@@ -1,27 +1,16 @@
 #include "passes/composite.h"
 
-#include "gl/draw.h"
-
 namespace inkedge {
-namespace {
 
-void setColor(gl::Gpu& gpu, gl::Program program, GLint location, Color color, float alpha) {
-    const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255.0F; };
-    gpu.api.ProgramUniform4f(gpu.programs.id(program), location, channel(color.red), channel(color.green),
-                             channel(color.blue), alpha);
-}
-
-}  // namespace
-
-gl::Texture composite(gl::Gpu& gpu, const gl::Texture& marks, const PictureSettings& settings) {
-    const bool grey = settings.background && settings.background->grey() && settings.lineColor.grey();
-    const gl::Program program = grey ? gl::Program::CompositeGrey : gl::Program::CompositeColor;
-    gl::Texture picture = gpu.textures.acquire(marks.size(), grey ? GL_R8 : GL_RGBA8);
-    setColor(gpu, program, 0, settings.lineColor, 1.0F);
+Image<std::uint8_t> composite(const EdgeMarks& marks, const PictureSettings& settings) {
+    const Color line = settings.lineColor;
     // A transparent background keeps the line's colour, so that scaling the picture later mixes in no other.
-    setColor(gpu, program, 1, settings.background.value_or(settings.lineColor), settings.background ? 1.0F : 0.0F);
-    gl::drawFullscreen(gpu, program, gl::Framebuffer{gpu.api, {&picture}}, {&marks});
-    return picture;
+    const Color behind = settings.background.value_or(line);
+    const bool grey = settings.background && behind.grey() && line.grey();
+    const std::array<std::uint8_t, 4> edge{line.red, line.green, line.blue, 255};
+    const std::array<std::uint8_t, 4> none{behind.red, behind.green, behind.blue,
+                                           static_cast<std::uint8_t>(settings.background ? 255 : 0)};
+    return paintMarks(marks, {none, edge, edge, edge}, grey ? 1 : settings.background ? 3 : 4);
 }
 
 }  // namespace inkedge

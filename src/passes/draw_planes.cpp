@@ -1,5 +1,7 @@
 #include "passes/draw_planes.h"
 
+#include <array>
+
 #include <glm/gtc/type_ptr.hpp>
 
 #include "gl/draw.h"
@@ -27,11 +29,39 @@ void setUniforms(gl::Gpu& gpu, gl::Program program, const glm::mat4& projection,
     gpu.api.ProgramUniform1i(id, 2, orthographic ? 1 : 0);
 }
 
+// Draws the scene into what prepareDrawing() has set, cleared.
+void drawScene(gl::Gpu& gpu, gl::Program program, const gl::UploadedScene& upload, const gl::Framebuffer& target,
+               const glm::dmat4& projection, const Camera& camera) {
+    constexpr float zeros[4]{};
+    constexpr GLuint noTriangle[4]{};
+    gpu.api.ClearNamedFramebufferfv(target.id(), GL_COLOR, 0, zeros);
+    gpu.api.ClearNamedFramebufferuiv(target.id(), GL_COLOR, 1, noTriangle);
+    gpu.api.ClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, zeros);
+    setUniforms(gpu, program, glm::mat4{projection}, 0.0, camera.orthographic());
+    upload.draw(gl::UploadedScene::Part::All);
+}
+
+// Adds the numbers of coplanar layers to the planes that are drawn.
+void drawLayers(gl::Gpu& gpu, const gl::UploadedScene& upload, const gl::Texture& planes, const gl::Texture& depth,
+                const glm::dmat4& projection, const Camera& camera, double unit) {
+    if (!upload.hasLayers()) return;
+    const gl::Framebuffer target{gpu.api, {&planes}, &depth};
+    gl::prepareDrawing(gpu, gl::Program::DrawLayers, target);
+    gpu.api.DepthFunc(GL_GEQUAL);
+    gpu.api.DepthMask(GL_FALSE);
+    gpu.api.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+    gpu.api.Enable(GL_BLEND);
+    gpu.api.BlendEquation(GL_FUNC_ADD);
+    gpu.api.BlendFunc(GL_ONE, GL_ONE);
+    setUniforms(gpu, gl::Program::DrawLayers, glm::mat4{projection},
+                liftInClipSpace(projection, camera, planes.size(), unit), camera.orthographic());
+    upload.draw(gl::UploadedScene::Part::Layers);
+}
+
 }  // namespace
 
 PlaneBuffers drawPlanes(gl::Gpu& gpu, const gl::UploadedScene& upload, const Scene& scene, const Camera& camera,
                         Size size) {
-    using Part = gl::UploadedScene::Part;
     const double unit = unitLength(scene);
     const glm::dmat4 projection = reversedProjection(camera, size, unit);
     upload.place(placeInstances(scene, upload, camera, LightSpace::Camera));
@@ -40,26 +70,27 @@ PlaneBuffers drawPlanes(gl::Gpu& gpu, const gl::UploadedScene& upload, const Sce
     const gl::Texture depth = gpu.textures.acquire(size, GL_DEPTH_COMPONENT32F);
     const gl::Framebuffer target{gpu.api, {&buffers.planes, &buffers.triangles}, &depth};
     gl::prepareDrawing(gpu, gl::Program::DrawPlanes, target);
-    constexpr float zeros[4]{};
-    constexpr GLuint noTriangle[4]{};
-    gpu.api.ClearNamedFramebufferfv(target.id(), GL_COLOR, 0, zeros);
-    gpu.api.ClearNamedFramebufferuiv(target.id(), GL_COLOR, 1, noTriangle);
-    gpu.api.ClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, zeros);
-    setUniforms(gpu, gl::Program::DrawPlanes, glm::mat4{projection}, 0.0, camera.orthographic());
-    upload.draw(Part::All);
-    if (!upload.hasLayers()) return buffers;
+    drawScene(gpu, gl::Program::DrawPlanes, upload, target, projection, camera);
+    drawLayers(gpu, upload, buffers.planes, depth, projection, camera, unit);
+    return buffers;
+}
 
-    const gl::Framebuffer layerTarget{gpu.api, {&buffers.planes}, &depth};
-    gl::prepareDrawing(gpu, gl::Program::DrawLayers, layerTarget);
-    gpu.api.DepthFunc(GL_GEQUAL);
-    gpu.api.DepthMask(GL_FALSE);
-    gpu.api.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
-    gpu.api.Enable(GL_BLEND);
-    gpu.api.BlendEquation(GL_FUNC_ADD);
-    gpu.api.BlendFunc(GL_ONE, GL_ONE);
-    setUniforms(gpu, gl::Program::DrawLayers, glm::mat4{projection}, liftInClipSpace(projection, camera, size, unit),
-                camera.orthographic());
-    upload.draw(Part::Layers);
+PlanesAndSurface drawPlanesAndSurface(gl::Gpu& gpu, const gl::UploadedScene& upload, const Scene& scene,
+                                      const Camera& camera, LightSpace lightSpace, Size size) {
+    const double unit = unitLength(scene);
+    const glm::dmat4 projection = reversedProjection(camera, size, unit);
+    upload.place(placeInstances(scene, upload, camera, lightSpace));
+
+    PlanesAndSurface buffers{{gpu.textures.acquire(size, GL_RGBA32F), gpu.textures.acquire(size, GL_R32UI)},
+                             {gpu.textures.acquire(size, GL_RGBA32F), gpu.textures.acquire(size, GL_DEPTH_COMPONENT32F)}};
+    auto& [planes, surface] = buffers;
+    const gl::Framebuffer target{gpu.api, {&planes.planes, &planes.triangles, &surface.surface}, &surface.depth};
+    gl::prepareDrawing(gpu, gl::Program::DrawPlanesAndSurface, target);
+    const std::array background{0.0F, 0.0F, 0.0F, static_cast<float>(camera.far)};
+    gpu.api.ClearNamedFramebufferfv(target.id(), GL_COLOR, 2, background.data());
+    gpu.api.ProgramUniform1f(gpu.programs.id(gl::Program::DrawPlanesAndSurface), 3, static_cast<float>(unit));
+    drawScene(gpu, gl::Program::DrawPlanesAndSurface, upload, target, projection, camera);
+    drawLayers(gpu, upload, planes.planes, surface.depth, projection, camera, unit);
     return buffers;
 }
 

@@ -4,6 +4,7 @@
 
 #include "gl/gpu.h"
 #include "gl/upload.h"
+#include "passes/draw_surface.h"
 
 namespace inkedge {
 
@@ -18,5 +19,13 @@ struct PlaneBuffers {
 
 /// Draws the scene once, and its coplanar layers once more. Shaders: draw_planes.vert, draw_planes.frag.
 [[nodiscard]] PlaneBuffers drawPlanes(gl::Gpu&, const gl::UploadedScene&, const Scene&, const Camera&, Size);
+
+/// What drawPlanes() and drawSurface() with NormalLights::Single give, from one pass over the triangles.
+struct PlanesAndSurface {
+    PlaneBuffers planes;
+    SurfaceBuffers surface;
+};
+[[nodiscard]] PlanesAndSurface drawPlanesAndSurface(gl::Gpu&, const gl::UploadedScene&, const Scene&, const Camera&,
+                                                    LightSpace, Size);
 
 }  // namespace inkedge

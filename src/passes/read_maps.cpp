@@ -45,23 +45,18 @@ void readEdges(const gl::Api& api, const EdgeBuffers& buffers, const Settings& s
     const bool normal = wants(settings, Map::NormalEdges);
     const bool both = wants(settings, Map::Edges) && settings.detector.detector == Detector::Classic;
     if (!depth && !normal && !both) return;
-    const Image<std::uint8_t> marks = gl::readBytes(api, buffers.marks, 1);
-    if (depth) maps.depthEdges = mask(marks, EdgeBuffers::depthEdge);
-    if (normal) maps.normalEdges = mask(marks, EdgeBuffers::normalEdge);
-    if (both) maps.edges = mask(marks, EdgeBuffers::depthEdge | EdgeBuffers::normalEdge);
+    const EdgeMarks marks = readMarks(api, buffers);
+    if (depth) maps.depthEdges = mask(marks, EdgeMarks::depthEdge);
+    if (normal) maps.normalEdges = mask(marks, EdgeMarks::normalEdge);
+    if (both) maps.edges = mask(marks, EdgeMarks::depthEdge | EdgeMarks::normalEdge);
     if (!buffers.magnitudes) return;
     const Image<float> magnitudes = gl::readFloats(api, *buffers.magnitudes, 2);
-    if (depth) maps.depthMagnitude = Image<float>{marks.size, 1};
-    if (normal) maps.normalMagnitude = Image<float>{marks.size, 1};
-    for (std::size_t i = 0; i < marks.pixels.size(); ++i) {
+    if (depth) maps.depthMagnitude = Image<float>{magnitudes.size, 1};
+    if (normal) maps.normalMagnitude = Image<float>{magnitudes.size, 1};
+    for (std::size_t i = 0; i < magnitudes.pixels.size() / 2; ++i) {
         if (depth) maps.depthMagnitude.pixels[i] = magnitudes.pixels[2 * i];
         if (normal) maps.normalMagnitude.pixels[i] = magnitudes.pixels[2 * i + 1];
     }
-}
-
-Image<std::uint8_t> readPicture(const gl::Api& api, const gl::Texture& picture, const PictureSettings& settings) {
-    const int channels = picture.format() == GL_R8 ? 1 : settings.background ? 3 : 4;
-    return gl::readBytes(api, picture, channels);
 }
 
 }  // namespace inkedge

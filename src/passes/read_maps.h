@@ -19,9 +19,6 @@ void readSurface(const gl::Api&, const SurfaceBuffers&, const Settings&, Maps&);
 /// Fills the edge masks and magnitudes, as far as they are wanted.
 void readEdges(const gl::Api&, const EdgeBuffers&, const Settings&, Maps&);
 
-/// @param picture  as composite() returns it
-[[nodiscard]] Image<std::uint8_t> readPicture(const gl::Api&, const gl::Texture& picture, const PictureSettings&);
-
 /// 255 where any of the bits is set, else 0.
 [[nodiscard]] Image<std::uint8_t> mask(const Image<std::uint8_t>& marks, unsigned bits);
 

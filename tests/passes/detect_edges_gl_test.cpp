@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <random>
 #include <regex>
 #include <sstream>
 
@@ -11,6 +12,7 @@
 #include <inkedge/reference.h>
 
 #include "gl/gl_test.h"
+#include "gl/read_back.h"
 #include "scenes.h"
 
 namespace inkedge {
@@ -68,7 +70,7 @@ Count expectSameMasks(const Image<std::uint8_t>& found, const Image<std::uint8_t
     return count;
 }
 
-// The mask is exactly what equation 7 makes of the magnitude beside it: both come from one number.
+// The mask is exactly what equation 7 makes of the magnitude beside it.
 void expectThreshold(const Image<std::uint8_t>& mask, const Image<float>& magnitude, float threshold) {
     for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
         ASSERT_EQ(mask.pixels[i], magnitude.pixels[i] >= threshold ? 255 : 0) << magnitude.pixels[i];
@@ -175,6 +177,73 @@ TEST_P(DetectEdges, marksTheSamePixelsWhetherMagnitudesAreKeptOrNot) {
         settings.maps = classicMaps;
         EXPECT_EQ(renderer().render(scene, camera, settings).edges.pixels, without.edges.pixels);
         EXPECT_TRUE(without.depthMagnitude.empty());
+    }
+}
+
+// Noise in every channel, depth from near to far.
+gl::Texture randomSurface(gl::Gpu& gpu, Size size, const Camera& camera, std::mt19937& random) {
+    std::uniform_real_distribution<float> normal{-1.0F, 1.0F};
+    std::uniform_real_distribution<float> depth{static_cast<float>(camera.near), static_cast<float>(camera.far)};
+    Image<float> surface{size, 4};
+    for (std::size_t i = 0; i < surface.pixels.size(); ++i) {
+        surface.pixels[i] = i % 4 == 3 ? depth(random) : normal(random);
+    }
+    gl::Texture texture = gpu.textures.acquire(size, GL_RGBA32F);
+    gpu.api.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    gpu.api.TextureSubImage2D(texture.id(), 0, 0, 0, size.width, size.height, GL_RGBA, GL_FLOAT, surface.pixels.data());
+    return texture;
+}
+
+// Marks in blocks and magnitudes pixel by pixel, where every threshold is one of the magnitudes: a bit's difference between
+// the two forms of the shader would put that pixel on the other side.
+void expectSameInBlocks(gl::Gpu& gpu, const gl::Texture& surface, const Camera& camera, DetectorSettings settings,
+                        std::mt19937& random) {
+    const auto detect = [&] { return detectEdges(gpu, surface, camera, settings, Magnitudes::Keep); };
+    const Image<float> first = gl::readFloats(gpu.api, *detect().magnitudes, 2);
+    const std::size_t count = first.pixels.size() / 2;
+    for (int trial = 0; trial < 8; ++trial) {
+        settings.depthThreshold = first.pixels[2 * (random() % count)];
+        settings.normalThreshold = first.pixels[2 * (random() % count) + 1];
+        const EdgeBuffers edges = detect();
+        ASSERT_EQ(edges.size, surface.size());
+        const Image<float> magnitudes = gl::readFloats(gpu.api, *edges.magnitudes, 2);
+        ASSERT_EQ(magnitudes.pixels, first.pixels) << "magnitudes know no threshold";
+        const EdgeMarks marks = readMarks(gpu.api, edges);
+        const Image<std::uint8_t> depth = mask(marks, EdgeMarks::depthEdge);
+        const Image<std::uint8_t> normal = mask(marks, EdgeMarks::normalEdge);
+        int different = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (depth.pixels[i] != (magnitudes.pixels[2 * i] >= *settings.depthThreshold ? 255 : 0)) ++different;
+            if (normal.pixels[i] != (magnitudes.pixels[2 * i + 1] >= *settings.normalThreshold ? 255 : 0)) ++different;
+        }
+        EXPECT_EQ(different, 0);
+        EXPECT_GT(marked(depth), 0);
+        EXPECT_GT(marked(normal), 0);
+    }
+}
+
+TEST_P(DetectEdges, marksInBlocksWhatItMeasuresPixelByPixel) {
+    const gl::Current current{context()};
+    std::mt19937 random{1};
+    Camera camera;
+    camera.near = 0.7;
+    camera.far = 23.0;
+    for (const Size size : {Size{1, 1}, Size{3, 5}, Size{4, 4}, Size{17, 33}, Size{250, 131}}) {
+        for (const bool orthographic : {false, true}) {
+            camera.orthographicHeight = orthographic ? 2.0 : 0.0;
+            const gl::Texture surface = randomSurface(gpu(), size, camera, random);
+            for (const Kernel kernel : {Kernel::Sobel, Kernel::Farid}) {
+                for (const DepthMap depthMap : {DepthMap::Linear, DepthMap::Window}) {
+                    SCOPED_TRACE(testing::Message() << size.width << "x" << size.height << ", kernel "
+                                                    << static_cast<int>(kernel) << ", depth map "
+                                                    << static_cast<int>(depthMap));
+                    DetectorSettings settings;
+                    settings.kernel = kernel;
+                    settings.depthMap = depthMap;
+                    expectSameInBlocks(gpu(), surface, camera, settings, random);
+                }
+            }
+        }
     }
 }
 
