@@ -30,12 +30,6 @@ Image<float> readFloats(const Api& api, const Texture& texture, int channels) {
                        colorFormats[static_cast<std::size_t>(channels - 1)], GL_FLOAT);
 }
 
-Image<std::uint8_t> readBytes(const Api& api, const Texture& texture, int channels) {
-    const GLenum format =
-        texture.format() == GL_R8UI ? GL_RED_INTEGER : colorFormats[static_cast<std::size_t>(channels - 1)];
-    return read<std::uint8_t>(api, Framebuffer{api, {&texture}}, channels, format, GL_UNSIGNED_BYTE);
-}
-
 Image<std::uint32_t> readIntegers(const Api& api, const Texture& texture) {
     return read<std::uint32_t>(api, Framebuffer{api, {&texture}}, 1, GL_RED_INTEGER, GL_UNSIGNED_INT);
 }

@@ -9,7 +9,6 @@ namespace inkedge::gl {
 /// Copies a texture to host memory, row 0 first.
 /// @param channels  how many of the texture's channels to take, from the first: 1 to 4
 [[nodiscard]] Image<float> readFloats(const Api&, const Texture&, int channels);
-[[nodiscard]] Image<std::uint8_t> readBytes(const Api&, const Texture&, int channels);
 /// An R32UI texture's values.
 [[nodiscard]] Image<std::uint32_t> readIntegers(const Api&, const Texture&);
 /// An RGBA32UI texture as 16 bytes a texel, the low byte of the first component first (on little-endian hosts).

@@ -95,6 +95,7 @@ struct Item {
     std::uint32_t first = 0;  // of the mesh's triangles
     std::uint32_t count = 0;
     bool oneSided = false;
+    bool hidesBacks = false;
     bool mirrored = false;
 };
 
@@ -105,11 +106,12 @@ std::vector<Item> itemsOf(const Scene& scene) {
         const auto total = static_cast<std::uint32_t>(scene.meshes()[instances[i].mesh].indices.size() / 3);
         const std::uint32_t oneSided = scene.oneSidedTriangles(instances[i].mesh);
         const bool mirrored = mirrors(instances[i]);
-        if (oneSided > 0) items.push_back({i, 0, oneSided, true, mirrored});
-        if (oneSided < total) items.push_back({i, oneSided, total - oneSided, false, mirrored});
+        const bool hidesBacks = scene.hidesItsBacks(instances[i].mesh);
+        if (oneSided > 0) items.push_back({i, 0, oneSided, true, hidesBacks, mirrored});
+        if (oneSided < total) items.push_back({i, oneSided, total - oneSided, false, hidesBacks, mirrored});
     }
     std::ranges::stable_sort(items, {}, [&](const Item& item) {
-        return std::tuple{item.oneSided, item.mirrored, instances[item.instance].mesh};
+        return std::tuple{item.oneSided, item.hidesBacks, item.mirrored, instances[item.instance].mesh};
     });
     return items;
 }
@@ -158,7 +160,7 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
     std::vector<DrawCommand> layerCommands;
     std::vector<glm::uvec3> numberings;
     const auto extend = [](std::vector<Run>& runs, const Item& item, std::size_t first, std::size_t end) {
-        Run run{item.oneSided, item.mirrored, static_cast<GLsizei>(first), 0};
+        Run run{item.oneSided, item.hidesBacks, item.mirrored, static_cast<GLsizei>(first), 0};
         if (runs.empty() || !runs.back().drawnLike(run)) runs.push_back(run);
         runs.back().count = static_cast<GLsizei>(end) - runs.back().first;
     };
@@ -220,18 +222,19 @@ void UploadedScene::place(const std::vector<PlacedInstance>& placements) const {
                             placements.data());
 }
 
-void UploadedScene::draw(Part part) const {
+void UploadedScene::draw(Part part, HiddenBacks backs) const {
     api_.BindVertexArray(vertexArray_.id());
     api_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_.id());
     api_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, patchNumbers_.id());
     api_.CullFace(GL_BACK);
-    for (const Run& run : part == Part::Layers ? layerRuns_ : runs_) draw(run);
+    for (const Run& run : part == Part::Layers ? layerRuns_ : runs_) draw(run, backs);
     api_.Disable(GL_CULL_FACE);
 }
 
-void UploadedScene::draw(const Run& run) const {
+void UploadedScene::draw(const Run& run, HiddenBacks backs) const {
     api_.FrontFace(run.mirrored ? GL_CW : GL_CCW);
-    run.oneSided ? api_.Enable(GL_CULL_FACE) : api_.Disable(GL_CULL_FACE);
+    const bool cull = run.oneSided || (run.hidesBacks && backs == HiddenBacks::Skip);
+    cull ? api_.Enable(GL_CULL_FACE) : api_.Disable(GL_CULL_FACE);
     const auto offset = static_cast<std::uintptr_t>(run.first) * sizeof(DrawCommand);
     api_.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset), run.count, 0);
 }

@@ -41,8 +41,11 @@ public:
     /// @param placements  one for each of instanceOrder()
     void place(const std::vector<PlacedInstance>& placements) const;
 
+    /// What becomes of the backs of meshes that hide them: Scene::hidesItsBacks().
+    enum class HiddenBacks { Draw, Skip };
+
     /// Draws with what prepareDrawing() has set. Front faces are those that the normals point away from.
-    void draw(Part) const;
+    void draw(Part, HiddenBacks) const;
 
     [[nodiscard]] bool hasLayers() const noexcept { return !layerRuns_.empty(); }
 
@@ -52,15 +55,16 @@ public:
 private:
     // Commands that follow each other and need the same state.
     struct Run {
-        bool oneSided = false;  // backs are not drawn
-        bool mirrored = false;  // front faces wind clockwise
+        bool oneSided = false;    // backs are not drawn
+        bool hidesBacks = false;  // backs need not be drawn
+        bool mirrored = false;    // front faces wind clockwise
         GLsizei first = 0;
         GLsizei count = 0;
         [[nodiscard]] bool drawnLike(const Run& other) const noexcept {
-            return oneSided == other.oneSided && mirrored == other.mirrored;
+            return oneSided == other.oneSided && hidesBacks == other.hidesBacks && mirrored == other.mirrored;
         }
     };
-    void draw(const Run&) const;
+    void draw(const Run&, HiddenBacks) const;
 
     const Api& api_;
     std::weak_ptr<const void> scene_;

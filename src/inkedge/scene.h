@@ -104,6 +104,8 @@ public:
     [[nodiscard]] const Sphere& bounds() const noexcept;
     /// How many triangles of mesh i, the first ones, are seen from their front only: LoadSettings::backFaces.
     [[nodiscard]] std::uint32_t oneSidedTriangles(std::size_t i) const noexcept;
+    /// Whether mesh i's faces are all single-sided and close it, wound outward: from outside no back of them is seen.
+    [[nodiscard]] bool hidesItsBacks(std::size_t i) const noexcept;
     /// Degrees: faces that meet at more than this meet in a crease.
     [[nodiscard]] double creaseAngle() const noexcept;
     /// Triangles drawn: every instance counts.

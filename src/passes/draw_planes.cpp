@@ -31,19 +31,20 @@ void setUniforms(gl::Gpu& gpu, gl::Program program, const glm::mat4& projection,
 
 // Draws the scene into what prepareDrawing() has set, cleared.
 void drawScene(gl::Gpu& gpu, gl::Program program, const gl::UploadedScene& upload, const gl::Framebuffer& target,
-               const glm::dmat4& projection, const Camera& camera) {
+               const glm::dmat4& projection, const Camera& camera, gl::UploadedScene::HiddenBacks backs) {
     constexpr float zeros[4]{};
     constexpr GLuint noTriangle[4]{};
     gpu.api.ClearNamedFramebufferfv(target.id(), GL_COLOR, 0, zeros);
     gpu.api.ClearNamedFramebufferuiv(target.id(), GL_COLOR, 1, noTriangle);
     gpu.api.ClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, zeros);
     setUniforms(gpu, program, glm::mat4{projection}, 0.0, camera.orthographic());
-    upload.draw(gl::UploadedScene::Part::All);
+    upload.draw(gl::UploadedScene::Part::All, backs);
 }
 
 // Adds the numbers of coplanar layers to the planes that are drawn.
 void drawLayers(gl::Gpu& gpu, const gl::UploadedScene& upload, const gl::Texture& planes, const gl::Texture& depth,
-                const glm::dmat4& projection, const Camera& camera, double unit) {
+                const glm::dmat4& projection, const Camera& camera, double unit,
+                gl::UploadedScene::HiddenBacks backs) {
     if (!upload.hasLayers()) return;
     const gl::Framebuffer target{gpu.api, {&planes}, &depth};
     gl::prepareDrawing(gpu, gl::Program::DrawLayers, target);
@@ -55,7 +56,7 @@ void drawLayers(gl::Gpu& gpu, const gl::UploadedScene& upload, const gl::Texture
     gpu.api.BlendFunc(GL_ONE, GL_ONE);
     setUniforms(gpu, gl::Program::DrawLayers, glm::mat4{projection},
                 liftInClipSpace(projection, camera, planes.size(), unit), camera.orthographic());
-    upload.draw(gl::UploadedScene::Part::Layers);
+    upload.draw(gl::UploadedScene::Part::Layers, backs);
 }
 
 }  // namespace
@@ -70,8 +71,8 @@ PlaneBuffers drawPlanes(gl::Gpu& gpu, const gl::UploadedScene& upload, const Sce
     const gl::Texture depth = gpu.textures.acquire(size, GL_DEPTH_COMPONENT32F);
     const gl::Framebuffer target{gpu.api, {&buffers.planes, &buffers.triangles}, &depth};
     gl::prepareDrawing(gpu, gl::Program::DrawPlanes, target);
-    drawScene(gpu, gl::Program::DrawPlanes, upload, target, projection, camera);
-    drawLayers(gpu, upload, buffers.planes, depth, projection, camera, unit);
+    drawScene(gpu, gl::Program::DrawPlanes, upload, target, projection, camera, hiddenBacks(scene, camera));
+    drawLayers(gpu, upload, buffers.planes, depth, projection, camera, unit, hiddenBacks(scene, camera));
     return buffers;
 }
 
@@ -89,8 +90,8 @@ PlanesAndSurface drawPlanesAndSurface(gl::Gpu& gpu, const gl::UploadedScene& upl
     const std::array background{0.0F, 0.0F, 0.0F, static_cast<float>(camera.far)};
     gpu.api.ClearNamedFramebufferfv(target.id(), GL_COLOR, 2, background.data());
     gpu.api.ProgramUniform1f(gpu.programs.id(gl::Program::DrawPlanesAndSurface), 3, static_cast<float>(unit));
-    drawScene(gpu, gl::Program::DrawPlanesAndSurface, upload, target, projection, camera);
-    drawLayers(gpu, upload, planes.planes, surface.depth, projection, camera, unit);
+    drawScene(gpu, gl::Program::DrawPlanesAndSurface, upload, target, projection, camera, hiddenBacks(scene, camera));
+    drawLayers(gpu, upload, planes.planes, surface.depth, projection, camera, unit, hiddenBacks(scene, camera));
     return buffers;
 }
 

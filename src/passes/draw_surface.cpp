@@ -37,7 +37,7 @@ SurfaceBuffers drawSurface(gl::Gpu& gpu, const gl::UploadedScene& upload, const 
         gpu.api.ClearNamedFramebufferfv(target.id(), GL_COLOR, 0, background.data());
         gpu.api.ClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &farthest);
         setUniforms(gpu, program, projection, unit);
-        upload.draw(gl::UploadedScene::Part::All);
+        upload.draw(gl::UploadedScene::Part::All, hiddenBacks(scene, camera));
         return color;
     };
     if (settings.normalLights == NormalLights::Single) {

@@ -38,6 +38,13 @@ glm::dmat4 reversedProjection(const Camera& camera, Size size, double unit) {
     return reverse * scaled.projection(size);
 }
 
+gl::UploadedScene::HiddenBacks hiddenBacks(const Scene& scene, const Camera& camera) {
+    const Sphere& bounds = scene.bounds();
+    const double nearest = -(camera.view * glm::dvec4{bounds.centre, 1.0}).z - bounds.radius;
+    const bool outside = nearest >= camera.near;
+    return outside ? gl::UploadedScene::HiddenBacks::Skip : gl::UploadedScene::HiddenBacks::Draw;
+}
+
 std::vector<gl::UploadedScene::PlacedInstance> placeInstances(const Scene& scene, const gl::UploadedScene& upload,
                                                               const Camera& camera, LightSpace lightSpace) {
     glm::dmat4 scale{1.0 / unitLength(scene)};

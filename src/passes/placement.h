@@ -23,4 +23,7 @@ namespace inkedge {
 [[nodiscard]] std::vector<gl::UploadedScene::PlacedInstance> placeInstances(const Scene&, const gl::UploadedScene&,
                                                                             const Camera&, LightSpace);
 
+/// Backs that closed meshes hide are skipped if the camera stands outside the scene and its near plane cuts none of it.
+[[nodiscard]] gl::UploadedScene::HiddenBacks hiddenBacks(const Scene&, const Camera&);
+
 }  // namespace inkedge

@@ -15,6 +15,7 @@
 
 #include <inkedge/error.h>
 
+#include "scene/closed_surface.h"
 #include "scene/distortion.h"
 #include "scene/extent.h"
 #include "scene/normals.h"
@@ -27,6 +28,7 @@ struct Scene::Prepared : Scene::Data {
     std::vector<Box> meshBoxes;
     std::vector<MeshTopology> topologies;
     std::vector<std::uint32_t> oneSided;
+    std::vector<bool> hidesItsBacks;
     Box box;
     Sphere bounds;
     double creaseAngle = 0.0;
@@ -102,6 +104,14 @@ void dropUnusedVertices(Mesh& mesh) {
     for (std::uint32_t& i : mesh.indices) i = to[i];
 }
 
+// Of glTF a material that is not there is single-sided; of other files nothing is known.
+bool isSingleSided(const Mesh& mesh, const Scene::Data& data) {
+    if (!data.source.format.starts_with("glTF")) return false;
+    return std::ranges::none_of(mesh.materials, [&](std::uint32_t material) {
+        return material > 0 && material <= data.materials.size() && data.materials[material - 1].doubleSided;
+    });
+}
+
 // Brings the triangles of single-sided materials to the front.
 // @return how many they are
 std::uint32_t sortBySides(Mesh& mesh, const std::vector<Material>& materials) {
@@ -171,6 +181,7 @@ Scene::Scene(Data data, const LoadSettings& settings) {
         MeshTopology topology = buildTopology(mesh);
         completeNormals(mesh, topology, settings);
         buildPatches(mesh, settings.creaseAngle, topology);
+        prepared->hidesItsBacks.push_back(isSingleSided(mesh, *prepared) && isClosedOutward(mesh, topology));
         prepared->topologies.push_back(std::move(topology));
         prepared->meshBoxes.push_back(boxOf(mesh.positions));
     }
@@ -195,6 +206,7 @@ const SceneSource& Scene::source() const noexcept { return data_->source; }
 const Box& Scene::box() const noexcept { return data_->box; }
 const Sphere& Scene::bounds() const noexcept { return data_->bounds; }
 std::uint32_t Scene::oneSidedTriangles(std::size_t i) const noexcept { return data_->oneSided[i]; }
+bool Scene::hidesItsBacks(std::size_t i) const noexcept { return data_->hidesItsBacks[i]; }
 double Scene::creaseAngle() const noexcept { return data_->creaseAngle; }
 std::uint64_t Scene::triangleCount() const noexcept { return data_->triangleCount; }
 const MeshTopology& Scene::topology(std::size_t i) const noexcept { return data_->topologies[i]; }

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <inkedge/scene.h>
+
+#include "scene/topology.h"
+
+namespace inkedge {
+
+/// Whether every part of a mesh that hangs together is closed (each edge has two faces), wound consistently, and outward
+/// (its signed volume is over 0): from outside only fronts of its faces are seen, unless it runs through itself so that
+/// a part is inside out. Faces collapsed to a line or a point do not matter. O(n).
+[[nodiscard]] bool isClosedOutward(const Mesh&, const MeshTopology&);
+
+}  // namespace inkedge
