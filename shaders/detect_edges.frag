@@ -1,8 +1,8 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 
-// Edges of the depth map and of the normal map. CPU definition: reference.h, detectEdges(); measure_edges.frag is the same
-// for one pixel. One invocation decides 4 x 4 pixels, which share what they fetch and the sums along rows:
+// Edges of the depth map and of the normal map. CPU definition: reference.h, detectEdges(); measure_edges.frag is the
+// same for one pixel. One invocation decides 4 x 4 pixels, which share what they fetch and the sums along rows:
 //
 //   . . . . . . . .    a row of samples (.) gives four derivatives and four smoothed values;
 //   . . . . . . . .    as soon as 2 RADIUS + 1 rows of these are there, they give a row of pixels (#).
@@ -49,14 +49,15 @@ uint marksOfRow(int y) {
     return found;
 }
 
-// Offsets must be constants, hence no loop. Software drivers clamp and fetch such a texel in half the time of texelFetch().
+// Offsets must be constants, hence no loop. llvmpipe clamps and fetches such a texel in half the time of texelFetch().
 #define SAMPLE(x, y) channels(textureLodOffset(surfaces, corner, 0.0, ivec2(x, y)))
 #if KERNEL == KERNEL_SOBEL
 #define ROW(y) \
     vec4[](SAMPLE(-1, y), SAMPLE(0, y), SAMPLE(1, y), SAMPLE(2, y), SAMPLE(3, y), SAMPLE(4, y))
 #else
 #define ROW(y) \
-    vec4[](SAMPLE(-2, y), SAMPLE(-1, y), SAMPLE(0, y), SAMPLE(1, y), SAMPLE(2, y), SAMPLE(3, y), SAMPLE(4, y), SAMPLE(5, y))
+    vec4[](SAMPLE(-2, y), SAMPLE(-1, y), SAMPLE(0, y), SAMPLE(1, y), SAMPLE(2, y), SAMPLE(3, y), SAMPLE(4, y), \
+           SAMPLE(5, y))
 #endif
 
 void main() {

@@ -1,8 +1,8 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 
-// Gradient magnitudes, one pixel an invocation: the plain form of detect_edges.frag, which equals it bit for bit. Hertzmann
-// 1999, appendix A, on the depth map and on the three channels of the normal map at once.
+// Gradient magnitudes, one pixel an invocation: the plain form of detect_edges.frag, which equals it bit for bit.
+// Hertzmann 1999, appendix A, on the depth map and on the three channels of the normal map at once.
 #include "shared/edges.glsl"
 
 layout(location = 0) out vec2 magnitudes;  // depth; normal

@@ -18,9 +18,9 @@ struct EdgeBuffers {
 
 enum class Magnitudes { Drop, Keep };
 
-/// Edges of the depth map and of the normal map (appendix A, equations 5 to 8). Shaders: detect_edges.frag for the marks,
-/// measure_edges.frag for the magnitudes; CPU definition: reference::detectEdges(), which it equals except where a
-/// magnitude is within float rounding of its threshold.
+/// Edges of the depth map and of the normal map (appendix A, equations 5 to 8). Shaders: detect_edges.frag for the
+/// marks, measure_edges.frag for the magnitudes; CPU definition: reference::detectEdges(), which it equals except where
+/// a magnitude is within float rounding of its threshold.
 /// @param surface  as SurfaceBuffers::surface; left unchanged
 [[nodiscard]] EdgeBuffers detectEdges(gl::Gpu&, const gl::Texture& surface, const Camera&, const DetectorSettings&,
                                       Magnitudes);

@@ -56,7 +56,8 @@ double diagonal(std::span<const glm::vec3> positions) {
     return glm::length(glm::dvec3{high} - glm::dvec3{low});
 }
 
-// Cells as wide as two tolerances, so that what is near a point lies in the eight cells around the nearest cell corner.
+// Cells are so much wider than the tolerance that what is near a point mostly lies in its own, and so much narrower than
+// a mesh's edges that they mostly hold one point.
 class CellGrid {
 public:
     CellGrid(std::span<const glm::vec3> positions, const std::vector<std::uint32_t>& first, double tolerance)
@@ -69,13 +70,15 @@ public:
     // A place added before that lies within the tolerance of this one, or none; this one is then added.
     std::uint32_t nearOrAdd(std::uint32_t place) {
         const glm::dvec3 p{positions_[first_[place]]};
-        const glm::dvec3 scaled = p / (2.0 * tolerance_);
-        const glm::dvec3 corner = glm::floor(scaled + 0.5);
+        constexpr double cellWidth = 64.0;  // tolerances
+        const glm::dvec3 scaled = p / (cellWidth * tolerance_);
+        const glm::dvec3 low = glm::floor(scaled - 1.0 / cellWidth);
+        const glm::dvec3 high = glm::floor(scaled + 1.0 / cellWidth);
         for (int i = 0; i < 8; ++i) {
-            const glm::dvec3 cell = corner - glm::dvec3{i & 1, (i >> 1) & 1, (i >> 2) & 1};
-            for (std::uint32_t other = heads_[slot(cell)]; other != none; other = next_[other]) {
-                if (glm::length(glm::dvec3{positions_[first_[other]]} - p) <= tolerance_) return other;
-            }
+            const glm::bvec3 upper{(i & 1) != 0, (i & 2) != 0, (i & 4) != 0};
+            if (cellsAreOne(low, high, upper)) continue;
+            const std::uint32_t near = nearIn(slot(glm::mix(low, high, upper)), p);
+            if (near != none) return near;
         }
         std::uint32_t& head = heads_[slot(glm::floor(scaled))];
         next_[place] = head;
@@ -84,6 +87,17 @@ public:
     }
 
 private:
+    // Whether the upper cell along one of the axes wished for is the lower one again.
+    static bool cellsAreOne(const glm::dvec3& low, const glm::dvec3& high, const glm::bvec3& upper) {
+        return (upper.x && low.x == high.x) || (upper.y && low.y == high.y) || (upper.z && low.z == high.z);
+    }
+
+    [[nodiscard]] std::uint32_t nearIn(std::uint64_t slot, const glm::dvec3& p) const {
+        std::uint32_t other = heads_[slot];
+        while (other != none && glm::length(glm::dvec3{positions_[first_[other]]} - p) > tolerance_) other = next_[other];
+        return other;
+    }
+
     [[nodiscard]] std::uint64_t slot(glm::dvec3 cell) const {
         constexpr double farthest = 0x1p62;  // along an axis where all points lie far off and nearly in one plane
         const glm::dvec3 bounded = glm::clamp(cell, -farthest, farthest);

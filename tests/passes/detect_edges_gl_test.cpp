@@ -194,8 +194,8 @@ gl::Texture randomSurface(gl::Gpu& gpu, Size size, const Camera& camera, std::mt
     return texture;
 }
 
-// Marks in blocks and magnitudes pixel by pixel, where every threshold is one of the magnitudes: a bit's difference between
-// the two forms of the shader would put that pixel on the other side.
+// Marks in blocks and magnitudes pixel by pixel, where every threshold is one of the magnitudes: a bit's difference
+// between the two forms of the shader would put that pixel on the other side.
 void expectSameInBlocks(gl::Gpu& gpu, const gl::Texture& surface, const Camera& camera, DetectorSettings settings,
                         std::mt19937& random) {
     const auto detect = [&] { return detectEdges(gpu, surface, camera, settings, Magnitudes::Keep); };
@@ -234,9 +234,9 @@ TEST_P(DetectEdges, marksInBlocksWhatItMeasuresPixelByPixel) {
             const gl::Texture surface = randomSurface(gpu(), size, camera, random);
             for (const Kernel kernel : {Kernel::Sobel, Kernel::Farid}) {
                 for (const DepthMap depthMap : {DepthMap::Linear, DepthMap::Window}) {
-                    SCOPED_TRACE(testing::Message() << size.width << "x" << size.height << ", kernel "
-                                                    << static_cast<int>(kernel) << ", depth map "
-                                                    << static_cast<int>(depthMap));
+                    SCOPED_TRACE(testing::Message()
+                                 << size.width << "x" << size.height << ", kernel " << static_cast<int>(kernel)
+                                 << ", depth map " << static_cast<int>(depthMap));
                     DetectorSettings settings;
                     settings.kernel = kernel;
                     settings.depthMap = depthMap;
