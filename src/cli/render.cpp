@@ -4,7 +4,6 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
-#include <future>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -211,11 +210,6 @@ void warn(const RenderArguments& arguments, const Scene& scene) {
     }
 }
 
-struct StartedRenderer {
-    Renderer renderer;
-    StageTime time;
-};
-
 int render(const RenderArguments& arguments) {
     startTimeout(arguments);
     const Settings settings = arguments.settings.resolve();
@@ -223,26 +217,21 @@ int render(const RenderArguments& arguments) {
     const std::vector<View> views = viewsFrom(arguments, settings);
     for (const View& view : views) checkOutputs(arguments, settings, view);
 
-    // A driver takes its time to start, and so does a model to load.
-    std::future<StartedRenderer> starting = std::async(std::launch::async, [&] {
-        const auto begin = Clock::now();
-        Renderer renderer{settings.backend};
-        return StartedRenderer{std::move(renderer), {"context", millisecondsSince(begin)}};
-    });
-    const auto begin = Clock::now();
+    auto begin = Clock::now();
     const Scene scene = loadScene(arguments.model, settings.load);
     const StageTime loading{"load", millisecondsSince(begin)};
     warn(arguments, scene);
-    StartedRenderer started = starting.get();
-    const StageTime makingContext = started.time;
+    begin = Clock::now();
+    Renderer renderer{settings.backend};
+    const StageTime makingContext{"context", millisecondsSince(begin)};
 
-    ViewPool pool{views.size(), [&](std::size_t view, Renderer& renderer) {
+    ViewPool pool{views.size(), [&](std::size_t view, Renderer& itsRenderer) {
                       const std::vector<StageTime> before =
                           view == 0 ? std::vector{loading, makingContext} : std::vector<StageTime>{};
-                      return renderView(arguments, settings, scene, views[view], renderer, before);
+                      return renderView(arguments, settings, scene, views[view], itsRenderer, before);
                   }};
     const std::vector<Summary> summaries =
-        pool.run(std::move(started.renderer), workersFor(arguments, views.size()), settings.backend);
+        pool.run(std::move(renderer), workersFor(arguments, views.size()), settings.backend);
 
     if (arguments.json) {
         nlohmann::ordered_json all = nlohmann::ordered_json::array();
