@@ -29,6 +29,7 @@ std::string randomName() {
 struct TemporaryName::Slot {
     std::atomic<const char*> name{nullptr};
     std::atomic<bool> used{true};
+    const char* taken = nullptr;  // by the handler, which may read it until the process ends: never freed
     Slot* next = nullptr;
 
     static std::atomic<Slot*> first;
@@ -71,6 +72,8 @@ TemporaryName::~TemporaryName() {
     if (const char* path = slot_->name.exchange(nullptr)) {
         ::unlink(path);
         delete[] path;
+    } else {
+        slot_->taken = path_;
     }
     slot_->used.store(false);
 }

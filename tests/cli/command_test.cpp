@@ -145,7 +145,8 @@ TEST_F(Doctor, SaysTheReasonAndTheRemedyWhereNothingWorks) {
     EXPECT_THAT(text.out, HasSubstr("install Mesa"));
     const Outcome outcome = run({"doctor", "--json"}, withoutBackends());
     EXPECT_EQ(outcome.exitCode, 4);
-    for (const json& backend : json::parse(outcome.out)["backends"]) {
+    const json found = json::parse(outcome.out);
+    for (const json& backend : found.at("backends")) {
         EXPECT_EQ(backend["works"], false);
         EXPECT_THAT(backend["failure"].get<std::string>(), HasSubstr("expected "));
     }
