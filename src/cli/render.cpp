@@ -219,16 +219,17 @@ int render(const RenderArguments& arguments) {
 
     auto begin = Clock::now();
     const Scene scene = loadScene(arguments.model, settings.load);
-    const StageTime loading{"load", millisecondsSince(begin)};
+    const double loading = millisecondsSince(begin);
+    std::vector<StageTime> before{{"load", loading - scene.preparationMilliseconds()},
+                                  {"prepare", scene.preparationMilliseconds()}};
     warn(arguments, scene);
     begin = Clock::now();
     Renderer renderer{settings.backend};
-    const StageTime makingContext{"context", millisecondsSince(begin)};
+    before.push_back({"context", millisecondsSince(begin)});
 
     ViewPool pool{views.size(), [&](std::size_t view, Renderer& itsRenderer) {
-                      const std::vector<StageTime> before =
-                          view == 0 ? std::vector{loading, makingContext} : std::vector<StageTime>{};
-                      return renderView(arguments, settings, scene, views[view], itsRenderer, before);
+                      return renderView(arguments, settings, scene, views[view], itsRenderer,
+                                        view == 0 ? before : std::vector<StageTime>{});
                   }};
     const std::vector<Summary> summaries =
         pool.run(std::move(renderer), workersFor(arguments, views.size()), settings.backend);

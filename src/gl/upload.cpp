@@ -147,6 +147,11 @@ std::vector<float> signedPatchNumbers(const PatchNumbers& patches) {
 
 UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, scene_{scene.identity()} {
     Geometry geometry;
+    std::size_t vertexCount = 0;
+    std::size_t indexCount = 0;
+    for (const Mesh& mesh : scene.meshes()) vertexCount += mesh.positions.size(), indexCount += mesh.indices.size();
+    geometry.vertices.reserve(vertexCount);
+    geometry.indices.reserve(indexCount);
     for (std::size_t i = 0; i < scene.meshes().size(); ++i) append(scene.meshes()[i], scene.topology(i), geometry);
 
     const std::vector<Instance>& instances = scene.instances();
@@ -190,7 +195,9 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
     commands.insert(commands.end(), layerCommands.begin(), layerCommands.end());
 
     vertices_ = createFilledBuffer(api, geometry.vertices);
+    geometry.vertices = {};  // no two copies of everything at once
     indices_ = createFilledBuffer(api, geometry.indices);
+    geometry.indices = {};
     commands_ = createFilledBuffer(api, commands);
     numberings_ = createFilledBuffer(api, numberings);
     patchNumbers_ = createFilledBuffer(api, signedPatchNumbers(scene.patchNumbers()));

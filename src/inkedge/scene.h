@@ -115,6 +115,9 @@ public:
     [[nodiscard]] const MeshTopology& topology(std::size_t i) const noexcept;
     [[nodiscard]] const PatchNumbers& patchNumbers() const noexcept;
 
+    /// Wall time that the constructor took: the part of loadScene() that is not reading the file.
+    [[nodiscard]] double preparationMilliseconds() const noexcept;
+
     /// The same for all copies of one scene and for no other scene alive.
     [[nodiscard]] std::weak_ptr<const void> identity() const noexcept;
 

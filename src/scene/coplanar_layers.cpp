@@ -3,12 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
+#include <optional>
 #include <span>
+#include <tuple>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/ext/vector_uint3.hpp>
 #include <glm/vec2.hpp>
 
+#include "scene/parallel.h"
 #include "scene/topology.h"
 #include "scene/world_triangles.h"
 
@@ -21,11 +27,15 @@ constexpr double normalTolerance = 1e-4;  // and into each cell that they are th
 
 constexpr std::uint64_t maximumSteps = 300'000'000;  // about two seconds
 
-struct Face {
+// Triangles in a row of one instance and one number, with normals in the same cells, whose planes lie within the
+// tolerance of each other: a flat face of a part is but a few of them.
+struct Run {
     std::uint32_t cell;  // of normals, numbered over a cube
-    float distance;      // of the plane from the scene's centre, in radii
+    float low;
+    float high;  // distances of the planes from the scene's centre, in radii
     std::uint32_t instance;
-    std::uint32_t triangle;
+    std::uint32_t first;
+    std::uint32_t count;
 };
 
 // One of two opposite normals: they name one plane. The largest component decides, so that noise cannot.
@@ -36,21 +46,36 @@ glm::dvec3 canonical(glm::dvec3 n) {
 }
 
 // Cells that a normal lies in or is within the tolerance of: one, seldom two to eight.
+struct Cells {
+    glm::uvec3 low{0U};
+    glm::uvec3 high{0U};
+    friend bool operator==(const Cells&, const Cells&) = default;
+};
+
+Cells cellsOf(glm::dvec3 n) {
+    const auto at = [](glm::dvec3 v) { return glm::uvec3{v / normalStep + 512.0}; };
+    return {at(n - normalTolerance), at(n + normalTolerance)};
+}
+
 template <class Visit>
-void forEachCell(glm::dvec3 n, Visit visit) {
-    std::array<std::uint32_t, 8> seen{};
-    std::size_t count = 0;
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 offset{i & 1 ? normalTolerance : -normalTolerance, i & 2 ? normalTolerance : -normalTolerance,
-                                i & 4 ? normalTolerance : -normalTolerance};
-        std::uint32_t cell = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            cell = cell * 1024 + static_cast<std::uint32_t>(std::floor((n[axis] + offset[axis]) / normalStep) + 512.0);
-        }
-        if (std::find(seen.begin(), seen.begin() + count, cell) != seen.begin() + count) continue;
-        seen[count++] = cell;
-        visit(cell);
-    }
+void forEachCell(const Cells& cells, Visit visit) {
+    for (std::uint32_t x = cells.low.x; x <= cells.high.x; ++x)
+        for (std::uint32_t y = cells.low.y; y <= cells.high.y; ++y)
+            for (std::uint32_t z = cells.low.z; z <= cells.high.z; ++z) visit((x * 1024 + y) * 1024 + z);
+}
+
+struct Plane {
+    glm::dvec3 normal;  // canonical
+    float distance;     // in radii
+};
+
+std::optional<Plane> planeOf(const std::array<glm::dvec3, 3>& triangle, double radius) {
+    const auto& [a, b, c] = triangle;
+    const glm::dvec3 area = glm::cross(b - a, c - a);
+    const double length = glm::length(area);
+    if (length == 0.0) return {};
+    const glm::dvec3 n = canonical(area / length);
+    return Plane{n, static_cast<float>(glm::dot(n, a) / radius)};
 }
 
 struct FlatTriangle {
@@ -83,17 +108,16 @@ public:
         : scene_{scene}, patches_{patches}, layered_(patches.number.size(), false) {}
 
     std::vector<bool> find() {
-        collectFaces();
-        std::ranges::sort(faces_, [](const Face& a, const Face& b) {
-            return a.cell != b.cell ? a.cell < b.cell : a.distance < b.distance;
-        });
-        for (std::size_t begin = 0; begin < faces_.size();) {
+        collectRuns();
+        std::ranges::sort(runs_, {}, [](const Run& run) { return std::tuple{run.cell, run.low, run.instance, run.first}; });
+        for (std::size_t begin = 0; begin < runs_.size();) {
             std::size_t end = begin + 1;  // chains of planes, each within the tolerance of the one before
-            while (end < faces_.size() && faces_[end].cell == faces_[begin].cell &&
-                   faces_[end].distance - faces_[end - 1].distance <= static_cast<float>(planeTolerance)) {
-                ++end;
+            float reach = runs_[begin].high;
+            while (end < runs_.size() && runs_[end].cell == runs_[begin].cell &&
+                   runs_[end].low - reach <= static_cast<float>(planeTolerance)) {
+                reach = std::max(reach, runs_[end++].high);
             }
-            findIn({faces_.data() + begin, end - begin});
+            findIn({runs_.data() + begin, end - begin});
             begin = end;
         }
         return std::move(layered_);
@@ -104,31 +128,68 @@ private:
         return {scene_, scene_.instances()[instance], scene_.bounds().centre};
     }
 
-    [[nodiscard]] std::uint32_t patchOf(const Face& face) const {
-        const std::uint32_t mesh = scene_.instances()[face.instance].mesh;
-        return patches_.base[face.instance] + scene_.topology(mesh).patches[face.triangle];
+    [[nodiscard]] std::uint32_t patchOf(std::uint32_t instance, std::uint32_t triangle) const {
+        const std::uint32_t mesh = scene_.instances()[instance].mesh;
+        return patches_.base[instance] + scene_.topology(mesh).patches[triangle];
     }
 
-    void collectFaces() {
+    [[nodiscard]] std::uint32_t numberOf(std::uint32_t instance, std::uint32_t triangle) const {
+        return patches_.number[patchOf(instance, triangle)];
+    }
+
+    // Where threads' ranges cut a run in two, nothing else changes.
+    void collectRuns() {
+        std::mutex mutex;
         for (std::uint32_t i = 0; i < scene_.instances().size(); ++i) {
-            const WorldTriangles world = triangles(i);
-            for (std::uint32_t t = 0; t < world.count(); ++t) {
-                const auto [a, b, c] = world.triangle(t);
-                const glm::dvec3 area = glm::cross(b - a, c - a);
-                const double length = glm::length(area);
-                if (length == 0.0) continue;
-                const glm::dvec3 n = canonical(area / length);
-                const auto distance = static_cast<float>(glm::dot(n, a) / scene_.bounds().radius);
-                forEachCell(n, [&](std::uint32_t cell) { faces_.push_back({cell, distance, i, t}); });
-            }
+            inRanges(triangles(i).count(), [&](std::size_t begin, std::size_t end) {
+                const std::vector<Run> runs =
+                    runsOf(i, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
+                const std::scoped_lock lock{mutex};
+                runs_.insert(runs_.end(), runs.begin(), runs.end());
+            });
         }
     }
 
+    [[nodiscard]] std::vector<Run> runsOf(std::uint32_t instance, std::uint32_t begin, std::uint32_t end) const {
+        const WorldTriangles world = triangles(instance);
+        std::vector<Run> runs;
+        Run run{0, 0.0F, 0.0F, instance, begin, 0};
+        Cells cells;
+        std::uint32_t number = 0;
+        const auto close = [&] {
+            if (run.count == 0) return;
+            forEachCell(cells, [&](std::uint32_t cell) { runs.push_back(run), runs.back().cell = cell; });
+            run.count = 0;
+        };
+        for (std::uint32_t t = begin; t < end; ++t) {
+            const std::optional<Plane> plane = planeOf(world.triangle(t), scene_.bounds().radius);
+            if (!plane) {
+                close();
+                continue;
+            }
+            const Cells itsCells = cellsOf(plane->normal);
+            const std::uint32_t itsNumber = numberOf(instance, t);
+            const float low = std::min(run.low, plane->distance);
+            const float high = std::max(run.high, plane->distance);
+            if (run.count > 0 && itsCells == cells && itsNumber == number &&
+                high - low <= static_cast<float>(planeTolerance)) {
+                run = {0, low, high, instance, run.first, run.count + 1};
+                continue;
+            }
+            close();
+            run = {0, plane->distance, plane->distance, instance, t, 1};
+            cells = itsCells;
+            number = itsNumber;
+        }
+        close();
+        return runs;
+    }
+
     // Overlaps among faces of about one plane.
-    void findIn(std::span<const Face> group) {
-        const std::uint32_t firstNumber = patches_.number[patchOf(group.front())];
-        if (std::ranges::all_of(group, [&](const Face& f) { return patches_.number[patchOf(f)] == firstNumber; }))
-            return;
+    void findIn(std::span<const Run> group) {
+        const auto numberOfRun = [&](const Run& run) { return numberOf(run.instance, run.first); };
+        const std::uint32_t firstNumber = numberOfRun(group.front());
+        if (std::ranges::all_of(group, [&](const Run& run) { return numberOfRun(run) == firstNumber; })) return;
 
         const std::vector<FlatTriangle> flat = flatten(group);
         const double margin = planeTolerance * scene_.bounds().radius;
@@ -147,33 +208,46 @@ private:
     }
 
     // Drawing a face as a layer that is none costs time only.
-    void markAll(std::span<const Face> group) {
-        for (const Face& face : group) layered_[patchOf(face)] = true;
+    void markAll(std::span<const Run> group) {
+        for (const Run& run : group)
+            for (std::uint32_t t = run.first; t < run.first + run.count; ++t) layered_[patchOf(run.instance, t)] = true;
+    }
+
+    // The triangle nearest to the scene's centre.
+    [[nodiscard]] std::array<glm::dvec3, 3> nearest(const Run& run) const {
+        const WorldTriangles world = triangles(run.instance);
+        std::uint32_t t = run.first;
+        while (planeOf(world.triangle(t), scene_.bounds().radius)->distance != run.low) ++t;
+        return world.triangle(t);
     }
 
     // In two axes of the plane, sorted along the first.
-    [[nodiscard]] std::vector<FlatTriangle> flatten(std::span<const Face> group) const {
-        const auto [a, b, c] = triangles(group.front().instance).triangle(group.front().triangle);
+    [[nodiscard]] std::vector<FlatTriangle> flatten(std::span<const Run> group) const {
+        const auto [a, b, c] = nearest(group.front());
         const glm::dvec3 u = glm::normalize(b - a);
         const glm::dvec3 v = glm::normalize(glm::cross(glm::cross(b - a, c - a), u));
+        std::vector<Run> inOrder{group.begin(), group.end()};
+        std::ranges::sort(inOrder, {}, [](const Run& run) { return std::pair{run.instance, run.first}; });
         std::vector<FlatTriangle> flat;
-        flat.reserve(group.size());
-        for (const Face& face : group) {
-            const auto world = triangles(face.instance).triangle(face.triangle);
-            FlatTriangle t{{}, 0.0, 0.0, patchOf(face), patches_.number[patchOf(face)]};
-            for (std::size_t i = 0; i < 3; ++i) t.corners[i] = {glm::dot(world[i], u), glm::dot(world[i], v)};
-            t.low = std::min({t.corners[0].x, t.corners[1].x, t.corners[2].x});
-            t.high = std::max({t.corners[0].x, t.corners[1].x, t.corners[2].x});
-            flat.push_back(t);
+        for (const Run& run : inOrder) {
+            const WorldTriangles world = triangles(run.instance);
+            for (std::uint32_t number = run.first; number < run.first + run.count; ++number) {
+                const auto triangle = world.triangle(number);
+                FlatTriangle t{{}, 0.0, 0.0, patchOf(run.instance, number), numberOf(run.instance, number)};
+                for (std::size_t i = 0; i < 3; ++i) t.corners[i] = {glm::dot(triangle[i], u), glm::dot(triangle[i], v)};
+                t.low = std::min({t.corners[0].x, t.corners[1].x, t.corners[2].x});
+                t.high = std::max({t.corners[0].x, t.corners[1].x, t.corners[2].x});
+                flat.push_back(t);
+            }
         }
-        std::ranges::sort(flat, {}, &FlatTriangle::low);
+        std::ranges::stable_sort(flat, {}, &FlatTriangle::low);
         return flat;
     }
 
     const Scene& scene_;
     const PatchNumbers& patches_;
     std::vector<bool> layered_;
-    std::vector<Face> faces_;
+    std::vector<Run> runs_;
     std::uint64_t stepsLeft_ = maximumSteps;
 };
 

@@ -1,13 +1,24 @@
 #include "scene/extent.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace inkedge {
 namespace {
+
+std::array<glm::dvec3, 8> cornersOf(const Box& box) {
+    std::array<glm::dvec3, 8> corners;
+    for (unsigned i = 0; i < corners.size(); ++i) {
+        corners[i] = {(i & 1U) != 0 ? box.max.x : box.min.x, (i & 2U) != 0 ? box.max.y : box.min.y,
+                      (i & 4U) != 0 ? box.max.z : box.min.z};
+    }
+    return corners;
+}
 
 // The maximum of a convex measure(position, world transform) over all drawn vertices: over a box it lies at a corner.
 template <class Measure>
@@ -15,16 +26,11 @@ double maximum(const Scene& scene, Measure measure) {
     double most = -std::numeric_limits<double>::infinity();
     for (const Instance& instance : scene.instances()) {
         const Mesh& mesh = scene.meshes()[instance.mesh];
-        const Box& box = scene.meshBox(instance.mesh);
         const auto at = [&](glm::dvec3 p) {
             return measure(glm::dvec3{instance.transform * glm::dvec4{p + mesh.origin, 1.0}});
         };
         double reach = -std::numeric_limits<double>::infinity();
-        for (int corner = 0; corner < 8; ++corner) {
-            reach = std::max(reach,
-                             at({(corner & 1) != 0 ? box.max.x : box.min.x, (corner & 2) != 0 ? box.max.y : box.min.y,
-                                 (corner & 4) != 0 ? box.max.z : box.min.z}));
-        }
+        for (const glm::dvec3 corner : cornersOf(scene.meshBox(instance.mesh))) reach = std::max(reach, at(corner));
         if (reach <= most) continue;
         for (const glm::vec3 p : mesh.positions) most = std::max(most, at(p));
     }
@@ -35,6 +41,24 @@ double maximum(const Scene& scene, Measure measure) {
 
 double support(const Scene& scene, glm::dvec3 direction) {
     return maximum(scene, [&](glm::dvec3 p) { return glm::dot(direction, p); });
+}
+
+Box boxOfAll(const Scene& scene) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Box all{glm::dvec3{infinity}, glm::dvec3{-infinity}};
+    for (const Instance& instance : scene.instances()) {
+        const Mesh& mesh = scene.meshes()[instance.mesh];
+        const auto at = [&](glm::dvec3 p) { return glm::dvec3{instance.transform * glm::dvec4{p + mesh.origin, 1.0}}; };
+        const auto addTo = [&](Box& box, glm::dvec3 p) {
+            box.min = glm::min(box.min, at(p));
+            box.max = glm::max(box.max, at(p));
+        };
+        Box reach = all;
+        for (const glm::dvec3 corner : cornersOf(scene.meshBox(instance.mesh))) addTo(reach, corner);
+        if (reach.min == all.min && reach.max == all.max) continue;
+        for (const glm::vec3 p : mesh.positions) addTo(all, p);
+    }
+    return all;
 }
 
 double farthestDistance(const Scene& scene, glm::dvec3 point) {

@@ -10,6 +10,9 @@ namespace inkedge {
 /// further than what is already found are not looked into.
 [[nodiscard]] double support(const Scene&, glm::dvec3 direction);
 
+/// The box of all drawn vertices, in world space.
+[[nodiscard]] Box boxOfAll(const Scene&);
+
 /// The distance of the drawn vertex that lies farthest from a point, in world space.
 [[nodiscard]] double farthestDistance(const Scene&, glm::dvec3 point);
 

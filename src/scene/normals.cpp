@@ -1,85 +1,130 @@
 #include "scene/normals.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "scene/union_find.h"
+#include "scene/parallel.h"
 
 namespace inkedge {
 namespace {
 
 using Corners = std::vector<std::uint32_t>;
 
+constexpr std::uint32_t none = ~0U;
+
 constexpr glm::vec3 anyNormal{0.0F, 0.0F, 1.0F};  // of a face without area: it is never drawn
+
+bool isWanted(glm::vec3 normal) { return normal == glm::vec3{0.0F}; }
 
 glm::dvec3 unitOrZero(glm::dvec3 v) {
     const double length = glm::length(v);
     return length > 0.0 ? v / length : glm::dvec3{0.0};
 }
 
-glm::dvec3 position(const Mesh& mesh, std::uint32_t corner) { return {mesh.positions[mesh.indices[corner]]}; }
+// For every corner the first of all that share its normal. A corner shares it with at most one other across each of its
+// triangle's two edges there, so that walking both ways finds all.
+class SmoothingGroups {
+public:
+    SmoothingGroups(const Mesh& mesh, const MeshTopology& topology, double creaseAngle)
+        : mesh_{mesh},
+          topology_{topology},
+          smoothCosine_{std::cos(glm::radians(creaseAngle))},
+          first_(topology.points.size(), none) {}
 
-double cornerAngle(const Mesh& mesh, std::uint32_t corner) {
-    const std::uint32_t next = nextHalfEdge(corner);
-    const glm::dvec3 p = position(mesh, corner);
-    const glm::dvec3 a = unitOrZero(position(mesh, next) - p);
-    const glm::dvec3 b = unitOrZero(position(mesh, nextHalfEdge(next)) - p);
-    return std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
-}
+    Corners find() {
+        inRanges(topology_.pointCount, [&](std::size_t begin, std::size_t end) {  // no group is at two points
+            for (std::uint32_t c = 0; c < first_.size(); ++c) {
+                if (topology_.points[c] < begin || topology_.points[c] >= end || first_[c] != none) continue;
+                first_[c] = c;
+                follow(c, [&](std::uint32_t corner) { return nextHalfEdge(topology_.twins[corner]); }, [](std::uint32_t corner) { return corner; });
+                follow(c, [&](std::uint32_t corner) { return topology_.twins[previous(corner)]; }, previous);
+            }
+        });
+        return std::move(first_);
+    }
 
-// For every corner the corner that stands for all that share its normal.
-Corners smoothingGroups(const Mesh& mesh, const MeshTopology& topology, double creaseAngle) {
-    const double smoothCosine = std::cos(glm::radians(creaseAngle));
-    UnionFind groups{static_cast<std::uint32_t>(topology.points.size())};
-    for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
-        const std::uint32_t twin = topology.twins[h];
+private:
+    static std::uint32_t previous(std::uint32_t h) { return nextHalfEdge(nextHalfEdge(h)); }
+
+    // Marks what is reached from a corner, until there is nothing new.
+    template <class Across, class HalfEdge>
+    void follow(std::uint32_t group, Across across, HalfEdge halfEdge) {
+        for (std::uint32_t c = group; isSmooth(halfEdge(c));) {
+            c = across(c);
+            if (first_[c] != none) return;
+            first_[c] = group;
+        }
+    }
+
+    [[nodiscard]] bool isSmooth(std::uint32_t h) const {
+        const std::uint32_t twin = topology_.twins[h];
         // Faces wound against each other have normals to opposite sides: they cannot share one.
-        if (!isHalfEdge(twin) || twin < h || topology.points[h] == topology.points[twin]) continue;
-        if (bendCosine(topology, h, twin) < smoothCosine && !isInner(mesh, h, twin)) continue;
-        groups.unite(h, nextHalfEdge(twin));
-        groups.unite(nextHalfEdge(h), twin);
+        if (!isHalfEdge(twin) || topology_.points[h] == topology_.points[twin]) return false;
+        return bendCosine(topology_, h, twin) >= smoothCosine_ || isInner(mesh_, h, twin);
     }
-    Corners roots(topology.points.size());
-    for (std::uint32_t c = 0; c < roots.size(); ++c) roots[c] = groups.root(c);
-    return roots;
-}
 
-std::vector<glm::vec3> groupNormals(const Mesh& mesh, const std::vector<glm::dvec3>& faces, const Corners& groups) {
-    std::vector<glm::dvec3> sums(groups.size(), glm::dvec3{0.0});
-    for (std::uint32_t c = 0; c < groups.size(); ++c) sums[groups[c]] += cornerAngle(mesh, c) * faces[c / 3];
-    std::vector<glm::vec3> normals(groups.size());
-    for (std::uint32_t c = 0; c < groups.size(); ++c) {
-        const glm::dvec3 unit = unitOrZero(sums[groups[c]]);
-        normals[c] = unit == glm::dvec3{0.0} ? anyNormal : glm::vec3{unit};
-    }
-    return normals;
-}
+    const Mesh& mesh_;
+    const MeshTopology& topology_;
+    double smoothCosine_;
+    Corners first_;
+};
 
-// Rewrites the mesh so that a vertex is one position with one normal.
-void splitVertices(Mesh& mesh, const std::vector<bool>& wanted, const std::vector<glm::vec3>& made,
-                   const Corners& groups) {
-    constexpr std::uint32_t none = ~0U;
-    std::vector<std::uint32_t> vertexOfGroup(groups.size(), none);
-    std::vector<std::uint32_t> keptVertex(mesh.positions.size(), none);
-    Mesh split;
-    const auto add = [&](glm::vec3 p, glm::vec3 n) {
-        split.positions.push_back(p);
-        split.normals.push_back(n);
-        return static_cast<std::uint32_t>(split.positions.size() - 1);
-    };
+// Rewrites the mesh so that a vertex is one position with one normal; that of a wanted one stays (0, 0, 0).
+// @param groups  a corner's first of its group; becomes its group's vertex, or none
+void splitVertices(Mesh& mesh, Corners& groups) {
+    Corners vertexOfGroup(groups.size(), none);
+    Corners keptVertex(mesh.positions.size(), none);
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    positions.reserve(mesh.positions.size());
+    normals.reserve(mesh.positions.size());
     for (std::uint32_t c = 0; c < groups.size(); ++c) {
         const std::uint32_t vertex = mesh.indices[c];
-        std::uint32_t& to = wanted[vertex] ? vertexOfGroup[groups[c]] : keptVertex[vertex];
-        if (to == none) to = add(mesh.positions[vertex], wanted[vertex] ? made[c] : mesh.normals[vertex]);
-        split.indices.push_back(to);
+        std::uint32_t& to = isWanted(mesh.normals[vertex]) ? vertexOfGroup[groups[c]] : keptVertex[vertex];
+        if (to == none) {
+            to = static_cast<std::uint32_t>(positions.size());
+            positions.push_back(mesh.positions[vertex]);
+            normals.push_back(mesh.normals[vertex]);
+        }
+        mesh.indices[c] = to;
     }
-    mesh.positions = std::move(split.positions);
-    mesh.normals = std::move(split.normals);
-    mesh.indices = std::move(split.indices);
+    mesh.positions = std::move(positions);
+    mesh.normals = std::move(normals);
+    for (std::uint32_t& group : groups) group = vertexOfGroup[group];
+}
+
+std::array<double, 3> cornerAngles(const Mesh& mesh, std::size_t triangle) {
+    const auto position = [&](std::size_t k) { return glm::dvec3{mesh.positions[mesh.indices[3 * triangle + k]]}; };
+    const glm::dvec3 a = unitOrZero(position(1) - position(0));
+    const glm::dvec3 b = unitOrZero(position(2) - position(1));
+    const glm::dvec3 c = unitOrZero(position(0) - position(2));
+    const auto between = [](glm::dvec3 to, glm::dvec3 from) { return std::acos(std::clamp(-glm::dot(to, from), -1.0, 1.0)); };
+    return {between(c, a), between(a, b), between(b, c)};
+}
+
+// @param vertices  a corner's vertex whose normal its face counts for, or none
+void makeNormals(Mesh& mesh, const std::vector<glm::dvec3>& faces, const Corners& vertices) {
+    inRanges(mesh.normals.size(), [&](std::size_t begin, std::size_t end) {
+        std::vector<glm::dvec3> sums(end - begin, glm::dvec3{0.0});
+        const auto within = [&](std::uint32_t vertex) { return vertex >= begin && vertex < end && vertex != none; };
+        for (std::size_t t = 0; t < faces.size(); ++t) {
+            const std::uint32_t* const v = &vertices[3 * t];
+            if (!within(v[0]) && !within(v[1]) && !within(v[2])) continue;
+            const std::array angles = cornerAngles(mesh, t);
+            for (std::size_t k = 0; k < 3; ++k)
+                if (within(v[k])) sums[v[k] - begin] += angles[k] * faces[t];
+        }
+        for (std::size_t v = begin; v < end; ++v) {
+            if (!isWanted(mesh.normals[v])) continue;
+            const glm::dvec3 unit = unitOrZero(sums[v - begin]);
+            mesh.normals[v] = unit == glm::dvec3{0.0} ? anyNormal : glm::vec3{unit};
+        }
+    });
 }
 
 void windByNormals(Mesh& mesh) {
@@ -97,7 +142,9 @@ void windByNormals(Mesh& mesh) {
 
 void applyAuthoredNormals(Mesh& mesh, const LoadSettings& settings) {
     if (settings.normals == Normals::Flat) mesh.normals.clear();
+    const bool authored = !mesh.normals.empty();
     mesh.normals.resize(mesh.positions.size(), glm::vec3{0.0F});
+    if (!authored) return;
     for (glm::vec3& normal : mesh.normals) {
         if (!std::isfinite(glm::dot(normal, normal))) normal = glm::vec3{0.0F};
     }
@@ -105,15 +152,16 @@ void applyAuthoredNormals(Mesh& mesh, const LoadSettings& settings) {
 }
 
 void completeNormals(Mesh& mesh, const MeshTopology& topology, const LoadSettings& settings) {
-    std::vector<bool> wanted(mesh.positions.size());
-    std::transform(mesh.normals.begin(), mesh.normals.end(), wanted.begin(),
-                   [](glm::vec3 n) { return n == glm::vec3{0.0F}; });
-    if (std::ranges::find(wanted, true) == wanted.end()) return;
-
-    Corners groups(mesh.indices.size());
-    std::iota(groups.begin(), groups.end(), 0U);
-    if (settings.normals == Normals::Auto) groups = smoothingGroups(mesh, topology, settings.creaseAngle);
-    splitVertices(mesh, wanted, groupNormals(mesh, topology.faceNormals, groups), groups);
+    if (std::ranges::none_of(mesh.normals, isWanted)) return;
+    Corners groups;
+    if (settings.normals == Normals::Auto) {
+        groups = SmoothingGroups{mesh, topology, settings.creaseAngle}.find();
+    } else {
+        groups.resize(mesh.indices.size());
+        std::iota(groups.begin(), groups.end(), 0U);
+    }
+    splitVertices(mesh, groups);
+    makeNormals(mesh, topology.faceNormals, groups);
 }
 
 }  // namespace inkedge

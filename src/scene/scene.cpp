@@ -1,7 +1,7 @@
 #include <inkedge/scene.h>
 
 #include <algorithm>
-#include <array>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -34,6 +34,7 @@ struct Scene::Prepared : Scene::Data {
     double creaseAngle = 0.0;
     std::uint64_t triangleCount = 0;
     PatchNumbers patchNumbers;
+    double milliseconds = 0.0;
 };
 
 namespace {
@@ -119,11 +120,13 @@ std::uint32_t sortBySides(Mesh& mesh, const std::vector<Material>& materials) {
         const std::uint32_t material = mesh.materials.empty() ? 0 : mesh.materials[t];
         return material > 0 && material <= materials.size() && materials[material - 1].doubleSided;
     };
-    std::vector<std::uint32_t> order(mesh.indices.size() / 3);
+    std::uint32_t count = 0;
+    const auto total = static_cast<std::uint32_t>(mesh.indices.size() / 3);
+    for (std::uint32_t t = 0; t < total; ++t) count += isDoubleSided(t) ? 0U : 1U;
+    if (count == total || count == 0) return count;
+    std::vector<std::uint32_t> order(total);
     std::iota(order.begin(), order.end(), 0U);
-    const auto doubleSided = std::stable_partition(order.begin(), order.end(), std::not_fn(isDoubleSided));
-    const auto count = static_cast<std::uint32_t>(doubleSided - order.begin());
-    if (doubleSided == order.end() || count == 0) return count;
+    std::ranges::stable_partition(order, std::not_fn(isDoubleSided));
     Mesh sorted = mesh;
     for (std::size_t t = 0; t < order.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -147,16 +150,6 @@ Box boxOf(const std::vector<glm::vec3>& positions) {
     return {low, high};
 }
 
-Box worldBox(const Scene& scene) {
-    constexpr std::array axes{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}};
-    Box box;
-    for (int i = 0; i < 3; ++i) {
-        box.max[i] = support(scene, axes[static_cast<std::size_t>(i)]);
-        box.min[i] = -support(scene, -axes[static_cast<std::size_t>(i)]);
-    }
-    return box;
-}
-
 Sphere boundingSphere(const Scene& scene) {
     const glm::dvec3 centre = 0.5 * (scene.box().min + scene.box().max);
     return {centre, farthestDistance(scene, centre)};
@@ -165,6 +158,7 @@ Sphere boundingSphere(const Scene& scene) {
 }  // namespace
 
 Scene::Scene(Data data, const LoadSettings& settings) {
+    const auto begin = std::chrono::steady_clock::now();
     for (std::size_t i = 0; i < data.meshes.size(); ++i) check(data.meshes[i], i);
     for (std::size_t i = 0; i < data.instances.size(); ++i) check(data.instances[i], i, data.meshes.size());
 
@@ -190,10 +184,13 @@ Scene::Scene(Data data, const LoadSettings& settings) {
     }
     Prepared& filled = *prepared;
     data_ = std::move(prepared);
-    filled.box = worldBox(*this);
+    filled.box = boxOfAll(*this);
     filled.bounds = boundingSphere(*this);
     if (!std::isfinite(filled.bounds.radius)) refuse("expected finite bounds, found coordinates that overflow");
     filled.patchNumbers = numberPatches(*this, settings.creaseAngle);
+    for (MeshTopology& topology : filled.topologies) topology.faceNormals = {};  // a third of all that is kept
+    filled.milliseconds =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
 const std::vector<Mesh>& Scene::meshes() const noexcept { return data_->meshes; }
@@ -211,6 +208,7 @@ double Scene::creaseAngle() const noexcept { return data_->creaseAngle; }
 std::uint64_t Scene::triangleCount() const noexcept { return data_->triangleCount; }
 const MeshTopology& Scene::topology(std::size_t i) const noexcept { return data_->topologies[i]; }
 const PatchNumbers& Scene::patchNumbers() const noexcept { return data_->patchNumbers; }
+double Scene::preparationMilliseconds() const noexcept { return data_->milliseconds; }
 std::weak_ptr<const void> Scene::identity() const noexcept { return data_; }
 
 }  // namespace inkedge

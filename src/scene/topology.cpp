@@ -2,19 +2,20 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
+#include <numeric>
+#include <span>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "scene/parallel.h"
 #include "scene/union_find.h"
 #include "scene/weld.h"
 
 namespace inkedge {
 namespace {
-
-constexpr std::uint32_t none = ~0U;
 
 std::array<std::uint32_t, 3> sortedPoints(const MeshTopology& topology, std::uint32_t t) {
     std::array p{topology.points[3 * t], topology.points[3 * t + 1], topology.points[3 * t + 2]};
@@ -22,83 +23,99 @@ std::array<std::uint32_t, 3> sortedPoints(const MeshTopology& topology, std::uin
     return p;
 }
 
-// For each triangle the first one with the same three points: itself, unless it repeats another.
-std::vector<std::uint32_t> firstOfItsKind(const MeshTopology& topology) {
-    const auto count = static_cast<std::uint32_t>(topology.points.size() / 3);
-    std::vector<std::uint32_t> first(count);
-    std::vector<std::uint32_t> slots(std::bit_ceil(2 * static_cast<std::size_t>(count) + 1), none);
-    const std::uint64_t mask = slots.size() - 1;
-    for (std::uint32_t t = 0; t < count; ++t) {
-        const auto key = sortedPoints(topology, t);
-        std::uint64_t h = 0;
-        for (const std::uint32_t p : key) h = (h ^ p) * 0x9E3779B97F4A7C15U, h ^= h >> 29U;
-        std::uint64_t slot = h & mask;
-        while (slots[slot] != none && sortedPoints(topology, slots[slot]) != key) slot = (slot + 1) & mask;
-        if (slots[slot] == none) slots[slot] = t;
-        first[t] = slots[slot];
-    }
-    return first;
-}
-
 bool collapsed(const MeshTopology& topology, std::uint32_t t) {
-    const auto p = sortedPoints(topology, t);
-    return p[0] == p[1] || p[1] == p[2];
+    const std::uint32_t* const p = &topology.points[3 * std::size_t{t}];
+    return p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
 }
 
-std::vector<std::uint32_t> twinHalfEdges(const MeshTopology& topology) {
-    struct Entry {
-        std::uint32_t greaterPoint;
-        std::uint32_t halfEdge;
-    };
+// A half-edge by the points of its triangle, without the lesser of its own.
+struct Entry {
+    std::uint32_t greaterPoint;
+    std::uint32_t thirdPoint;
+    std::uint32_t halfEdge;
+    friend auto operator<=>(const Entry&, const Entry&) = default;
+};
+
+// Half-edges along one edge, sorted: those of triangles with the same three points stand together.
+void joinAlongEdge(std::span<Entry> edge, MeshTopology& topology) {
+    std::size_t kept = 0;
+    for (const Entry& entry : edge) {
+        if (kept == 0 || edge[kept - 1].thirdPoint != entry.thirdPoint)
+            edge[kept++] = entry;
+        else if (entry.thirdPoint > entry.greaterPoint)  // once for the three edges, that of the least points
+            topology.originals[entry.halfEdge / 3] = edge[kept - 1].halfEdge / 3;
+    }
+    if (kept == 2) {
+        topology.twins[edge[0].halfEdge] = edge[1].halfEdge;
+        topology.twins[edge[1].halfEdge] = edge[0].halfEdge;
+    } else if (kept > 2) {
+        for (const Entry& entry : edge.first(kept)) topology.twins[entry.halfEdge] = manyHalfEdges;
+    }
+}
+
+// Finds twins and originals along the edges whose lesser point is one of a range.
+void joinAtPoints(std::uint32_t low, std::uint32_t high, MeshTopology& topology) {
     const auto& points = topology.points;
-    const auto ends = [&](std::uint32_t h) { return std::minmax(points[h], points[nextHalfEdge(h)]); };
+    const auto triangleCount = static_cast<std::uint32_t>(points.size() / 3);
     const auto forEachHalfEdge = [&](auto&& visit) {
-        for (std::uint32_t t = 0; t < topology.originals.size(); ++t) {
-            if (topology.originals[t] != t || collapsed(topology, t)) continue;
-            for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) visit(h);
+        for (std::uint32_t t = 0; t < triangleCount; ++t) {
+            const std::uint32_t a = points[3 * t];
+            const std::uint32_t b = points[3 * t + 1];
+            const std::uint32_t c = points[3 * t + 2];
+            if (a == b || b == c || c == a) continue;
+            const std::array lesser{std::min(a, b), std::min(b, c), std::min(c, a)};
+            for (std::uint32_t k = 0; k < 3; ++k)
+                if (lesser[k] >= low && lesser[k] < high) visit(lesser[k] - low, 3 * t + k);
         }
     };
+    // Counting sort by the lesser point: place[p + 1] runs from the first of p's half-edges to the first of p + 1's.
+    std::vector<std::uint32_t> place(std::size_t{high} - low + 2, 0);
+    forEachHalfEdge([&](std::uint32_t p, std::uint32_t) { ++place[p + 2]; });
+    for (std::size_t p = 2; p < place.size(); ++p) place[p] += place[p - 1];
+    std::vector<std::uint32_t> halfEdges(place.back());
+    forEachHalfEdge([&](std::uint32_t p, std::uint32_t h) { halfEdges[place[p + 1]++] = h; });
 
-    // Counting sort by the lesser point; the few edges that share it are then sorted by the greater one.
-    std::vector<std::uint32_t> begin(topology.pointCount + 1, 0);
-    forEachHalfEdge([&](std::uint32_t h) { ++begin[ends(h).first + 1]; });
-    for (std::uint32_t p = 0; p < topology.pointCount; ++p) begin[p + 1] += begin[p];
-    std::vector<Entry> entries(begin.back());
-    std::vector<std::uint32_t> fill(begin.begin(), begin.end() - 1);
-    forEachHalfEdge([&](std::uint32_t h) { entries[fill[ends(h).first]++] = {ends(h).second, h}; });
-
-    std::vector<std::uint32_t> twins(points.size(), noHalfEdge);
-    for (std::uint32_t p = 0; p < topology.pointCount; ++p) {
-        const auto from = entries.begin() + begin[p];
-        const auto to = entries.begin() + begin[p + 1];
-        std::sort(from, to, [](const Entry& a, const Entry& b) {
-            return a.greaterPoint != b.greaterPoint ? a.greaterPoint < b.greaterPoint : a.halfEdge < b.halfEdge;
-        });
-        for (auto run = from; run != to;) {
-            const auto end = std::find_if(run, to, [&](const Entry& e) { return e.greaterPoint != run->greaterPoint; });
-            if (end - run == 2) {
-                twins[run[0].halfEdge] = run[1].halfEdge;
-                twins[run[1].halfEdge] = run[0].halfEdge;
-            } else if (end - run > 2) {
-                std::for_each(run, end, [&](const Entry& e) { twins[e.halfEdge] = manyHalfEdges; });
-            }
-            run = end;
+    std::vector<Entry> entries;
+    for (std::uint32_t p = low; p < high; ++p) {
+        entries.clear();
+        for (std::uint32_t i = place[p - low]; i < place[p - low + 1]; ++i) {
+            const std::uint32_t h = halfEdges[i];
+            const std::uint32_t end = nextHalfEdge(h);
+            entries.push_back({std::max(points[h], points[end]), points[nextHalfEdge(end)], h});
+        }
+        std::ranges::sort(entries);
+        for (auto edge = entries.begin(); edge != entries.end();) {
+            const auto end = std::find_if(edge, entries.end(), [&](const Entry& e) { return e.greaterPoint != edge->greaterPoint; });
+            joinAlongEdge({edge, end}, topology);
+            edge = end;
         }
     }
-    return twins;
+}
+
+// Collapsed triangles have no edges to be found by.
+void findCollapsedOriginals(MeshTopology& topology) {
+    std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> all;
+    for (std::uint32_t t = 0; t < topology.originals.size(); ++t)
+        if (collapsed(topology, t)) all.emplace_back(sortedPoints(topology, t), t);
+    std::ranges::sort(all);
+    for (std::size_t i = 1; i < all.size(); ++i)
+        if (all[i].first == all[i - 1].first) topology.originals[all[i].second] = topology.originals[all[i - 1].second];
 }
 
 std::vector<glm::dvec3> faceNormals(const Mesh& mesh, double thin) {
     std::vector<glm::dvec3> normals(mesh.indices.size() / 3);
-    for (std::size_t t = 0; t < normals.size(); ++t) {
-        const glm::dvec3 a{mesh.positions[mesh.indices[3 * t]]};
-        const glm::dvec3 b{mesh.positions[mesh.indices[3 * t + 1]]};
-        const glm::dvec3 c{mesh.positions[mesh.indices[3 * t + 2]]};
-        const glm::dvec3 area = glm::cross(b - a, c - a);
-        const double length = glm::length(area);
-        const double longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
-        normals[t] = length > thin * longest ? area / length : glm::dvec3{0.0};
-    }
+    inRanges(normals.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            const glm::dvec3 a{mesh.positions[mesh.indices[3 * t]]};
+            const glm::dvec3 b{mesh.positions[mesh.indices[3 * t + 1]]};
+            const glm::dvec3 c{mesh.positions[mesh.indices[3 * t + 2]]};
+            const glm::dvec3 area = glm::cross(b - a, c - a);
+            const double length = glm::length(area);
+            const double longest =
+                std::sqrt(std::max({glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c)}));
+            normals[t] = length > thin * longest ? area / length : glm::dvec3{0.0};
+        }
+    });
     return normals;
 }
 
@@ -159,13 +176,23 @@ double bendCosine(const MeshTopology& topology, std::uint32_t halfEdge, std::uin
 
 MeshTopology buildTopology(const Mesh& mesh) {
     MeshTopology topology;
-    const Weld weld = weldByPosition(mesh.positions);
-    topology.pointCount = weld.pointCount;
-    topology.points.resize(mesh.indices.size());
-    std::ranges::transform(mesh.indices, topology.points.begin(), [&](std::uint32_t i) { return weld.point[i]; });
-    topology.faceNormals = faceNormals(mesh, leastHeight * weld.tolerance);
-    topology.originals = firstOfItsKind(topology);
-    topology.twins = twinHalfEdges(topology);
+    const auto triangleCount = static_cast<std::uint32_t>(mesh.indices.size() / 3);
+    double tolerance = 0.0;
+    {
+        const Weld weld = weldByPosition(mesh.positions);
+        tolerance = weld.tolerance;
+        topology.pointCount = weld.pointCount;
+        topology.points.resize(mesh.indices.size());
+        std::ranges::transform(mesh.indices, topology.points.begin(), [&](std::uint32_t i) { return weld.point[i]; });
+    }
+    topology.originals.resize(triangleCount);
+    std::iota(topology.originals.begin(), topology.originals.end(), 0U);
+    topology.twins.assign(mesh.indices.size(), noHalfEdge);
+    inRanges(topology.pointCount, [&](std::size_t begin, std::size_t end) {
+        joinAtPoints(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), topology);
+    });
+    findCollapsedOriginals(topology);
+    topology.faceNormals = faceNormals(mesh, leastHeight * tolerance);
     return topology;
 }
 

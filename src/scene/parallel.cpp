@@ -1,0 +1,48 @@
+#include "scene/parallel.h"
+
+#include <algorithm>
+#include <exception>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace inkedge {
+namespace {
+
+constexpr std::size_t mostThreads = 8;  // beyond, memory is the limit
+
+std::size_t threadsFor(std::size_t count) {
+    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    return std::clamp<std::size_t>(count / elementsWorthAThread, 1, std::min(cores, mostThreads));
+}
+
+}  // namespace
+
+void inRanges(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& work) {
+    const std::size_t threads = threadsFor(count);
+    if (threads == 1) return work(0, count);
+    std::vector<std::exception_ptr> failures(threads);
+    const auto run = [&](std::size_t i) noexcept {
+        try {
+            work(count * i / threads, count * (i + 1) / threads);
+        } catch (...) {
+            failures[i] = std::current_exception();
+        }
+    };
+    {
+        std::vector<std::jthread> others;
+        others.reserve(threads - 1);
+        for (std::size_t i = 1; i < threads; ++i) {
+            try {
+                others.emplace_back(run, i);
+            } catch (const std::system_error&) {  // the process may have no more threads
+                run(i);
+            }
+        }
+        run(0);
+    }
+    for (const std::exception_ptr& failure : failures)
+        if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace inkedge
