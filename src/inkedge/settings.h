@@ -98,11 +98,13 @@ enum class LineType : std::uint8_t {
     Crease = 8,         ///< two faces that meet at more than the crease angle
     Intersection = 16,  ///< surfaces that run into each other, and borders of surfaces that touch
     Object = 32,        ///< between two nodes of the scene
+    Isoparametric = 64,  ///< where a texture coordinate passes a step; only of lines from object space
+    Marked = 128,        ///< an edge that the file marks; only of lines from object space
 };
-inline constexpr int lineTypeCount = 6;
-inline constexpr std::uint8_t allLineTypes = 63;
+inline constexpr int lineTypeCount = 8;
+inline constexpr std::uint8_t allLineTypes = 255;
 
-/// "outline", "occlusion", "boundary", "crease", "intersection", "object".
+/// "outline", "occlusion", "boundary", "crease", "intersection", "object", "isoparametric", "marked".
 [[nodiscard]] INKEDGE_API std::string_view name(LineType) noexcept;
 
 /// A length on the picture.
@@ -128,6 +130,34 @@ struct PictureSettings {
     int supersampling = 1;                                   ///< samples a pixel along each axis: 1, 2 or 4
     std::uint8_t lines = allLineTypes;                       ///< which types are drawn
     std::array<LineStyle, lineTypeCount> lineStyles;         ///< in the order of LineType's bits
+};
+
+/// Where the lines come from.
+enum class LinesFrom {
+    Auto,    ///< object space for vectors, image space for pictures
+    Image,   ///< what a detector finds between neighbouring pixels
+    Object,  ///< the mesh itself: edges and curves on faces, parted into seen and hidden; Hertzmann 1999, section 3
+};
+/// What stands for the contour of a surface, where it turns away from the eye.
+enum class Contour {
+    Auto,    ///< smooth where shading is smooth, edges where it is faceted
+    Mesh,    ///< edges between a front-facing and a back-facing face, section 3.2
+    Smooth,  ///< curves across faces where the interpolated normal is at right angles to the view, section 3.3
+};
+/// How seen lines are told from hidden ones, section 3.4.
+enum class Visibility {
+    Exact,  ///< by rays
+    Fast,   ///< by the buffers that the image-space passes draw; by rays only where those leave a doubt
+};
+/// What becomes of hidden lines.
+enum class HiddenLines { None, Dashed, Solid };
+
+/// Lines from object space.
+struct LineSettings {
+    LinesFrom from = LinesFrom::Auto;
+    Contour contour = Contour::Auto;
+    Visibility visibility = Visibility::Exact;
+    HiddenLines hidden = HiddenLines::None;
 };
 
 enum class Detector {
@@ -185,6 +215,7 @@ struct Settings {
     CameraSettings camera;
     PictureSettings picture;
     DetectorSettings detector;
+    LineSettings lines;
     std::vector<Map> maps;
     BackendSettings backend;
 };

@@ -151,7 +151,15 @@ constexpr std::array<Choice<Map>, mapCount> mapChoices{Choice{"depth", Map::Dept
 constexpr std::array<Choice<LineType>, lineTypeCount> lineTypeChoices{
     Choice{"outline", LineType::Outline},           Choice{"occlusion", LineType::Occlusion},
     Choice{"boundary", LineType::Boundary},         Choice{"crease", LineType::Crease},
-    Choice{"intersection", LineType::Intersection}, Choice{"object", LineType::Object}};
+    Choice{"intersection", LineType::Intersection}, Choice{"object", LineType::Object},
+    Choice{"isoparametric", LineType::Isoparametric}, Choice{"marked", LineType::Marked}};
+constexpr std::array linesFromChoices{Choice{"auto", LinesFrom::Auto}, Choice{"image", LinesFrom::Image},
+                                      Choice{"object", LinesFrom::Object}};
+constexpr std::array contourChoices{Choice{"auto", Contour::Auto}, Choice{"mesh", Contour::Mesh},
+                                    Choice{"smooth", Contour::Smooth}};
+constexpr std::array visibilityChoices{Choice{"exact", Visibility::Exact}, Choice{"fast", Visibility::Fast}};
+constexpr std::array hiddenChoices{Choice{"none", HiddenLines::None}, Choice{"dashed", HiddenLines::Dashed},
+                                   Choice{"solid", HiddenLines::Solid}};
 
 template <class T, std::size_t n>
 T parseChoice(const std::array<Choice<T>, n>& choices, std::string_view text) {
@@ -291,7 +299,8 @@ constexpr std::array table{
                        },
                        [](const S& s) { return text(s.picture.supersampling); }},
     SettingDescription{"lines", "", "picture", "TYPE,...",
-                       "outline, occlusion, boundary, crease, intersection, object; or all, none", "all",
+                       "outline, occlusion, boundary, crease, intersection, object, isoparametric, marked; or all, none",
+                       "all",
                        "types of lines that are drawn; planes detector",
                        [](S& s, Text t) { s.picture.lines = parseLineTypes(t); },
                        [](const S& s) { return lineTypesText(s.picture.lines); }},
@@ -299,6 +308,23 @@ constexpr std::array table{
                        "width and colour of single types of lines, as in crease:width=1,color=#555; planes detector",
                        [](S& s, Text t) { s.picture.lineStyles = parseLineStyles(t); },
                        [](const S& s) { return lineStylesText(s.picture.lineStyles); }},
+
+    SettingDescription{"lines-from", "", "lines", "auto|image|object", "one of these", "auto",
+                       "image: between pixels; object: exact lines of the mesh; auto: object for .svg and .json",
+                       [](S& s, Text t) { s.lines.from = parseChoice(linesFromChoices, t); },
+                       [](const S& s) { return choiceName(linesFromChoices, s.lines.from); }},
+    SettingDescription{"contour", "", "lines", "auto|mesh|smooth", "one of these", "auto",
+                       "contours: edges of the mesh, or curves where the shading normal turns away; lines from object",
+                       [](S& s, Text t) { s.lines.contour = parseChoice(contourChoices, t); },
+                       [](const S& s) { return choiceName(contourChoices, s.lines.contour); }},
+    SettingDescription{"visibility", "", "lines", "exact|fast", "one of these", "exact",
+                       "hidden lines found by rays, or by drawn buffers with rays in doubt; lines from object",
+                       [](S& s, Text t) { s.lines.visibility = parseChoice(visibilityChoices, t); },
+                       [](const S& s) { return choiceName(visibilityChoices, s.lines.visibility); }},
+    SettingDescription{"hidden", "", "lines", "none|dashed|solid", "one of these", "none",
+                       "how hidden lines are drawn; lines from object",
+                       [](S& s, Text t) { s.lines.hidden = parseChoice(hiddenChoices, t); },
+                       [](const S& s) { return choiceName(hiddenChoices, s.lines.hidden); }},
 
     SettingDescription{"camera-position", "eye", "camera", "X,Y,Z", "any point", "frames the model",
                        "where the camera stands, world space", [](S& s, Text t) { s.camera.position = parseVector(t); },

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <inkedge/camera.h>
+#include <inkedge/image.h>
+#include <inkedge/maps.h>
+#include <inkedge/settings.h>
+
+namespace inkedge {
+
+/// A place on a line.
+struct LinePoint {
+    glm::dvec2 place;  ///< output pixels, (0, 0) the picture's top left corner, y down
+    glm::dvec3 point;  ///< world space
+};
+
+/// A polyline of one type, all of it seen or all of it hidden. It lies in front of the near plane; it may reach beyond
+/// the picture's edge.
+struct Line {
+    LineType type = LineType::Outline;
+    bool visible = true;
+    bool closed = false;            ///< the last point is joined to the first, which is not repeated
+    std::uint32_t object = 0;       ///< the node it lies on, as in Maps::ids: from 1
+    std::uint32_t patch = 0;        ///< the patch it lies on, the nearer one where it parts two, as in Maps::ids: from 1
+    std::vector<LinePoint> points;  ///< two or more
+};
+
+/// The lines of one view.
+struct Lines {
+    std::vector<Line> lines;
+    Size size;  ///< of the picture that the places are in
+    Camera camera;
+    BackendInfo backend;  ///< empty where nothing was drawn to find them
+    std::vector<StageTime> times;
+};
+
+}  // namespace inkedge
