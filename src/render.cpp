@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <bit>
+#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -13,6 +15,7 @@
 #include "gl/upload.h"
 #include "ink/paint_strokes.h"
 #include "ink/trace_lines.h"
+#include "lines/object_lines.h"
 #include "passes/composite.h"
 #include "passes/detect_edges.h"
 #include "passes/detect_lines.h"
@@ -178,7 +181,16 @@ struct Renderer::State {
     std::unique_ptr<gl::Context> context;
     int maximumSize = 0;
     std::unique_ptr<gl::Gpu> gpu;
+    const lines::ObjectLines& prepared(const Scene& scene) {
+        if (!objectLines || !objectLines->holds(scene)) {
+            objectLines.reset();
+            objectLines = std::make_unique<lines::ObjectLines>(scene);
+        }
+        return *objectLines;
+    }
+
     std::unique_ptr<gl::UploadedScene> upload;
+    std::unique_ptr<lines::ObjectLines> objectLines;
 };
 
 Renderer::Renderer(const BackendSettings& wish) : state_{std::make_unique<State>(wish)} {}
@@ -189,6 +201,17 @@ Renderer::~Renderer() = default;
 const BackendInfo& Renderer::backend() const noexcept { return state_->context->info(); }
 int Renderer::maximumSize() const noexcept { return state_->maximumSize; }
 
+Lines Renderer::lines(const Scene& scene, const Camera& camera, const Settings& settings) {
+    check(camera);
+    std::vector<StageTime> times;
+    const auto begin = std::chrono::steady_clock::now();
+    const lines::ObjectLines& prepared = state_->prepared(scene);
+    times.push_back({"prepare lines", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count()});
+    Lines found = prepared.find(camera, settings);
+    found.times.insert(found.times.begin(), times.begin(), times.end());
+    return found;
+}
+
 Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& settings) {
     state_->check(settings.picture);
     check(camera);
@@ -197,6 +220,19 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     maps.camera = camera;
     maps.backend = backend();
     gl::StageClock clock{state_->gpu->api, maps.times};
+    if (settings.lines.from == LinesFrom::Object) {
+        const Lines found = lines(scene, camera, settings);
+        std::vector<Stroke> strokes;
+        for (const Line& line : found.lines) {
+            const auto style = static_cast<std::uint8_t>(std::countr_zero(static_cast<std::uint8_t>(line.type)));
+            for (std::size_t i = 0; i + (line.closed ? 0 : 1) < line.points.size(); ++i)
+                strokes.push_back({glm::vec2{line.points[i].place}, glm::vec2{line.points[(i + 1) % line.points.size()].place}, style});
+        }
+        maps.times = found.times;
+        maps.picture = paintStrokes(strokes, settings.picture);
+        clock.finish("paint");
+        return maps;
+    }
     const View view{*state_->gpu, state_->uploaded(scene), scene, camera, settings};
     clock.finish("upload");
     const Geometry geometry = drawGeometry(view, clock);

@@ -8,6 +8,7 @@
 #include <inkedge/camera.h>
 #include <inkedge/error.h>
 #include <inkedge/export.h>
+#include <inkedge/lines.h>
 #include <inkedge/maps.h>
 #include <inkedge/scene.h>
 #include <inkedge/settings.h>
@@ -32,6 +33,13 @@ public:
     /// @throws Error  (Kind::Usage) if the size is 0 or over the context's limit, or the camera is unusable;
     ///                (Kind::Runtime) if the context runs out of memory, or is lost: then make a new Renderer
     [[nodiscard]] Maps render(const Scene&, const Camera&, const Settings& = {});
+
+    /// The lines of one view from object space, as settings.lines says: visible polylines in the picture and in the
+    /// world, hidden ones too if settings.lines.hidden keeps them. What a scene needs for it (edge tables, bounding volume
+    /// hierarchies) is kept for the next call. Of settings.picture, size and lines are looked at.
+    /// @throws Error  (Kind::Usage) if the size or the camera is unusable; (Kind::Runtime) if Embree is not there or
+    ///                memory runs out
+    [[nodiscard]] Lines lines(const Scene&, const Camera&, const Settings& = {});
 
     [[nodiscard]] const BackendInfo& backend() const noexcept;
     /// The largest width and height of a picture, pixels.

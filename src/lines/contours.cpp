@@ -1,0 +1,280 @@
+#include "lines/contours.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "scene/parallel.h"
+
+namespace inkedge::lines {
+namespace {
+
+constexpr std::size_t grain = 1U << 16U;
+
+// An instance and the eye in its mesh's space, where facing needs no care for mirrors.
+class InstanceCurves {
+public:
+    InstanceCurves(const Scene& scene, std::uint32_t instance, const MeshEdges& edges, const Screen& screen,
+                   const CurveChoice& choice, std::vector<Segment>& to)
+        : instance_{instance},
+          mesh_{scene.meshes()[scene.instances()[instance].mesh]},
+          topology_{scene.topology(scene.instances()[instance].mesh)},
+          edges_{edges},
+          screen_{screen},
+          choice_{choice},
+          to_{to},
+          place_{scene.instances()[instance].transform} {
+        place_[3] += place_ * glm::dvec4{mesh_.origin, 0.0} - glm::dvec4{scene.bounds().centre, 0.0};
+        const glm::dmat4 back = glm::inverse(place_);
+        eye_ = glm::dvec3{back * glm::dvec4{screen.eye(), 1.0}};
+        direction_ = glm::dmat3{back} * screen.direction();
+    }
+
+    void collect() {
+        if (glm::determinant(glm::dmat3{place_}) == 0.0) return;  // scaled to a point
+        findFacing();
+        findContourEdges();
+        chooseSmoothPatches();
+        addContourEdges();
+        addCreases();
+        addBorders();
+        addMany();
+        if (std::ranges::find(smooth_, true) != smooth_.end()) addSmoothContours();
+    }
+
+private:
+    [[nodiscard]] glm::dvec3 position(std::uint32_t corner) const {
+        return glm::dvec3{mesh_.positions[mesh_.indices[corner]]};
+    }
+    [[nodiscard]] glm::dvec3 toWorld(glm::dvec3 p) const { return glm::dvec3{place_ * glm::dvec4{p, 1.0}}; }
+    // From the eye to a point: x - C.
+    [[nodiscard]] glm::dvec3 view(glm::dvec3 p) const { return screen_.orthographic() ? direction_ : p - eye_; }
+    [[nodiscard]] Face face(std::uint32_t t) const { return {instance_, t}; }
+    [[nodiscard]] bool hidesItsBack(std::uint32_t t) const { return choice_.eyeOutside && edges_.closed[t] != 0; }
+
+    void findFacing() {
+        const std::size_t count = topology_.faceNormals.size();
+        facing_.resize(count);
+        inParallel(count, grain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t t = begin; t < end; ++t) {
+                const glm::dvec3 corner = position(static_cast<std::uint32_t>(3 * t));
+                facing_[t] = glm::dot(glm::dvec3{topology_.faceNormals[t]}, view(corner)) < 0.0 ? 1 : 0;
+            }
+        });
+        // A face too thin to have a normal faces as the one beside its longest edge does: it is no line by itself.
+        for (std::uint32_t t = 0; t < count; ++t)
+            if (glm::dvec3{topology_.faceNormals[t]} == glm::dvec3{0.0}) facing_[t] = facingBeside(t);
+    }
+
+    [[nodiscard]] std::uint8_t facingBeside(std::uint32_t thin) const {
+        constexpr int longestRow = 32;  // of thin faces beside each other
+        std::uint32_t t = thin;
+        bool turned = false;
+        for (int step = 0; step < longestRow; ++step) {
+            std::uint32_t longest = 3 * t;
+            const auto length = [&](std::uint32_t h) { return glm::length(position(nextHalfEdge(h)) - position(h)); };
+            for (std::uint32_t h = 3 * t + 1; h < 3 * t + 3; ++h)
+                if (length(h) > length(longest)) longest = h;
+            const std::uint32_t twin = topology_.twins[longest];
+            if (!isHalfEdge(twin)) break;
+            if (topology_.points[longest] == topology_.points[twin]) turned = !turned;
+            t = twin / 3;
+            if (glm::dvec3{topology_.faceNormals[t]} != glm::dvec3{0.0}) break;
+        }
+        return turned ? 1 - facing_[t] : facing_[t];
+    }
+
+    // The edge table's pass: an exclusive or an edge.
+    void findContourEdges() {
+        const MeshEdges::Shared& shared = edges_.shared;
+        for (std::uint32_t e = 0; e < shared.halfEdges.size(); ++e) {
+            const unsigned differ =
+                facing_[shared.faces[2 * e]] ^ facing_[shared.faces[2 * e + 1]] ^ shared.against[e];
+            if (differ != 0) contourEdges_.push_back(e);
+        }
+    }
+
+    [[nodiscard]] bool mayBeSmooth(std::uint32_t e) const {
+        const std::uint32_t h = edges_.shared.halfEdges[e];
+        return edges_.shared.split[e] == 0 && !topology_.creases[h];
+    }
+
+    void chooseSmoothPatches() {
+        smooth_.assign(topology_.patchCount, choice_.contour == Contour::Smooth);
+        if (choice_.contour != Contour::Auto) return;
+        struct Mean {
+            double pixels = 0.0;
+            int count = 0;
+        };
+        std::vector<Mean> means(topology_.patchCount);
+        for (const std::uint32_t e : contourEdges_) {
+            if (!mayBeSmooth(e)) continue;
+            const std::uint32_t h = edges_.shared.halfEdges[e];
+            const glm::dvec3 from = toWorld(position(h));
+            const glm::dvec3 to = toWorld(position(nextHalfEdge(h)));
+            if (screen_.depth(from) <= screen_.near()) continue;
+            Mean& mean = means[topology_.patches[h / 3]];
+            mean.pixels += glm::length(to - from) / screen_.footprint(from);
+            ++mean.count;
+        }
+        for (std::size_t patch = 0; patch < means.size(); ++patch)
+            smooth_[patch] = means[patch].count > 0 && means[patch].pixels <= smoothEdge * means[patch].count;
+    }
+
+    Segment& add(Curve curve, std::uint32_t halfEdge, Face other) {
+        Segment& segment = to_.emplace_back();
+        segment.curve = curve;
+        segment.occludes = curve == Curve::Contour || curve == Curve::Boundary;
+        const std::uint32_t end = nextHalfEdge(halfEdge);
+        segment.faces = {face(halfEdge / 3), other};
+        segment.ends = {toWorld(position(halfEdge)), toWorld(position(end))};
+        segment.keys = {pointKey(instance_, topology_.points[halfEdge]), pointKey(instance_, topology_.points[end])};
+        segment.inner = toWorld(position(nextHalfEdge(end)));
+        return segment;
+    }
+
+    // Whether a closed part is concave at an edge: such a contour lies behind the part itself.
+    [[nodiscard]] bool isHiddenFold(std::uint32_t e) const {
+        const std::uint32_t h = edges_.shared.halfEdges[e];
+        const std::uint32_t t = h / 3;
+        if (!hidesItsBack(t)) return false;
+        const std::uint32_t other = topology_.twins[h];
+        const glm::dvec3 opposite = position(nextHalfEdge(nextHalfEdge(other)));
+        return glm::dot(glm::dvec3{topology_.faceNormals[t]}, opposite - position(h)) * edges_.closed[t] > 0.0;
+    }
+
+    void addContourEdges() {
+        for (const std::uint32_t e : contourEdges_) {
+            if (isHiddenFold(e)) continue;
+            const std::uint32_t h = edges_.shared.halfEdges[e];
+            Segment& segment = add(Curve::Contour, h, face(edges_.shared.faces[2 * e + 1]));
+            segment.drawn = !(smooth_[topology_.patches[h / 3]] && mayBeSmooth(e));
+        }
+    }
+
+    [[nodiscard]] bool isBack(std::uint32_t t) const {
+        return hidesItsBack(t) && (facing_[t] != 0) != (edges_.closed[t] > 0);
+    }
+
+    void addCreases() {
+        std::size_t nextContour = 0;
+        for (const std::uint32_t e : edges_.creases) {  // both lists are in order
+            while (nextContour < contourEdges_.size() && contourEdges_[nextContour] < e) ++nextContour;
+            if (nextContour < contourEdges_.size() && contourEdges_[nextContour] == e) continue;
+            const std::uint32_t other = edges_.shared.faces[2 * e + 1];
+            if (isBack(other) && isBack(edges_.shared.faces[2 * e])) continue;
+            add(Curve::Crease, edges_.shared.halfEdges[e], face(other));
+        }
+    }
+
+    void addBorders() {
+        for (const std::uint32_t h : edges_.borders) add(Curve::Boundary, h, noFace);
+    }
+
+    // An edge of many faces is a contour if all of them lie to one side of it in the picture.
+    void addMany() {
+        for (std::size_t i = 0; i + 1 < edges_.manyBegins.size(); ++i) {
+            const std::uint32_t begin = edges_.manyBegins[i];
+            const std::uint32_t end = edges_.manyBegins[i + 1];
+            const std::uint32_t first = edges_.many[begin];
+            const glm::dvec3 from = position(first);
+            const glm::dvec3 side = glm::cross(position(nextHalfEdge(first)) - from, view(from));
+            bool left = false;
+            bool right = false;
+            for (std::uint32_t k = begin; k < end; ++k) {
+                const std::uint32_t h = edges_.many[k];
+                const double distance = glm::dot(side, position(nextHalfEdge(nextHalfEdge(h))) - from);
+                left = left || distance > 0.0;
+                right = right || distance < 0.0;
+            }
+            add(left != right ? Curve::Contour : Curve::Crease, first, face(edges_.many[begin + 1] / 3));
+        }
+    }
+
+    // Equation 2 at each corner: n . (x - C).
+    void findSlants() {
+        slants_.resize(mesh_.positions.size());
+        inParallel(slants_.size(), grain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                slants_[i] = glm::dot(glm::dvec3{mesh_.normals[i]}, view(glm::dvec3{mesh_.positions[i]}));
+        });
+    }
+
+    void addSmoothContours() {
+        findSlants();
+        for (std::uint32_t t = 0; t < topology_.patches.size(); ++t) {
+            const std::uint32_t* const corners = &mesh_.indices[3 * std::size_t{t}];
+            const bool plus[3]{slants_[corners[0]] >= 0.0, slants_[corners[1]] >= 0.0, slants_[corners[2]] >= 0.0};
+            if (plus[0] == plus[1] && plus[1] == plus[2]) continue;
+            if (smooth_[topology_.patches[t]] && topology_.originals[t] == t) addSmoothContour(t);
+        }
+    }
+
+    void addSmoothContour(std::uint32_t t) {
+        glm::dvec3 corners[3];
+        double slants[3];
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            corners[k] = position(3 * t + k);
+            slants[k] = slants_[mesh_.indices[3 * std::size_t{t} + k]];
+        }
+        if (hidesItsBack(t) && turnsTowardsEye(corners, slants, edges_.closed[t])) return;
+        Segment segment;
+        segment.occludes = false;  // the faces' own contour does
+        segment.faces = {face(t), noFace};
+        std::size_t found = 0;
+        double longest = 0.0;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const std::uint32_t next = (k + 1) % 3;
+            longest = std::max(longest, glm::length(corners[next] - corners[k]));
+            if ((slants[k] >= 0.0) == (slants[next] >= 0.0) || found == 2) continue;
+            const double a = std::abs(slants[k]);
+            const double b = std::abs(slants[next]);
+            segment.ends[found] = toWorld((b * corners[k] + a * corners[next]) / (a + b));  // equation 4
+            const std::uint32_t h = 3 * t + k;
+            const std::uint32_t twin = topology_.twins[h];
+            segment.keys[found++] = edgeKey(instance_, isHalfEdge(twin) ? std::min(h, twin) : h);
+        }
+        std::uint32_t inner = 0;
+        for (std::uint32_t k = 1; k < 3; ++k)
+            if (std::abs(slants[k]) > std::abs(slants[inner])) inner = k;
+        segment.inner = toWorld(corners[inner]);
+        segment.slack = longest * std::cbrt(std::abs(glm::determinant(glm::dmat3{place_})));
+        to_.push_back(segment);
+    }
+
+    // Whether the surface, followed away from the eye, turns its front to it: the contour is then behind the surface.
+    [[nodiscard]] bool turnsTowardsEye(const glm::dvec3 (&corners)[3], const double (&slants)[3], int outward) const {
+        const glm::dvec3 u = corners[1] - corners[0];
+        const glm::dvec3 v = corners[2] - corners[0];
+        const glm::dvec3 normal = glm::cross(u, v);
+        const glm::dvec3 gradient =
+            glm::cross(v, normal) * (slants[1] - slants[0]) + glm::cross(normal, u) * (slants[2] - slants[0]);
+        return glm::dot(gradient, view(corners[0])) * outward < 0.0;
+    }
+
+    std::uint32_t instance_;
+    const Mesh& mesh_;
+    const MeshTopology& topology_;
+    const MeshEdges& edges_;
+    const Screen& screen_;
+    const CurveChoice& choice_;
+    std::vector<Segment>& to_;
+    glm::dmat4 place_;
+    glm::dvec3 eye_{};
+    glm::dvec3 direction_{};
+    std::vector<std::uint8_t> facing_;        // one a face: 1 if the eye is on the side that its normal points to
+    std::vector<std::uint32_t> contourEdges_;  // into MeshEdges::shared
+    std::vector<bool> smooth_;                 // one a patch
+    std::vector<double> slants_;               // one a position
+};
+
+}  // namespace
+
+void collectInstanceCurves(const Scene& scene, std::uint32_t instance, const MeshEdges& edges, const Screen& screen,
+                           const CurveChoice& choice, std::vector<Segment>& to) {
+    InstanceCurves{scene, instance, edges, screen, choice, to}.collect();
+}
+
+}  // namespace inkedge::lines

@@ -1,0 +1,185 @@
+#include "lines/object_lines.h"
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "lines/chains.h"
+#include "lines/contours.h"
+#include "lines/crossings.h"
+#include "lines/mesh_edges.h"
+#include "lines/ray_caster.h"
+#include "lines/screen.h"
+#include "lines/visible_parts.h"
+#include "scene/parallel.h"
+#include "scene/patch_numbers.h"
+#include "scene/topology.h"
+
+namespace inkedge::lines {
+namespace {
+
+constexpr double outside = 0.5;  // pixels beyond a contour: what is seen there lies behind it
+
+class Stopwatch {
+public:
+    explicit Stopwatch(std::vector<StageTime>& times) : times_{times} {}
+    void finish(const char* stage) {
+        const auto now = std::chrono::steady_clock::now();
+        times_.push_back({stage, std::chrono::duration<double, std::milli>(now - begin_).count()});
+        begin_ = now;
+    }
+
+private:
+    std::vector<StageTime>& times_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+bool standsOutside(const Scene& scene, const Screen& screen) {
+    return screen.depth(glm::dvec3{0.0}) - scene.bounds().radius >= screen.near();
+}
+
+// The segments of one view and what they look like.
+struct View {
+    const Scene& scene;
+    const RayCaster& rays;
+    const Screen& screen;
+    std::vector<Segment> segments;
+    std::vector<ScreenSegment> projected;
+
+    [[nodiscard]] glm::dvec3 pointAt(std::uint32_t s, double at) const {
+        const ScreenSegment& p = projected[s];
+        const double t = screen.unproject(at, p.ends[0].nearness, p.ends[1].nearness);
+        return p.world[0] + t * (p.world[1] - p.world[0]);
+    }
+
+    // Across a segment in the picture, away from the surface that ends there.
+    [[nodiscard]] glm::dvec2 outward(std::uint32_t s) const {
+        const ScreenSegment& p = projected[s];
+        const glm::dvec2 along = p.ends[1].place - p.ends[0].place;
+        const double length = glm::length(along);
+        if (length == 0.0) return {0.0, 0.0};
+        const glm::dvec2 normal{-along.y / length, along.x / length};
+        // Three points' orientation tells the side; the inner one may lie behind the camera.
+        const glm::dvec3 a = screen.ray(p.world[0]);
+        const glm::dvec3 plane = glm::cross(screen.orthographic() ? screen.direction() : a, p.world[1] - p.world[0]);
+        const glm::dvec3 beside = screen.across(normal, p.world[0]);
+        const bool innerSide = glm::dot(plane, segments[s].inner - p.world[0]) > 0.0;
+        const bool normalSide = glm::dot(plane, beside) > 0.0;
+        return innerSide == normalSide ? -normal : normal;
+    }
+
+    [[nodiscard]] Seen judge(std::uint32_t s, double at) const {
+        const Segment& segment = segments[s];
+        const glm::dvec3 point = pointAt(s, at);
+        if (rays.hides(screen, point, segment.faces, segment.slack)) return Seen::Hidden;
+        if (segment.curve != Curve::Contour && segment.curve != Curve::Boundary) return Seen::Inside;
+        const double beyond = outside + segment.slack / screen.footprint(point);
+        const glm::dvec3 beside = point + screen.across(beyond * outward(s), point);
+        return rays.meets(screen, beside) ? Seen::Inside : Seen::Outline;
+    }
+};
+
+LineType typeOf(Curve curve, Seen seen) {
+    switch (curve) {
+        case Curve::Contour: return seen == Seen::Outline ? LineType::Outline : LineType::Occlusion;
+        case Curve::Boundary: return seen == Seen::Outline ? LineType::Outline : LineType::Boundary;
+        case Curve::Crease: return LineType::Crease;
+        case Curve::Intersection: return LineType::Intersection;
+        case Curve::Isoparametric: return LineType::Isoparametric;
+        case Curve::Marked: return LineType::Marked;
+    }
+    return LineType::Crease;
+}
+
+Line makeLine(const View& view, const Chain& chain, const Part& part) {
+    const Segment& first = view.segments[chain.links[static_cast<std::size_t>(part.begin)].segment];
+    const PatchNumbers& patches = view.scene.patchNumbers();
+    const std::uint32_t mesh = view.scene.instances()[first.faces[0].instance].mesh;
+    Line line;
+    line.type = typeOf(first.curve, part.seen);
+    line.visible = part.seen != Seen::Hidden;
+    line.object = first.faces[0].instance + 1;
+    line.patch = patches.number[patches.base[first.faces[0].instance] +
+                                view.scene.topology(mesh).patches[first.faces[0].triangle]];
+    const auto add = [&](std::size_t link, double at) {
+        const Chain::Link l = chain.links[link];
+        const double own = l.reversed ? 1.0 - at : at;
+        const auto& ends = view.projected[l.segment].ends;
+        const glm::dvec2 place = ends[0].place + own * (ends[1].place - ends[0].place);
+        line.points.push_back({place, view.pointAt(l.segment, own) + view.scene.bounds().centre});
+    };
+    const auto begin = static_cast<std::size_t>(part.begin);
+    add(begin, part.begin - static_cast<double>(begin));
+    for (std::size_t joint = begin + 1; static_cast<double>(joint) < part.end; ++joint) add(joint, 0.0);
+    const auto last = static_cast<std::size_t>(std::ceil(part.end)) - 1;
+    add(last, part.end - static_cast<double>(last));
+    if (chain.closed && part.begin == 0.0 && part.end == static_cast<double>(chain.links.size())) {
+        line.closed = true;
+        line.points.pop_back();
+    }
+    return line;
+}
+
+}  // namespace
+
+struct ObjectLines::State {
+    explicit State(const Scene& whole) : scene{whole}, rays{scene} {
+        for (std::size_t i = 0; i < scene.meshes().size(); ++i)
+            edges.push_back(findEdges(scene.meshes()[i], scene.topology(i)));
+    }
+
+    Scene scene;
+    RayCaster rays;
+    std::vector<MeshEdges> edges;
+};
+
+ObjectLines::ObjectLines(const Scene& scene) : state_{std::make_unique<State>(scene)} {}
+ObjectLines::~ObjectLines() = default;
+
+bool ObjectLines::holds(const Scene& scene) const noexcept {
+    return state_->scene.identity().lock() == scene.identity().lock();
+}
+
+Lines ObjectLines::find(const Camera& camera, const Settings& settings) const {
+    const Scene& scene = state_->scene;
+    Lines result;
+    result.size = settings.picture.size;
+    result.camera = camera;
+    Stopwatch watch{result.times};
+
+    const Screen screen{camera, scene.bounds().centre, settings.picture.size};
+    View view{scene, state_->rays, screen, {}, {}};
+    const CurveChoice choice{settings.lines.contour, standsOutside(scene, screen)};
+    for (std::uint32_t i = 0; i < scene.instances().size(); ++i)
+        collectInstanceCurves(scene, i, state_->edges[scene.instances()[i].mesh], screen, choice, view.segments);
+    watch.finish("curves");
+    view.projected = project(view.segments, screen);
+    const std::vector<Chain> chains = chainSegments(view.segments, view.projected);
+    watch.finish("chains");
+    const std::vector<Crossing> crossings = findCrossings(view.segments, view.projected, screen);
+    std::vector<std::uint32_t> firstCrossings(view.segments.size() + 1, 0);
+    for (const Crossing& crossing : crossings) ++firstCrossings[crossing.segment + 1];
+    for (std::size_t s = 0; s < view.segments.size(); ++s) firstCrossings[s + 1] += firstCrossings[s];
+    watch.finish("crossings");
+
+    std::vector<std::vector<Part>> parts(chains.size());
+    std::atomic<std::size_t> next = 0;
+    const Judge judge = [&](std::uint32_t segment, double at) { return view.judge(segment, at); };
+    inParallel(std::min<std::size_t>(chains.size(), 64), 1, [&](std::size_t, std::size_t) {
+        for (std::size_t c = next++; c < chains.size(); c = next++)
+            parts[c] = partChain(chains[c], view.projected, crossings, firstCrossings, judge);
+    });
+    watch.finish("visibility");
+
+    const bool keepHidden = settings.lines.hidden != HiddenLines::None;
+    for (std::size_t c = 0; c < chains.size(); ++c) {
+        for (const Part& part : parts[c])
+            if (part.seen != Seen::Hidden || keepHidden) result.lines.push_back(makeLine(view, chains[c], part));
+    }
+    watch.finish("lines");
+    return result;
+}
+
+}  // namespace inkedge::lines

@@ -1,0 +1,28 @@
+#include "lines/screen.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace inkedge::lines {
+
+Screen::Screen(const Camera& camera, glm::dvec3 origin, Size size)
+    : size_{size},
+      orthographic_{camera.orthographic()},
+      focalLength_{camera.focalLength(size)},
+      near_{camera.near} {
+    const glm::dmat4 toWorld = glm::inverse(camera.view);
+    right_ = glm::normalize(glm::dvec3{toWorld[0]});
+    up_ = glm::normalize(glm::dvec3{toWorld[1]});
+    direction_ = -glm::normalize(glm::dvec3{toWorld[2]});
+    eye_ = glm::dvec3{toWorld[3]} - origin;
+}
+
+ScreenPoint Screen::project(glm::dvec3 world) const noexcept {
+    const glm::dvec3 from = world - eye_;
+    const double depth = glm::dot(direction_, from);
+    const double scale = orthographic_ ? focalLength_ : focalLength_ / depth;
+    return {{0.5 * size_.width + scale * glm::dot(right_, from), 0.5 * size_.height - scale * glm::dot(up_, from)},
+            orthographic_ ? -depth : 1.0 / depth};
+}
+
+}  // namespace inkedge::lines

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "lines/chains.h"
+#include "lines/crossings.h"
+#include "lines/segment.h"
+
+namespace inkedge::lines {
+
+/// What is seen at one place of a segment.
+enum class Seen : std::uint8_t {
+    Hidden,
+    Outline,  ///< a contour or boundary with nothing behind it
+    Inside,   ///< anything else that is seen
+};
+
+/// A part of a chain that looks the same throughout. Places count segments: 2.25 is a quarter along the third in the
+/// picture.
+struct Part {
+    double begin;
+    double end;
+    Seen seen;
+};
+
+/// Judges a place of a segment, 0 to 1 in the picture. Called by several threads at once.
+using Judge = std::function<Seen(std::uint32_t segment, double at)>;
+
+/// Parts a chain where what is seen changes: at crossings, at its joints, and where two samples between these
+/// disagree. Pieces between crossings are sampled at most every sampleStep pixels and bisected where samples disagree.
+/// Hidden parts shorter than longestGap between seen ones count as seen, and seen ones shorter than leastPart as
+/// hidden: both are the mesh's facets, not the shape's.
+[[nodiscard]] std::vector<Part> partChain(const Chain&, std::span<const ScreenSegment>,
+                                          std::span<const Crossing> crossings,
+                                          std::span<const std::uint32_t> firstCrossings, const Judge&);
+
+inline constexpr double sampleStep = 6.0;  ///< pixels
+inline constexpr double longestGap = 2.5;
+inline constexpr double leastPart = 1.0;
+
+}  // namespace inkedge::lines
