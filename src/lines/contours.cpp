@@ -11,7 +11,6 @@
 namespace inkedge::lines {
 namespace {
 
-constexpr std::size_t grain = 1U << 16U;
 
 // An instance and the eye in its mesh's space, where facing needs no care for mirrors.
 class InstanceCurves {
@@ -51,13 +50,13 @@ private:
     [[nodiscard]] glm::dvec3 toWorld(glm::dvec3 p) const { return glm::dvec3{place_ * glm::dvec4{p, 1.0}}; }
     // From the eye to a point: x - C.
     [[nodiscard]] glm::dvec3 view(glm::dvec3 p) const { return screen_.orthographic() ? direction_ : p - eye_; }
-    [[nodiscard]] Face face(std::uint32_t t) const { return {instance_, t}; }
+    [[nodiscard]] SceneFace face(std::uint32_t t) const { return {instance_, t}; }
     [[nodiscard]] bool hidesItsBack(std::uint32_t t) const { return choice_.eyeOutside && edges_.closed[t] != 0; }
 
     void findFacing() {
         const std::size_t count = topology_.faceNormals.size();
         facing_.resize(count);
-        inParallel(count, grain, [&](std::size_t begin, std::size_t end) {
+        inRanges(count, [&](std::size_t begin, std::size_t end) {
             for (std::size_t t = begin; t < end; ++t) {
                 const glm::dvec3 corner = position(static_cast<std::uint32_t>(3 * t));
                 facing_[t] = glm::dot(glm::dvec3{topology_.faceNormals[t]}, view(corner)) < 0.0 ? 1 : 0;
@@ -123,7 +122,7 @@ private:
             smooth_[patch] = means[patch].count > 0 && means[patch].pixels <= smoothEdge * means[patch].count;
     }
 
-    Segment& add(Curve curve, std::uint32_t halfEdge, Face other) {
+    Segment& add(Curve curve, std::uint32_t halfEdge, SceneFace other) {
         Segment& segment = to_.emplace_back();
         segment.curve = curve;
         segment.occludes = curve == Curve::Contour || curve == Curve::Boundary;
@@ -196,7 +195,7 @@ private:
     // Equation 2 at each corner: n . (x - C).
     void findSlants() {
         slants_.resize(mesh_.positions.size());
-        inParallel(slants_.size(), grain, [&](std::size_t begin, std::size_t end) {
+        inRanges(slants_.size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 slants_[i] = glm::dot(glm::dvec3{mesh_.normals[i]}, view(glm::dvec3{mesh_.positions[i]}));
         });

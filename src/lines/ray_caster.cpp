@@ -84,7 +84,7 @@ struct RayCaster::State {
     }
 
     // Where the ray meets a face's plane, in double precision; of one seen edge-on, as single precision has it.
-    [[nodiscard]] double planeAt(const Ray& ray, Face face, float single) const {
+    [[nodiscard]] double planeAt(const Ray& ray, SceneFace face, float single) const {
         constexpr double edgeOn = 1e-4;  // cosine
         const WorldTriangles triangles{scene, scene.instances()[face.instance], scene.bounds().centre};
         const auto corners = triangles.triangle(face.triangle);
@@ -122,7 +122,7 @@ RayCaster::RayCaster(const Scene& scene) : state_{std::make_unique<State>(State{
 
 RayCaster::~RayCaster() = default;
 
-bool RayCaster::hides(const Screen& screen, glm::dvec3 point, std::span<const Face> own, double slack) const {
+bool RayCaster::hides(const Screen& screen, glm::dvec3 point, std::span<const SceneFace> own, double slack) const {
     constexpr int mostHits = 64;  // own faces and those at the point itself; more is a pile of faces in one place
     const State::Ray ray = state_->rayTo(screen, point);
     const double length = glm::length(ray.along);
@@ -135,7 +135,7 @@ bool RayCaster::hides(const Screen& screen, glm::dvec3 point, std::span<const Fa
         rtcInitIntersectContext(&context);
         embree::api().intersect1(state_->top.get(), &context, &hit);
         if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-        const Face face{hit.hit.instID[0], hit.hit.primID};
+        const SceneFace face{hit.hit.instID[0], hit.hit.primID};
         const bool counts = std::ranges::find(own, face) == own.end();
         if (counts && state_->planeAt(ray, face, hit.ray.tfar) < end) return true;
         begin = std::nextafter(static_cast<double>(hit.ray.tfar) * (1.0 + 1e-6) + 1e-7, 2.0);

@@ -26,7 +26,7 @@ public:
     /// @param own    faces that do not count
     /// @param slack  world length: how much nearer still a face must be
     /// Thread-safe.
-    [[nodiscard]] bool hides(const Screen&, glm::dvec3 point, std::span<const Face> own, double slack) const;
+    [[nodiscard]] bool hides(const Screen&, glm::dvec3 point, std::span<const SceneFace> own, double slack) const;
 
     /// Whether the ray through a point meets any face beyond the near plane, before or behind the point. Thread-safe.
     [[nodiscard]] bool meets(const Screen&, glm::dvec3 point) const;

@@ -5,15 +5,11 @@
 
 #include <glm/vec3.hpp>
 
+#include "lines/scene_face.h"
+
 namespace inkedge::lines {
 
-/// A triangle of the scene.
-struct Face {
-    std::uint32_t instance = ~0U;  ///< ~0: none
-    std::uint32_t triangle = 0;    ///< of the instance's mesh
-    friend bool operator==(const Face&, const Face&) = default;
-};
-inline constexpr Face noFace{};
+inline constexpr SceneFace noFace{~0U, 0};
 
 /// What a segment is by its shape alone; whether a contour is an outline or hides another surface is seen later.
 enum class Curve : std::uint8_t { Contour, Boundary, Crease, Intersection, Isoparametric, Marked };
@@ -35,7 +31,7 @@ struct Segment {
     Curve curve = Curve::Contour;
     bool drawn = true;     ///< else it only hides what lies behind
     bool occludes = true;  ///< whether the surface ends or turns away here, so that it may hide what lies behind
-    std::array<Face, 2> faces{noFace, noFace};  ///< that it lies on: they do not hide it
+    std::array<SceneFace, 2> faces{noFace, noFace};  ///< that it lies on: they do not hide it
     std::array<glm::dvec3, 2> ends{};
     std::array<Key, 2> keys{noKey, noKey};
     glm::dvec3 inner{0.0};  ///< of contours and boundaries: a point of the surface that ends here
