@@ -54,17 +54,17 @@ private:
     [[nodiscard]] bool hidesItsBack(std::uint32_t t) const { return choice_.eyeOutside && edges_.closed[t] != 0; }
 
     void findFacing() {
-        const std::size_t count = topology_.faceNormals.size();
+        const std::size_t count = edges_.faceNormals.size();
         facing_.resize(count);
         inRanges(count, [&](std::size_t begin, std::size_t end) {
             for (std::size_t t = begin; t < end; ++t) {
                 const glm::dvec3 corner = position(static_cast<std::uint32_t>(3 * t));
-                facing_[t] = glm::dot(glm::dvec3{topology_.faceNormals[t]}, view(corner)) < 0.0 ? 1 : 0;
+                facing_[t] = glm::dot(edges_.faceNormals[t], view(corner)) < 0.0 ? 1 : 0;
             }
         });
         // A face too thin to have a normal faces as the one beside its longest edge does: it is no line by itself.
         for (std::uint32_t t = 0; t < count; ++t)
-            if (glm::dvec3{topology_.faceNormals[t]} == glm::dvec3{0.0}) facing_[t] = facingBeside(t);
+            if (edges_.faceNormals[t] == glm::dvec3{0.0}) facing_[t] = facingBeside(t);
     }
 
     [[nodiscard]] std::uint8_t facingBeside(std::uint32_t thin) const {
@@ -80,7 +80,7 @@ private:
             if (!isHalfEdge(twin)) break;
             if (topology_.points[longest] == topology_.points[twin]) turned = !turned;
             t = twin / 3;
-            if (glm::dvec3{topology_.faceNormals[t]} != glm::dvec3{0.0}) break;
+            if (edges_.faceNormals[t] != glm::dvec3{0.0}) break;
         }
         return turned ? 1 - facing_[t] : facing_[t];
     }
@@ -141,7 +141,7 @@ private:
         if (!hidesItsBack(t)) return false;
         const std::uint32_t other = topology_.twins[h];
         const glm::dvec3 opposite = position(nextHalfEdge(nextHalfEdge(other)));
-        return glm::dot(glm::dvec3{topology_.faceNormals[t]}, opposite - position(h)) * edges_.closed[t] > 0.0;
+        return glm::dot(edges_.faceNormals[t], opposite - position(h)) * edges_.closed[t] > 0.0;
     }
 
     void addContourEdges() {

@@ -31,6 +31,7 @@ public:
         : mesh_{mesh}, topology_{topology}, widest_{static_cast<float>(widest)} {}
 
     FaceTree build() {
+        tree_.normals = makeFaceNormals(mesh_);
         placePoints();
         sortFaces();
         if (!keys_.empty()) {
@@ -61,7 +62,7 @@ private:
         const auto count = static_cast<std::uint32_t>(topology_.originals.size());
         keys_.reserve(count);
         for (std::uint32_t t = 0; t < count; ++t) {
-            if (topology_.originals[t] != t || topology_.faceNormals[t] == glm::dvec3{0.0}) continue;
+            if (topology_.originals[t] != t || tree_.normals[t] == glm::dvec3{0.0}) continue;
             const auto [a, b, c] = corners(t);
             const auto cell = [&](int axis) {
                 const double middle = (double{a[axis]} + double{b[axis]} + double{c[axis]}) / 3.0 - double{low[axis]};
@@ -124,20 +125,20 @@ private:
     [[nodiscard]] FaceTree::Node leaf(std::uint32_t begin, std::uint32_t end) const {
         FaceTree::Node node{};
         node.low = node.high = corners(tree_.triangles[begin])[0];
-        const glm::dvec3 first = topology_.faceNormals[tree_.triangles[begin]];
+        const glm::dvec3 first = tree_.normals[tree_.triangles[begin]];
         glm::dvec3 sum{0.0};
         for (std::uint32_t i = begin; i < end; ++i) {
             for (const glm::vec3& p : corners(tree_.triangles[i])) {
                 node.low = glm::min(node.low, p);
                 node.high = glm::max(node.high, p);
             }
-            const glm::dvec3 normal = topology_.faceNormals[tree_.triangles[i]];
+            const glm::dvec3 normal = tree_.normals[tree_.triangles[i]];
             sum += glm::dot(normal, first) < 0.0 ? -normal : normal;
         }
         const glm::dvec3 axis = glm::normalize(sum);  // no term of it points away from the first
         double cosine = 1.0;
         for (std::uint32_t i = begin; i < end; ++i)
-            cosine = std::min(cosine, std::abs(glm::dot(topology_.faceNormals[tree_.triangles[i]], axis)));
+            cosine = std::min(cosine, std::abs(glm::dot(tree_.normals[tree_.triangles[i]], axis)));
         node.axis = glm::vec3{axis};
         setAngle(node, static_cast<float>(std::acos(cosine)) + rounding);
         return node;

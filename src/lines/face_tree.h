@@ -30,6 +30,7 @@ struct FaceTree {
     static constexpr float wideCone = 4.0F;
     static constexpr std::uint32_t leafSize = 4;
 
+    std::vector<glm::dvec3> normals;       ///< one a triangle of the mesh, as MeshTopology::faceNormals
     std::vector<glm::vec3> points;         ///< one a point of the topology: where it stands, mesh space less origin
     std::vector<std::uint32_t> triangles;  ///< of the mesh
     std::vector<Node> nodes;               ///< the root first; none: no faces

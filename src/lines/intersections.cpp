@@ -1,13 +1,10 @@
 #include "lines/intersections.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <thread>
 #include <tuple>
 
 #include <glm/common.hpp>
@@ -17,6 +14,7 @@
 
 #include "lines/face_tree.h"
 #include "scene/box_tree.h"
+#include "scene/parallel.h"
 #include "scene/topology.h"
 #include "scene/weld.h"
 
@@ -166,7 +164,7 @@ private:
         const std::uint32_t half = 3 * face.triangle + static_cast<std::uint32_t>(edge);
         const std::uint32_t twin = side.topology->twins[half];
         if (!isHalfEdge(twin) || side.topology->creases[half]) return {};
-        if (side.topology->faceNormals[twin / 3] == glm::dvec3{0.0}) return {};
+        if (side.tree->normals[twin / 3] == glm::dvec3{0.0}) return {};
         const Face other = faceOf(side, twin / 3);
         const auto angleTo = [&](const Face& of, std::uint32_t apex) {
             return angleAbout(along, zero, of.corners[apex] - face.corners[static_cast<std::size_t>(edge)]);
@@ -347,7 +345,7 @@ private:
             for (std::uint32_t j = sameLeaf ? i + 1 : b.begin; j < b.end; ++j) {
                 const auto [first, second] = std::minmax(a_.tree->triangles[i], a_.tree->triangles[j]);
                 if (shareAPoint(first, second) || partAlongAxes(first, second)) continue;
-                const double cosine = glm::dot(a_.topology->faceNormals[first], a_.topology->faceNormals[second]);
+                const double cosine = glm::dot(a_.tree->normals[first], a_.tree->normals[second]);
                 if (std::abs(cosine) < flatCosine) compare(faceOf(a_, first), faceOf(a_, second), search);
             }
         }
@@ -401,28 +399,6 @@ private:
     float margin_ = 0.0F;
 };
 
-// Runs work(0..count-1) on all processors.
-template <class Work>
-void inParallel(std::size_t count, Work&& work) {
-    std::atomic<std::size_t> next = 0;
-    std::exception_ptr failure;
-    std::atomic_flag failed;
-    const auto run = [&] {
-        try {
-            for (std::size_t i = next++; i < count; i = next++) work(i);
-        } catch (...) {
-            if (!failed.test_and_set()) failure = std::current_exception();
-        }
-    };
-    {
-        std::vector<std::jthread> others;
-        const std::size_t wanted = std::min<std::size_t>(std::thread::hardware_concurrency(), count / 16 + 1);
-        while (others.size() + 1 < wanted) others.emplace_back(run);
-        run();
-    }
-    if (failure) std::rethrow_exception(failure);
-}
-
 // The segments of one pairing, sorted, their ends numbered.
 struct Crossing {
     std::vector<Found> segments;
@@ -469,7 +445,7 @@ private:
 
     void buildTrees() {
         trees_.resize(scene_.meshes().size());
-        inParallel(trees_.size(), [&](std::size_t i) {
+        onEach(trees_.size(), [&](std::size_t i) {
             trees_[i] = buildFaceTree(scene_.meshes()[i], scene_.topology(i), leastAngle);
             sides_[i] = {&trees_[i], &scene_.topology(i), glm::dmat4{1.0}};
         });
@@ -558,7 +534,7 @@ private:
         std::vector<Part> parts;
         for (std::size_t i = 0; i < pairings.size(); ++i)
             for (const Pairing::Task& task : pairings[i].tasks()) parts.push_back({i, task, {}});
-        inParallel(parts.size(),
+        onEach(parts.size(),
                    [&](std::size_t i) { parts[i].found = pairings[parts[i].pairing].find(parts[i].task); });
 
         std::vector<Crossing> crossings(pairings.size());
@@ -567,7 +543,7 @@ private:
             segments.insert(segments.end(), part.found.begin(), part.found.end());
             part.found = {};
         }
-        inParallel(crossings.size(), [&](std::size_t i) {
+        onEach(crossings.size(), [&](std::size_t i) {
             std::ranges::sort(crossings[i].segments, {}, [](const Found& f) { return std::pair{f.a, f.b}; });
             numberEnds(crossings[i], 2.0 * tolerances[i]);
         });

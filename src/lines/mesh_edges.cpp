@@ -99,6 +99,7 @@ MeshEdges findEdges(const Mesh& mesh, const MeshTopology& topology) {
         }
     }
     collectMany(topology, edges);
+    edges.faceNormals = makeFaceNormals(mesh);
     edges.closed = findClosedParts(mesh, topology);
     return edges;
 }

@@ -26,6 +26,8 @@ struct MeshEdges {
     std::vector<std::uint32_t> many;
     std::vector<std::uint32_t> manyBegins;  ///< where each such edge begins in many; and the end of the last
 
+    std::vector<glm::dvec3> faceNormals;  ///< as MeshTopology::faceNormals
+
     /// One a face: 1 or -1 if the part that hangs together with it is closed, consistently wound and outward or inward;
     /// else 0.
     std::vector<std::int8_t> closed;

@@ -1,6 +1,5 @@
 #include "lines/object_lines.h"
 
-#include <atomic>
 #include <chrono>
 #include <cmath>
 
@@ -165,11 +164,9 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings) const {
     watch.finish("crossings");
 
     std::vector<std::vector<Part>> parts(chains.size());
-    std::atomic<std::size_t> next = 0;
     const Judge judge = [&](std::uint32_t segment, double at) { return view.judge(segment, at); };
-    inParallel(std::min<std::size_t>(chains.size(), 64), 1, [&](std::size_t, std::size_t) {
-        for (std::size_t c = next++; c < chains.size(); c = next++)
-            parts[c] = partChain(chains[c], view.projected, crossings, firstCrossings, judge);
+    onEach(chains.size(), [&](std::size_t c) {
+        parts[c] = partChain(chains[c], view.projected, crossings, firstCrossings, judge);
     });
     watch.finish("visibility");
 

@@ -1,6 +1,7 @@
 #include "scene/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <system_error>
 #include <thread>
@@ -43,6 +44,33 @@ void inRanges(std::size_t count, const std::function<void(std::size_t begin, std
     }
     for (const std::exception_ptr& failure : failures)
         if (failure) std::rethrow_exception(failure);
+}
+
+void onEach(std::size_t count, const std::function<void(std::size_t i)>& work) {
+    constexpr std::size_t piecesWorthAThread = 8;
+    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    std::atomic<std::size_t> next = 0;
+    std::exception_ptr failure;
+    std::atomic_flag failed;
+    const auto run = [&] {
+        try {
+            for (std::size_t i = next++; i < count; i = next++) work(i);
+        } catch (...) {
+            if (!failed.test_and_set()) failure = std::current_exception();
+            next = count;
+        }
+    };
+    {
+        std::vector<std::jthread> others;
+        const std::size_t wanted = std::min(cores, count / piecesWorthAThread + 1);
+        others.reserve(wanted);
+        try {
+            while (others.size() + 1 < wanted) others.emplace_back(run);
+        } catch (const std::system_error&) {  // the process may have no more threads
+        }
+        run();
+    }
+    if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace inkedge

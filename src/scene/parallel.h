@@ -14,4 +14,8 @@ inline constexpr std::size_t elementsWorthAThread = 100'000;
 /// @throws  what the first range that failed has thrown
 void inRanges(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& work);
 
+/// Calls work(i) for 0..count-1 on all cores, in no order: for pieces of work of their own, large and small.
+/// @throws  what the first piece that failed has thrown
+void onEach(std::size_t count, const std::function<void(std::size_t i)>& work);
+
 }  // namespace inkedge

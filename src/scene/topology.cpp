@@ -174,6 +174,10 @@ double bendCosine(const MeshTopology& topology, std::uint32_t halfEdge, std::uin
     return topology.points[halfEdge] == topology.points[twin] ? -cosine : cosine;
 }
 
+std::vector<glm::dvec3> makeFaceNormals(const Mesh& mesh) {
+    return faceNormals(mesh, leastHeight * weldToleranceOf(mesh.positions));
+}
+
 MeshTopology buildTopology(const Mesh& mesh) {
     MeshTopology topology;
     const auto triangleCount = static_cast<std::uint32_t>(mesh.indices.size() / 3);

@@ -42,6 +42,9 @@ inline constexpr double leastHeight = 4.0;
 /// those with two corners at one point take no part in edges. O(n) but for points with very many edges.
 [[nodiscard]] MeshTopology buildTopology(const Mesh&);
 
+/// MeshTopology::faceNormals, made anew: a Scene does not keep them.
+[[nodiscard]] std::vector<glm::dvec3> makeFaceNormals(const Mesh&);
+
 /// Two faces that share an edge bend by this much there if cos(bend) is the result; either may be wound against the
 /// other.
 [[nodiscard]] double bendCosine(const MeshTopology&, std::uint32_t halfEdge, std::uint32_t twin);

@@ -111,6 +111,8 @@ private:
 
 }  // namespace
 
+double weldToleranceOf(std::span<const glm::vec3> positions) { return weldTolerance * boundsOf(positions).diagonal; }
+
 Weld weldByPosition(std::span<const glm::vec3> positions) {
     const Bounds bounds = boundsOf(positions);
     Weld weld;

@@ -20,6 +20,9 @@ struct Weld {
 /// rounding that a float leaves in a coordinate: exporters that compute a shared corner twice are off by so much.
 inline constexpr double weldTolerance = 5e-7;
 
+/// weldTolerance of the positions' box, in their unit.
+[[nodiscard]] double weldToleranceOf(std::span<const glm::vec3> positions);
+
 /// Welds positions that are equal (-0 equals 0) or within weldTolerance of one already met. O(n).
 [[nodiscard]] Weld weldByPosition(std::span<const glm::vec3> positions);
 
