@@ -1,6 +1,8 @@
 #include "ink/paint_strokes.h"
 
 #include <algorithm>
+#include <array>
+#include <bitset>
 #include <cmath>
 #include <vector>
 
@@ -9,12 +11,6 @@
 
 namespace inkedge {
 namespace {
-
-constexpr double millimetresPerInch = 25.4;
-
-double pixels(const PictureLength& length, double dpi) {
-    return length.millimetres ? length.value / millimetresPerInch * dpi : length.value;
-}
 
 constexpr float halfDiagonal = 0.70711F;  // of a pixel
 constexpr float leastOffset = 1e-4F;      // pixels: a shorter one has no direction worth the name
@@ -96,6 +92,36 @@ void blend(Image<float>& picture, const Image<float>& coverage, Color color) {
     }
 }
 
+// Pens of one colour, which are laid on together.
+struct Coat {
+    Color color;
+    std::bitset<penCount> pens;
+};
+
+// What covers comes later: of each colour where its first line type stands, those of hidden lines before all others.
+std::vector<Coat> coatsOf(const std::array<Pen, penCount>& all) {
+    std::vector<Coat> coats;
+    const auto addPens = [&](std::size_t first) {
+        std::vector<Coat> added;
+        for (std::size_t i = first + lineTypeCount; i-- > first;) {
+            const auto same = std::ranges::find(added, all[i].color, &Coat::color);
+            Coat coat = same == added.end() ? Coat{all[i].color, {}} : *same;
+            if (same != added.end()) added.erase(same);
+            coat.pens.set(i);
+            added.push_back(coat);
+        }
+        // A colour that goes on is one coat, so that what is hidden joins what is seen.
+        if (!coats.empty() && coats.back().color == added.front().color) {
+            coats.back().pens |= added.front().pens;
+            added.erase(added.begin());
+        }
+        coats.insert(coats.end(), added.begin(), added.end());
+    };
+    addPens(lineTypeCount);
+    addPens(0);
+    return coats;
+}
+
 Image<float> emptyPicture(const PictureSettings& settings, bool grey) {
     const Color behind = settings.background.value_or(settings.lineColor);
     if (grey) return {settings.size, 1, static_cast<float>(behind.red)};
@@ -110,33 +136,19 @@ Image<float> emptyPicture(const PictureSettings& settings, bool grey) {
 
 }  // namespace
 
-std::array<Pen, lineTypeCount> pens(const PictureSettings& settings) {
-    std::array<Pen, lineTypeCount> all{};
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const LineStyle& style = settings.lineStyles[i];
-        all[i] = {pixels(style.width.value_or(settings.lineWidth), settings.dpi),
-                  style.color.value_or(settings.lineColor)};
-    }
-    return all;
-}
-
 Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureSettings& settings) {
     const auto allPens = pens(settings);
     const bool grey = settings.background && settings.background->grey() &&
                       std::ranges::all_of(allPens, [](const Pen& pen) { return pen.color.grey(); });
     Image<float> picture = emptyPicture(settings, grey);
-    std::vector<Color> colors;  // of the last line type first: what comes later covers
-    for (std::size_t i = allPens.size(); i-- > 0;) {
-        std::erase(colors, allPens[i].color);
-        colors.push_back(allPens[i].color);
-    }
-    for (const Color color : colors) {
+    for (const Coat& coat : coatsOf(allPens)) {
+        const auto isOfCoat = [&](const Stroke& stroke) { return coat.pens.test(stroke.style); };
+        if (std::ranges::none_of(strokes, isOfCoat)) continue;
         Image<float> coverage{settings.size, 1, 0.0F};
         for (const Stroke& stroke : strokes) {
-            const Pen& pen = allPens[stroke.style];
-            if (pen.color == color) cover(coverage, stroke, static_cast<float>(pen.width));
+            if (isOfCoat(stroke)) cover(coverage, stroke, static_cast<float>(allPens[stroke.style].width));
         }
-        blend(picture, coverage, color);
+        blend(picture, coverage, coat.color);
     }
     Image<std::uint8_t> result{picture.size, picture.channels};
     std::ranges::transform(picture.pixels, result.pixels.begin(),

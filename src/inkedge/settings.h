@@ -114,6 +114,13 @@ struct PictureLength {
     friend bool operator==(const PictureLength&, const PictureLength&) = default;
 };
 
+/// A sheet of paper, millimetres.
+struct PageSize {
+    double width = 0.0;
+    double height = 0.0;
+    friend bool operator==(const PageSize&, const PageSize&) = default;
+};
+
 /// How one type of line departs from the others.
 struct LineStyle {
     std::optional<PictureLength> width;
@@ -127,6 +134,7 @@ struct PictureSettings {
     std::optional<Color> background = Color{255, 255, 255};  ///< none: transparent
     PictureLength lineWidth{1.5, false};                     ///< 0.5 to 32 pixels
     double dpi = 96.0;                                       ///< pixels an inch, for widths in millimetres
+    std::optional<PageSize> page;                            ///< the sheet that vectors are for; none: the size at dpi
     int supersampling = 1;                                   ///< samples a pixel along each axis: 1, 2 or 4
     std::uint8_t lines = allLineTypes;                       ///< which types are drawn
     std::array<LineStyle, lineTypeCount> lineStyles;         ///< in the order of LineType's bits
@@ -158,6 +166,8 @@ struct LineSettings {
     Contour contour = Contour::Auto;
     Visibility visibility = Visibility::Exact;
     HiddenLines hidden = HiddenLines::None;
+    double simplify = 0.25;   ///< pixels that polylines in files may stray from those found; 0: every point is kept
+    double fitCurves = 0.0;   ///< pixels that cubic Bezier curves may stray from the lines; 0: polylines; SVG only
 };
 
 enum class Detector {

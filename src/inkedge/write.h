@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <inkedge/export.h>
+#include <inkedge/lines.h>
 #include <inkedge/maps.h>
 #include <inkedge/scene.h>
 #include <inkedge/settings.h>
@@ -37,6 +39,31 @@ namespace inkedge {
 /// @throws Error  (Kind::Output) if one cannot be written; none is left half-written
 INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<const Map> maps,
                                                          const std::filesystem::path& output);
+
+/// The lines as an SVG document: those whose types settings.picture.lines names, hidden ones if settings.lines.hidden
+/// wants them, cut at the picture's edges (and half a width beyond), as polylines or curves within settings.lines.simplify
+/// or .fitCurves. Its coordinates are pixels of lines.size; its width and height are the page's, or pixels, or millimetres
+/// where a width or settings.picture.dpi says so. One group a type and visibility, what covers last, with the classes
+/// "inkedge", the type's name, and "visible" or "hidden"; in it one path an object, data-object is LinePoint's object.
+/// Metadata holds a JSON object: camera, size, bounds, settings.
+/// @param title  UTF-8; what is not becomes U+FFFD
+/// @throws Error  (Kind::Usage) if lines.size has no pixel
+[[nodiscard]] INKEDGE_API std::string linesSvg(const Scene&, const Lines&, const Settings&,
+                                               std::string_view title = "Line drawing");
+
+/// The same lines, not cut, as one JSON object: "places" in pixels of "size", y down; "points" in world space; each line
+/// with type, visible, closed, object, patch; camera, bounds, settings. README.md describes it.
+/// @throws Error  (Kind::Usage) if lines.size has no pixel
+[[nodiscard]] INKEDGE_API std::string linesJson(const Scene&, const Lines&, const Settings&);
+
+/// Whether a file of this name holds lines rather than pixels: its extension is .svg or .json, in whatever case.
+[[nodiscard]] INKEDGE_API bool holdsLines(const std::filesystem::path&);
+
+/// Writes linesSvg() or linesJson(), by the extension; an SVG's title is the file's name. The file appears whole or not
+/// at all.
+/// @throws Error  (Kind::Usage) if the extension is neither, or lines.size has no pixel; (Kind::Output) if the file cannot
+///                be written
+INKEDGE_API void writeLines(const Scene&, const Lines&, const Settings&, const std::filesystem::path&);
 
 /// Writes bytes to a file by way of a temporary one in the same folder, which has no name where the file system can do
 /// so: it appears whole or not at all, however the process ends.

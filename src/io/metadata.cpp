@@ -1,12 +1,13 @@
+#include "io/metadata.h"
+
 #include <glm/matrix.hpp>
-#include <nlohmann/json.hpp>
 
 #include <inkedge/write.h>
 
 namespace inkedge {
 namespace {
 
-using Json = nlohmann::ordered_json;  // keys in the order in which they are told
+using io::Json;
 
 Json vectorJson(const glm::dvec3& vector) { return {vector.x, vector.y, vector.z}; }
 
@@ -18,6 +19,21 @@ Json matrixJson(const glm::dmat4& matrix) {
     }
     return rows;
 }
+
+Json backendJson(const BackendInfo& info) {
+    return {{"backend", info.backend},   {"platform", info.platform}, {"vendor", info.vendor},
+            {"renderer", info.renderer}, {"version", info.version},   {"software", info.software}};
+}
+
+Json timesJson(const std::vector<StageTime>& times) {
+    Json json = Json::object();
+    for (const auto& [stage, milliseconds] : times) json[stage] = json.value(stage, 0.0) + milliseconds;
+    return json;
+}
+
+}  // namespace
+
+namespace io {
 
 Json cameraJson(const Camera& camera, Size size) {
     Json json{{"view", matrixJson(camera.view)},
@@ -42,31 +58,26 @@ Json settingsJson(const Settings& settings) {
     return json;
 }
 
-Json backendJson(const BackendInfo& info) {
-    return {{"backend", info.backend},   {"platform", info.platform}, {"vendor", info.vendor},
-            {"renderer", info.renderer}, {"version", info.version},   {"software", info.software}};
+Json boundsJson(const Sphere& bounds) {
+    return {{"centre", vectorJson(bounds.centre)}, {"radius", bounds.radius}};
 }
 
-Json timesJson(const std::vector<StageTime>& times) {
-    Json json = Json::object();
-    for (const auto& [stage, milliseconds] : times) json[stage] = json.value(stage, 0.0) + milliseconds;
-    return json;
-}
+// Names inside a model need not be UTF-8; a broken one must not cost the metadata.
+std::string textOf(const Json& json, int indent) { return json.dump(indent, ' ', false, Json::error_handler_t::replace); }
 
-}  // namespace
+}  // namespace io
 
 std::string metadataJson(const Scene& scene, const Maps& maps, const Settings& settings) {
     const Size size = maps.picture.size;
-    const Json json{{"camera", cameraJson(maps.camera, size)},
+    const Json json{{"camera", io::cameraJson(maps.camera, size)},
                     {"size", {size.width, size.height}},
-                    {"bounds", {{"centre", vectorJson(scene.bounds().centre)}, {"radius", scene.bounds().radius}}},
+                    {"bounds", io::boundsJson(scene.bounds())},
                     {"triangles", scene.triangleCount()},
-                    {"settings", settingsJson(settings)},
+                    {"settings", io::settingsJson(settings)},
                     {"warnings", scene.warnings()},
                     {"backend", backendJson(maps.backend)},
                     {"milliseconds", timesJson(maps.times)}};
-    // Names inside a model need not be UTF-8; a broken one must not cost the metadata.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+    return io::textOf(json, 2) + '\n';
 }
 
 }  // namespace inkedge

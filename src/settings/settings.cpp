@@ -115,6 +115,7 @@ std::string text(glm::dvec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); 
 std::string text(double value) { return fmt::format("{}", value); }
 std::string text(float value) { return fmt::format("{}", value); }
 std::string text(std::uint64_t value) { return fmt::format("{}", value); }
+std::string text(const PageSize& page) { return fmt::format("{}mmx{}mm", page.width, page.height); }
 std::string text(int value) { return fmt::format("{}", value); }
 
 template <class T>
@@ -206,6 +207,43 @@ std::string text(const PictureLength& length) {
     return fmt::format("{}{}", length.value, length.millimetres ? millimetreSuffix : "");
 }
 
+struct NamedPage {
+    std::string_view name;
+    PageSize size;
+};
+constexpr std::array namedPages{
+    NamedPage{"A0", {841, 1189}}, NamedPage{"A1", {594, 841}}, NamedPage{"A2", {420, 594}},
+    NamedPage{"A3", {297, 420}},  NamedPage{"A4", {210, 297}}, NamedPage{"A5", {148, 210}},
+    NamedPage{"A6", {105, 148}},  NamedPage{"Letter", {215.9, 279.4}}, NamedPage{"Legal", {215.9, 355.6}},
+    NamedPage{"Tabloid", {279.4, 431.8}},
+};
+constexpr std::string_view landscapeSuffix = "-landscape";
+constexpr double longestPage = 100'000.0;  // millimetres
+
+double parseMillimetres(std::string_view text) {
+    const Expected expected{"WIDTHxHEIGHT in mm, cm or in, as in 210mmx297mm, or A0 to A6, Letter, Legal, Tabloid"};
+    double unit = 0.0;
+    if (text.ends_with("mm")) unit = 1.0;
+    if (text.ends_with("cm")) unit = 10.0;
+    if (text.ends_with("in")) unit = 25.4;
+    if (unit == 0.0) throw expected;
+    const double value = parsePositive(text.substr(0, text.size() - 2)) * unit;
+    if (value < 1.0 || value > longestPage) throw Expected{fmt::format("sides from 1mm to {}mm", longestPage)};
+    return value;
+}
+
+PageSize parsePage(std::string_view text) {
+    const bool landscape = text.ends_with(landscapeSuffix);
+    const std::string_view name = landscape ? text.substr(0, text.size() - landscapeSuffix.size()) : text;
+    const auto* named = std::ranges::find(namedPages, name, &NamedPage::name);
+    if (named != namedPages.end()) {
+        return landscape ? PageSize{named->size.height, named->size.width} : named->size;
+    }
+    const std::size_t between = text.find('x');
+    if (between == std::string_view::npos) parseMillimetres({});  // says what is expected
+    return {parseMillimetres(text.substr(0, between)), parseMillimetres(text.substr(between + 1))};
+}
+
 std::uint8_t parseLineTypes(std::string_view text) {
     std::uint8_t types = 0;
     if (text == "none") return types;
@@ -290,6 +328,11 @@ constexpr std::array table{
     SettingDescription{"dpi", "", "picture", "N", "over 0", "96", "pixels an inch, for widths in mm",
                        [](S& s, Text t) { s.picture.dpi = parsePositive(t); },
                        [](const S& s) { return text(s.picture.dpi); }},
+    SettingDescription{"page-size", "", "picture", "WIDTHxHEIGHT", "210mmx297mm, cm or in; A0 to A6, Letter, Legal, "
+                       "Tabloid; A4-landscape", "the size at --dpi",
+                       "sheet that an SVG fills as far as its shape allows; widths in mm hold on it",
+                       [](S& s, Text t) { s.picture.page = parsePage(t); },
+                       [](const S& s) { return text(s.picture.page); }},
     SettingDescription{"supersampling", "", "picture", "1|2|4", "one of these", "1",
                        "samples a pixel along each axis, for detail below a pixel; planes detector",
                        [](S& s, Text t) {
@@ -325,6 +368,18 @@ constexpr std::array table{
                        "how hidden lines are drawn; lines from object",
                        [](S& s, Text t) { s.lines.hidden = parseChoice(hiddenChoices, t); },
                        [](const S& s) { return choiceName(hiddenChoices, s.lines.hidden); }},
+    SettingDescription{"simplify", "", "lines", "PX", "0 to 100; 0 keeps every point", "0.25",
+                       "how far polylines in .svg and .json may stray from the lines found",
+                       [](S& s, Text t) { s.lines.simplify = parseNumber(t, 0.0, 100.0); },
+                       [](const S& s) { return text(s.lines.simplify); }},
+    SettingDescription{"fit-curves", "", "lines", "PX", "0, or 0.01 to 100", "0",
+                       "cubic curves in .svg that stray from the lines no further than this; 0: polylines",
+                       [](S& s, Text t) {
+                           const double tolerance = parseNumber(t, 0.0, 100.0);
+                           if (tolerance > 0.0 && tolerance < 0.01) throw Expected{"0 or a number from 0.01 to 100"};
+                           s.lines.fitCurves = tolerance;
+                       },
+                       [](const S& s) { return text(s.lines.fitCurves); }},
 
     SettingDescription{"camera-position", "eye", "camera", "X,Y,Z", "any point", "frames the model",
                        "where the camera stands, world space", [](S& s, Text t) { s.camera.position = parseVector(t); },

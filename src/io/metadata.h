@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include <inkedge/camera.h>
+#include <inkedge/scene.h>
+#include <inkedge/settings.h>
+
+namespace inkedge::io {
+
+using Json = nlohmann::ordered_json;  ///< keys in the order in which they are told
+
+Json cameraJson(const Camera&, Size);
+Json boundsJson(const Sphere&);
+Json settingsJson(const Settings&);
+
+/// @param indent  -1: on one line
+std::string textOf(const Json&, int indent);
+
+}  // namespace inkedge::io

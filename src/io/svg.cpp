@@ -1,0 +1,197 @@
+#include <inkedge/write.h>
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include <inkedge/error.h>
+
+#include "curves/clip.h"
+#include "curves/fit_beziers.h"
+#include "curves/simplify.h"
+#include "ink/pens.h"
+#include "io/metadata.h"
+#include "io/svg_path.h"
+
+namespace inkedge {
+namespace {
+
+constexpr double millimetresPerInch = 25.4;
+constexpr double cssDpi = 96.0;  // pixels an inch where a document does not say otherwise
+
+// A number of at most three decimals.
+std::string number(double value) {
+    std::string text = fmt::format("{:.3f}", value);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
+}
+
+std::string hex(Color color) { return fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue); }
+
+// Text for XML 1.0: UTF-8 without the characters that no document may hold, markup as entities.
+std::string escaped(std::string_view text) {
+    const std::string valid = io::Json::parse(io::textOf(std::string{text}, -1)).get<std::string>();
+    std::string result;
+    for (const char c : valid) {
+        switch (c) {
+            case '&':
+                result += "&amp;";
+                break;
+            case '<':
+                result += "&lt;";
+                break;
+            case '>':
+                result += "&gt;";
+                break;
+            case '"':
+                result += "&quot;";
+                break;
+            default:
+                result += static_cast<unsigned char>(c) < 0x20U ? ' ' : c;
+        }
+    }
+    return result;
+}
+
+// The settings with the resolution at which the picture fills its page.
+PictureSettings onPage(PictureSettings settings, Size size) {
+    if (settings.page) {
+        const double millimetresPerPixel =
+            std::min(settings.page->width / size.width, settings.page->height / size.height);
+        settings.dpi = millimetresPerInch / millimetresPerPixel;
+    }
+    return settings;
+}
+
+// Whether the document's size is told in millimetres.
+bool isPhysical(const PictureSettings& settings) {
+    bool physical = settings.page || settings.dpi != cssDpi || settings.lineWidth.millimetres;
+    for (const LineStyle& style : settings.lineStyles) physical = physical || (style.width && style.width->millimetres);
+    return physical;
+}
+
+std::string documentSize(const PictureSettings& settings, Size size) {
+    if (!isPhysical(settings)) return fmt::format("width=\"{}\" height=\"{}\"", size.width, size.height);
+    const double perPixel = millimetresPerInch / settings.dpi;
+    const PageSize page = settings.page.value_or(PageSize{size.width * perPixel, size.height * perPixel});
+    return fmt::format("width=\"{}mm\" height=\"{}mm\"", number(page.width), number(page.height));
+}
+
+bool isStraight(const Bezier& curve) {
+    constexpr double tellable = 0.005;  // pixels: half the last decimal
+    const glm::dvec2 along = curve[3] - curve[0];
+    const double length = glm::length(along);
+    const auto isOn = [&](glm::dvec2 p) {
+        const glm::dvec2 off = p - curve[0];
+        if (length == 0.0) return glm::length(off) < tellable;
+        const double way = glm::dot(off, along) / length;
+        return std::abs(off.x * along.y - off.y * along.x) < tellable * length && way >= 0.0 && way <= length;
+    };
+    return isOn(curve[1]) && isOn(curve[2]);
+}
+
+void addCurves(io::SvgPath& path, const Line& line, double tolerance) {
+    const std::vector<Bezier> curves = fitBeziers(line, tolerance);
+    if (curves.empty()) return;
+    path.moveTo(curves.front()[0]);
+    for (const Bezier& curve : curves) {
+        if (isStraight(curve)) {
+            path.lineTo(curve[3]);
+        } else {
+            path.curveTo(curve[1], curve[2], curve[3]);
+        }
+    }
+    if (line.closed) path.close();
+}
+
+void addPolyline(io::SvgPath& path, const Line& line, double tolerance) {
+    const Line simple = simplify(line, tolerance);
+    if (simple.points.size() < 2) return;
+    path.moveTo(simple.points.front().place);
+    for (std::size_t i = 1; i < simple.points.size(); ++i) path.lineTo(simple.points[i].place);
+    if (line.closed) path.close();
+}
+
+// The paths of one pen, by object.
+using Paths = std::map<std::uint32_t, io::SvgPath>;
+
+std::array<Paths, penCount> pathsOf(const Lines& lines, const PictureSettings& picture, const LineSettings& settings) {
+    const auto allPens = pens(picture);
+    const glm::dvec2 size{lines.size.width, lines.size.height};
+    std::array<Paths, penCount> paths;
+    for (const Line& line : lines.lines) {
+        if (!isDrawn(line, picture, settings)) continue;
+        const std::uint8_t pen = penOf(line);
+        const double margin = 0.5 * allPens[pen].width;
+        for (const Line& part : clip(line, glm::dvec2{-margin}, size + margin)) {
+            io::SvgPath& path = paths[pen][line.object];
+            if (settings.fitCurves > 0.0) {
+                addCurves(path, part, settings.fitCurves);
+            } else {
+                addPolyline(path, part, settings.simplify);
+            }
+        }
+    }
+    return paths;
+}
+
+std::string group(std::size_t number_, const Pen& pen, const Paths& paths, HiddenLines hidden) {
+    const bool isHidden = number_ >= lineTypeCount;
+    const auto type = static_cast<LineType>(1U << (number_ % lineTypeCount));
+    std::string dashes;
+    if (isHidden && hidden == HiddenLines::Dashed) {
+        dashes =
+            fmt::format(" stroke-dasharray=\"{} {}\"", number(dashLength * pen.width), number(gapLength * pen.width));
+    }
+    std::string text = fmt::format("<g class=\"inkedge {} {}\" stroke=\"{}\" stroke-width=\"{}\"{}>\n", name(type),
+                                   isHidden ? "hidden" : "visible", hex(pen.color), number(pen.width), dashes);
+    for (const auto& [object, path] : paths) {
+        const std::string data = path.text();
+        if (!data.empty()) text += fmt::format("<path data-object=\"{}\" d=\"{}\"/>\n", object, data);
+    }
+    return text + "</g>\n";
+}
+
+}  // namespace
+
+std::string linesSvg(const Scene& scene, const Lines& lines, const Settings& settings, std::string_view title) {
+    const Size size = lines.size;
+    if (size.width < 1 || size.height < 1) {
+        throw Error{Error::Kind::Usage,
+                    "lines: expected a picture of at least one pixel, found none; were they drawn?"};
+    }
+    const PictureSettings picture = onPage(settings.picture, size);
+    const io::Json metadata{{"camera", io::cameraJson(lines.camera, size)},
+                            {"size", {size.width, size.height}},
+                            {"bounds", io::boundsJson(scene.bounds())},
+                            {"settings", io::settingsJson(settings)}};
+    std::string text = fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" {} viewBox=\"0 0 {} {}\" fill=\"none\" stroke-linecap=\"round\" "
+        "stroke-linejoin=\"round\">\n<title>{}</title>\n<desc>Line drawing of a 3D model, {} x {} pixels</desc>\n"
+        "<metadata>{}</metadata>\n",
+        documentSize(picture, size), size.width, size.height, escaped(title), size.width, size.height,
+        escaped(io::textOf(metadata, -1)));
+    if (picture.background) {
+        text += fmt::format("<rect class=\"inkedge background\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n", size.width,
+                            size.height, hex(*picture.background));
+    }
+    if (picture.page) {  // whose margins show what lies beyond the picture's edges
+        text += fmt::format(
+            "<clipPath id=\"picture\"><rect width=\"{}\" height=\"{}\"/></clipPath>\n"
+            "<g clip-path=\"url(#picture)\">\n",
+            size.width, size.height);
+    }
+    const auto allPens = pens(picture);
+    const auto paths = pathsOf(lines, picture, settings.lines);
+    for (std::size_t i = paths.size(); i-- > 0;) {  // what comes first covers
+        if (!paths[i].empty()) text += group(i, allPens[i], paths[i], settings.lines.hidden);
+    }
+    return text + (picture.page ? "</g>\n</svg>\n" : "</svg>\n");
+}
+
+}  // namespace inkedge

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <inkedge/lines.h>
+
+/// Lines made by hand, and how far places are from them.
+namespace inkedge::curves {
+
+inline Line lineThrough(const std::vector<glm::dvec2>& places) {
+    Line line;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        line.points.push_back({places[i], {static_cast<double>(i), places[i]}});  // tells which point it was
+    }
+    return line;
+}
+
+inline Line closedThrough(const std::vector<glm::dvec2>& places) {
+    Line line = lineThrough(places);
+    line.closed = true;
+    return line;
+}
+
+inline Line circle(glm::dvec2 centre, double radius, int points) {
+    std::vector<glm::dvec2> places;
+    for (int i = 0; i < points; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / points + 0.1;
+        places.push_back(centre + radius * glm::dvec2{std::cos(angle), std::sin(angle)});
+    }
+    return closedThrough(places);
+}
+
+inline double distanceToEdge(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
+    const glm::dvec2 along = b - a;
+    const double length = glm::dot(along, along);
+    const double t = length > 0.0 ? std::clamp(glm::dot(p - a, along) / length, 0.0, 1.0) : 0.0;
+    return glm::distance(p, a + t * along);
+}
+
+inline std::vector<glm::dvec2> outlineOf(const Line& line) {
+    std::vector<glm::dvec2> places;
+    for (const LinePoint& p : line.points) places.push_back(p.place);
+    if (line.closed) places.push_back(places.front());
+    return places;
+}
+
+inline double distanceTo(const std::vector<glm::dvec2>& chain, glm::dvec2 p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < chain.size(); ++i) least = std::min(least, distanceToEdge(p, chain[i - 1], chain[i]));
+    return least;
+}
+
+/// Places on a chain, about step apart, its points included.
+inline std::vector<glm::dvec2> sampled(const std::vector<glm::dvec2>& chain, double step) {
+    std::vector<glm::dvec2> samples{chain.front()};
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+        const double parts = std::max(1.0, std::ceil(glm::distance(chain[i - 1], chain[i]) / step));
+        for (double k = 1.0; k <= parts; ++k) samples.push_back(glm::mix(chain[i - 1], chain[i], k / parts));
+    }
+    return samples;
+}
+
+/// How far the one strays from the other at most, in both directions, by samples step apart.
+inline double furthest(const std::vector<glm::dvec2>& a, const std::vector<glm::dvec2>& b, double step) {
+    double most = 0.0;
+    for (const glm::dvec2 p : sampled(a, step)) most = std::max(most, distanceTo(b, p));
+    for (const glm::dvec2 p : sampled(b, step)) most = std::max(most, distanceTo(a, p));
+    return most;
+}
+
+/// A winding line with smooth bends, straight runs and some noise.
+inline Line winding(int points, double noise, unsigned seed) {
+    std::vector<glm::dvec2> places;
+    unsigned state = seed;
+    const auto random = [&] {
+        state = state * 1664525U + 1013904223U;
+        return (state >> 8U) / static_cast<double>(1U << 24U) - 0.5;
+    };
+    for (int i = 0; i < points; ++i) {
+        const double t = static_cast<double>(i) / points;
+        places.push_back({500.0 * t + 30.0 * std::sin(9.0 * t + 0.1 * seed) + noise * random(),
+                          200.0 + 80.0 * std::sin(14.0 * t) * std::cos(5.0 * t + seed) + noise * random()});
+    }
+    return lineThrough(places);
+}
+
+}  // namespace inkedge::curves
