@@ -140,13 +140,21 @@ private:
     // Where threads' ranges cut a run in two, nothing else changes.
     void collectRuns() {
         std::mutex mutex;
+        std::vector<std::vector<Run>> parts;
+        std::size_t count = 0;
         for (std::uint32_t i = 0; i < scene_.instances().size(); ++i) {
             inRanges(triangles(i).count(), [&](std::size_t begin, std::size_t end) {
-                const std::vector<Run> runs =
+                std::vector<Run> runs =
                     runsOf(i, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
                 const std::scoped_lock lock{mutex};
-                runs_.insert(runs_.end(), runs.begin(), runs.end());
+                count += runs.size();
+                parts.push_back(std::move(runs));
             });
+        }
+        runs_.reserve(count);
+        for (std::vector<Run>& part : parts) {
+            runs_.insert(runs_.end(), part.begin(), part.end());
+            part = {};  // no two copies of everything at once
         }
     }
 

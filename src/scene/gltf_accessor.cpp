@@ -50,6 +50,12 @@ void forEachNumber(const Source& source, Write&& write) {
             write(place++, valueAt<T>(source.start + i * source.stride + c * sizeof(T)));
 }
 
+// Integers as they are.
+template <class T>
+void copyIntegers(const Source& source, std::uint32_t* numbers) {
+    forEachNumber<T>(source, [&](std::uint64_t i, T value) { numbers[i] = value; });
+}
+
 template <class T>
 void decode(const Source& source, double* numbers) {
     forEachNumber<T>(source, [&](std::uint64_t i, T value) { numbers[i] = static_cast<double>(value); });
@@ -120,7 +126,21 @@ std::uint64_t checkedStride(const Elements& elements, std::uint64_t count, std::
     return stride;
 }
 
-void readSparse(const Accessor& accessor, const Accessor::Sparse& sparse, std::vector<double>& numbers) {
+// Where an accessor's own numbers lie; without a start they are zeros.
+Source sourceOf(const Accessor& accessor, const Expected& expected) {
+    checkExpected(accessor, expected);
+    if (accessor.count > maximumElements)
+        refuse(fmt::format("expected at most {} elements, found {}", maximumElements, accessor.count));
+    Source source{nullptr, 0, accessor.count, accessor.type.components};
+    if (!accessor.elements) return source;
+    const std::uint64_t elementSize = source.components * formatOf(accessor.component).size;
+    source.stride = checkedStride(*accessor.elements, accessor.count, elementSize);
+    if (accessor.count > 0) source.start = accessor.elements->bytes.data() + accessor.elements->offset;
+    return source;
+}
+
+template <class Number>
+void readSparse(const Accessor& accessor, const Accessor::Sparse& sparse, std::vector<Number>& numbers) {
     const std::uint64_t components = accessor.type.components;
     const Accessor places{scalar, sparse.indexComponent, false, sparse.count, sparse.indices, {}};
     const Accessor replacements{accessor.type, accessor.component, accessor.normalized,
@@ -131,8 +151,10 @@ void readSparse(const Accessor& accessor, const Accessor::Sparse& sparse, std::v
     for (std::size_t i = 0; i < at.size(); ++i) {
         if (!(at[i] < static_cast<double>(accessor.count)))
             refuse(fmt::format("expected sparse indices below {}, found {}", accessor.count, at[i]));
-        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(i * components), components,
-                    numbers.begin() + static_cast<std::ptrdiff_t>(static_cast<std::uint64_t>(at[i]) * components));
+        std::transform(values.begin() + static_cast<std::ptrdiff_t>(i * components),
+                       values.begin() + static_cast<std::ptrdiff_t>((i + 1) * components),
+                       numbers.begin() + static_cast<std::ptrdiff_t>(static_cast<std::uint64_t>(at[i]) * components),
+                       [](double value) { return static_cast<Number>(value); });
     }
 }
 
@@ -152,35 +174,31 @@ std::span<const std::uint8_t> partOf(std::span<const std::uint8_t> buffer, std::
 }
 
 std::vector<double> readNumbers(const Accessor& accessor, const Expected& expected) {
-    checkExpected(accessor, expected);
-    if (accessor.count > maximumElements)
-        refuse(fmt::format("expected at most {} elements, found {}", maximumElements, accessor.count));
+    const Source source = sourceOf(accessor, expected);
     const ComponentFormat format = formatOf(accessor.component);
-    const std::uint64_t components = accessor.type.components;
-
-    std::uint64_t stride = 0;
-    if (accessor.elements) stride = checkedStride(*accessor.elements, accessor.count, components * format.size);
-    std::vector<double> numbers(accessor.count * components);
-    if (accessor.elements && accessor.count > 0) {
-        const std::uint8_t* const start = accessor.elements->bytes.data() + accessor.elements->offset;
-        const Decode decodeAll = accessor.normalized ? format.decodeNormalized : format.decode;
-        decodeAll({start, stride, accessor.count, components}, numbers.data());
-    }
+    std::vector<double> numbers(source.count * source.components);
+    if (source.start != nullptr)
+        (accessor.normalized ? format.decodeNormalized : format.decode)(source, numbers.data());
     if (accessor.sparse) readSparse(accessor, *accessor.sparse, numbers);
     return numbers;
 }
 
 std::vector<std::uint32_t> readIndices(const Accessor& accessor, std::uint64_t vertexCount) {
-    const std::vector<double> numbers =
-        readNumbers(accessor, {scalar, {Component::Uint8, Component::Uint16, Component::Uint32}});
+    const Source source = sourceOf(accessor, {scalar, {Component::Uint8, Component::Uint16, Component::Uint32}});
     if (accessor.normalized) refuse("expected indices that are not normalized, found normalized ones");
+    std::vector<std::uint32_t> indices(source.count);
+    if (source.start != nullptr && accessor.component == Component::Uint8)
+        copyIntegers<std::uint8_t>(source, indices.data());
+    else if (source.start != nullptr && accessor.component == Component::Uint16)
+        copyIntegers<std::uint16_t>(source, indices.data());
+    else if (source.start != nullptr)
+        copyIntegers<std::uint32_t>(source, indices.data());
+    if (accessor.sparse) readSparse(accessor, *accessor.sparse, indices);
+
     const double restart = formatOf(accessor.component).largest;
-    const double end = std::min(static_cast<double>(vertexCount), restart);
-    std::vector<std::uint32_t> indices(numbers.size());
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (!(numbers[i] < end)) refuseIndex(numbers[i], i, restart, vertexCount);
-        indices[i] = static_cast<std::uint32_t>(numbers[i]);
-    }
+    const std::uint64_t end = std::min(vertexCount, static_cast<std::uint64_t>(restart));
+    for (std::size_t i = 0; i < indices.size(); ++i)
+        if (indices[i] >= end) refuseIndex(indices[i], i, restart, vertexCount);
     return indices;
 }
 

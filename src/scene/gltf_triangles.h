@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +19,6 @@ enum class Mode : int { Points, Lines, LineLoop, LineStrip, Triangles, TriangleS
 /// repeated index, as strips are joined with, are left out.
 /// @param mode     one that draws triangles
 /// @param corners  the primitive's vertex indices in the order of the file; a rest too short for a triangle is not used
-[[nodiscard]] std::vector<std::uint32_t> triangleList(Mode mode, std::span<const std::uint32_t> corners);
+[[nodiscard]] std::vector<std::uint32_t> triangleList(Mode mode, std::vector<std::uint32_t> corners);
 
 }  // namespace inkedge::gltf

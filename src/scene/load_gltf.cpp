@@ -201,7 +201,11 @@ void normalize(std::vector<glm::dvec3>& normals) {
     }
 }
 
-void append(Shape& shape, const Shape& part) {
+void append(Shape& shape, Shape part) {
+    if (shape.positions.empty()) {
+        shape = std::move(part);
+        return;
+    }
     const auto first = static_cast<std::uint32_t>(shape.positions.size());
     shape.positions.insert(shape.positions.end(), part.positions.begin(), part.positions.end());
     shape.normals.insert(shape.normals.end(), part.normals.begin(), part.normals.end());
@@ -502,11 +506,11 @@ private:
         part.normals.resize(count);
 
         const gltf::Mode mode{primitive.mode};
-        const std::vector<std::uint32_t> corners = cornersOf(primitive, count);
+        std::vector<std::uint32_t> corners = cornersOf(primitive, count);
         if (mode == gltf::Mode::Triangles && corners.size() % 3 != 0 && !warnedAs.empty())
             warn(fmt::format("{}: expected a multiple of 3 corners, found {}: the last are not drawn", warnedAs,
                              corners.size()));
-        part.indices = gltf::triangleList(mode, corners);
+        part.indices = gltf::triangleList(mode, std::move(corners));
         spend(part.indices.size());
         part.materials.assign(part.indices.size() / 3, static_cast<std::uint32_t>(primitive.material) + 1U);
         morph(model_, primitive, pose.weights, part);

@@ -7,14 +7,27 @@
 #include <thread>
 #include <vector>
 
+#ifdef __linux__
+#include <sched.h>
+#endif
+
 namespace inkedge {
 namespace {
 
 constexpr std::size_t mostThreads = 8;  // beyond, memory is the limit
 
+// Those that this process may use, which may be fewer than the machine has.
+std::size_t cores() {
+#ifdef __linux__
+    cpu_set_t allowed;
+    if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) return static_cast<std::size_t>(CPU_COUNT(&allowed));
+#endif
+    return std::max(1U, std::thread::hardware_concurrency());
+}
+
 std::size_t threadsFor(std::size_t count) {
-    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-    return std::clamp<std::size_t>(count / elementsWorthAThread, 1, std::min(cores, mostThreads));
+    if (count < 2 * elementsWorthAThread) return 1;
+    return std::clamp<std::size_t>(count / elementsWorthAThread, 1, std::min(cores(), mostThreads));
 }
 
 }  // namespace

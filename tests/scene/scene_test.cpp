@@ -1,6 +1,7 @@
 #include <inkedge/scene.h>
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <string>
 
@@ -131,6 +132,14 @@ TEST(Scene, givesEveryMeshUnitNormals) {
     LoadSettings smooth;
     smooth.creaseAngle = 180.0;
     EXPECT_EQ(Scene(cubeData(), smooth).meshes()[0].normals.size(), 8U);
+}
+
+TEST(Scene, knowsHowLongItTookToPrepare) {
+    const auto begin = std::chrono::steady_clock::now();
+    const Scene scene{cubeData()};
+    const std::chrono::duration<double, std::milli> most = std::chrono::steady_clock::now() - begin;
+    EXPECT_GT(scene.preparationMilliseconds(), 0.0);
+    EXPECT_LE(scene.preparationMilliseconds(), most.count());
 }
 
 TEST(Scene, countsTheTrianglesOfEveryInstance) {

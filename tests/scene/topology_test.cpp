@@ -63,6 +63,12 @@ TEST(BuildTopology, joinsNoneWhereThreeTrianglesMeet) {
     EXPECT_TRUE(isHalfEdge(0));
 }
 
+TEST(BuildTopology, knowsTrianglesThatRepeatAnother) {
+    // Whatever their winding and first corner; collapsed ones, too, to a line or to a point.
+    const Corners indices{0, 1, 2, 3, 1, 2, 1, 2, 0, 2, 1, 0, 1, 1, 3, 3, 1, 3, 3, 1, 1, 4, 4, 4, 4, 4, 4, 2, 3, 1};
+    EXPECT_THAT(buildTopology(meshOf(indices)).originals, ElementsAre(0, 1, 0, 0, 4, 5, 4, 7, 7, 1));
+}
+
 TEST(BuildTopology, joinsNoneThatOnlyTouchInAPoint) { EXPECT_THAT(twinsOf({0, 1, 2, 0, 3, 4}), Each(none)); }
 
 TEST(BuildTopology, pairsEveryEdgeOfAClosedMesh) {

@@ -57,6 +57,21 @@ TEST(WeldByPosition, keepsTheEndsOfARowOfNeighboursApart) {
     EXPECT_THAT(weldByPosition(positions).point, ElementsAre(0, 1, 2, 2, 3, 3));
 }
 
+TEST(WeldByPosition, weldsEqualPositionsWhateverStandsNearThemSince) {
+    // The second is welded to the first; the third is near the second, too, but not near the first.
+    const auto tolerance = static_cast<float>(weldTolerance * 1000.0);
+    std::vector<glm::vec3> positions = near({0, 0, 0}, {0.7F * tolerance, 0, 0});
+    positions.emplace_back(1.4F * tolerance, 0, 0);
+    positions.emplace_back(0.7F * tolerance, 0, 0);
+    EXPECT_THAT(weldByPosition(positions).point, ElementsAre(0, 1, 2, 2, 3, 2));
+}
+
+TEST(WeldByPosition, weldsAllThatStandInOnePlace) {
+    const Weld weld = weldByPosition(std::vector<glm::vec3>(3, glm::vec3{1, 2, 3}));
+    EXPECT_THAT(weld.point, ElementsAre(0, 0, 0));
+    EXPECT_EQ(weld.pointCount, 1U);
+}
+
 TEST(WeldByPosition, meansTheSameAtAnySize) {
     for (const float size : {1e-30F, 1.0F, 1e30F}) {
         std::vector<glm::vec3> positions = near({0, 0, 0}, {4e-4F, 0, 0});
