@@ -30,7 +30,7 @@ gl::Api counting(gl::Api api) {
 TEST_P(Uploading, StoresAMeshOnceAndDrawsItsInstancesByOneCommand) {
     constexpr int instances = 3000;
     Scene::Data data;
-    data.meshes = {scenes::sphere(0.4, 12)};
+    data.meshes = {scenes::sphere(0.4, 16)};
     for (int i = 0; i < instances; ++i)
         data.instances.push_back({"", 0, scenes::translation({i % 50, i / 50, 0})});
     const Scene scene{std::move(data)};
