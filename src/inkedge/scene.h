@@ -25,6 +25,9 @@ struct Mesh {
     /// One an index: whether the edge from this corner to its triangle's next only cuts a polygon of the file into
     /// triangles; such an edge is smooth, however the polygon bends there. Empty: none does.
     std::vector<bool> innerEdges;
+    /// One an index: whether the edge from this corner to its triangle's next is a crease, however little its faces
+    /// bend. Empty: by their angle and normals alone.
+    std::vector<bool> sharpEdges;
 };
 
 /// What a model's file is, and what it offers to choose from.

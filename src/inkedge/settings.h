@@ -62,6 +62,7 @@ struct LoadSettings {
     Transparent transparent = Transparent::Solid;
     AlphaMask alphaMask = AlphaMask::Cut;
     BackFaces backFaces = BackFaces::Draw;
+    int subdivide = 0;  ///< levels of refinement into a smooth surface, 0 to 6; 0: none
     LoadLimits limits = {};
 };
 
@@ -168,6 +169,7 @@ struct LineSettings {
     HiddenLines hidden = HiddenLines::None;
     double simplify = 0.25;   ///< pixels that polylines in files may stray from those found; 0: every point is kept
     double fitCurves = 0.0;   ///< pixels that cubic Bezier curves may stray from the lines; 0: polylines; SVG only
+    int subdivideAdaptive = 0;  ///< levels of refinement near contours, section 3.3, 0 to 6; 0: none
 };
 
 enum class Detector {

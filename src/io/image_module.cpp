@@ -1,71 +1,31 @@
 #include "io/image_module.h"
 
-#include <dlfcn.h>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <link.h>
-
-#include <algorithm>
-#include <array>
-#include <string>
-#include <vector>
+#include "modules/open_module.h"
 
 namespace fs = std::filesystem;
 
 namespace inkedge::io {
 namespace {
 
-/// The folder of the shared library, or of the program, that holds this code.
-fs::path ownFolder() {
-    Dl_info information{};
-    link_map* map = nullptr;
-    const auto here = reinterpret_cast<const void*>(&imageFormats);
-    if (::dladdr1(here, &information, reinterpret_cast<void**>(&map), RTLD_DL_LINKMAP) == 0) map = nullptr;
-    // A program has an empty name in the link map; Dl_info gives it the unreliable argv[0].
-    const bool library = map != nullptr && map->l_name != nullptr && *map->l_name != '\0';
-    std::error_code error;
-    const fs::path file = fs::canonical(library ? map->l_name : "/proc/self/exe", error);
-    return error ? fs::path{"/"} : file.parent_path();  // never a relative path: code is loaded from here
-}
+constexpr Module imageModule{.purpose = "image formats",
+                             .file = imageFormatsFile,
+                             .symbol = imageFormatsSymbol,
+                             .library = "OpenImageIO",
+                             .remedy = "use .png, which needs no module"};
 
-/// Where the module lies relative to the code that opens it.
-std::array<fs::path, 3> moduleFolders() {
-    const fs::path own = ownFolder();
-    return {
-        own / "inkedge",            // installed: lib/libinkedge.so, lib/inkedge/
-        own,                        // build tree, the library: both in lib/
-        own.parent_path() / "lib",  // build tree, a test: bin/ and lib/
-    };
-}
-
-const ImageFormats& open(const fs::path& file, Error::Kind failure) {
-    void* const module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-    void* const symbol = module == nullptr ? nullptr : ::dlsym(module, imageFormatsSymbol);
-    if (symbol == nullptr) {
-        const char* const reason = ::dlerror();
-        throw Error{failure, fmt::format("image formats: {} cannot be used: {}; reinstall inkedge and OpenImageIO",
-                                         file.string(), reason == nullptr ? "no reason given" : reason)};
-    }
+const ImageFormats& formatsBehind(void* symbol) {
     return *reinterpret_cast<decltype(&inkedge_image_formats_2)>(symbol)();
 }
 
 }  // namespace
 
 const ImageFormats& imageFormats(Error::Kind failure) {
-    static const ImageFormats& formats = openImageFormats(moduleFolders(), failure);
+    static const ImageFormats& formats = formatsBehind(openModule(imageModule, failure));
     return formats;
 }
 
 const ImageFormats& openImageFormats(std::span<const fs::path> folders, Error::Kind failure) {
-    std::vector<std::string> tried;
-    for (const fs::path& folder : folders) {
-        std::error_code ignored;
-        if (fs::exists(folder / imageFormatsFile, ignored)) return open(folder / imageFormatsFile, failure);
-        if (std::find(tried.begin(), tried.end(), folder.string()) == tried.end()) tried.push_back(folder.string());
-    }
-    throw Error{failure, fmt::format("image formats: expected {} in one of {}, found none; reinstall inkedge, or use "
-                                     ".png, which needs no module",
-                                     imageFormatsFile, fmt::join(tried, ", "))};
+    return formatsBehind(openModule(imageModule, folders, failure));
 }
 
 }  // namespace inkedge::io

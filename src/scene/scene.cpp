@@ -20,6 +20,7 @@
 #include "scene/extent.h"
 #include "scene/normals.h"
 #include "scene/patch_numbers.h"
+#include "scene/subdivide.h"
 #include "scene/topology.h"
 
 namespace inkedge {
@@ -56,6 +57,10 @@ void check(const Mesh& mesh, std::size_t number) {
     if (!mesh.innerEdges.empty() && mesh.innerEdges.size() != mesh.indices.size()) {
         refuse(fmt::format("{}: expected {} inner edges, one an index, found {}", who, mesh.indices.size(),
                            mesh.innerEdges.size()));
+    }
+    if (!mesh.sharpEdges.empty() && mesh.sharpEdges.size() != mesh.indices.size()) {
+        refuse(fmt::format("{}: expected {} sharp edges, one an index, found {}", who, mesh.indices.size(),
+                           mesh.sharpEdges.size()));
     }
     if (!mesh.materials.empty() && mesh.materials.size() != mesh.indices.size() / 3) {
         refuse(fmt::format("{}: expected {} materials, one a triangle, found {}", who, mesh.indices.size() / 3,
@@ -132,6 +137,7 @@ std::uint32_t sortBySides(Mesh& mesh, const std::vector<Material>& materials) {
         for (std::size_t k = 0; k < 3; ++k) {
             sorted.indices[3 * t + k] = mesh.indices[3 * order[t] + k];
             if (!mesh.innerEdges.empty()) sorted.innerEdges[3 * t + k] = mesh.innerEdges[3 * order[t] + k];
+            if (!mesh.sharpEdges.empty()) sorted.sharpEdges[3 * t + k] = mesh.sharpEdges[3 * order[t] + k];
         }
         if (!mesh.materials.empty()) sorted.materials[t] = mesh.materials[order[t]];
     }
@@ -168,6 +174,7 @@ Scene::Scene(Data data, const LoadSettings& settings) {
     std::erase_if(prepared->instances, [&](const Instance& i) { return prepared->meshes[i.mesh].indices.empty(); });
     if (prepared->instances.empty()) refuse("expected at least one triangle to draw, found none");
     bakeDistortedInstances(*prepared, settings.limits.vertices);
+    if (settings.subdivide > 0) subdivideMeshes(*prepared, settings);
     for (Mesh& mesh : prepared->meshes) {
         dropUnusedVertices(mesh);
         prepared->oneSided.push_back(settings.backFaces == BackFaces::Draw ? 0 : sortBySides(mesh, prepared->materials));

@@ -163,10 +163,12 @@ void joinAcrossThinFace(const MeshTopology& topology, std::uint32_t t, double cr
 
 void turnOver(Mesh& mesh, std::size_t first) {
     std::swap(mesh.indices[first + 1], mesh.indices[first + 2]);
-    if (mesh.innerEdges.empty()) return;
-    const bool edge = mesh.innerEdges[first];
-    mesh.innerEdges[first] = mesh.innerEdges[first + 2];
-    mesh.innerEdges[first + 2] = edge;
+    for (std::vector<bool>* const edges : {&mesh.innerEdges, &mesh.sharpEdges}) {
+        if (edges->empty()) continue;
+        const bool edge = (*edges)[first];
+        (*edges)[first] = (*edges)[first + 2];
+        (*edges)[first + 2] = edge;
+    }
 }
 
 double bendCosine(const MeshTopology& topology, std::uint32_t halfEdge, std::uint32_t twin) {
@@ -215,7 +217,7 @@ void buildPatches(const Mesh& mesh, double creaseAngle, MeshTopology& topology) 
             const std::uint32_t twin = topology.twins[h];
             if (!isHalfEdge(twin) || twin < h || !hasNormal(topology, twin / 3)) continue;
             const bool bends =
-                bendCosine(topology, h, twin) < creaseCosine || normalsSplit(mesh, topology, h, twin, creaseCosine);
+                isMarkedSharp(mesh, h, twin) || bendCosine(topology, h, twin) < creaseCosine || normalsSplit(mesh, topology, h, twin, creaseCosine);
             if (bends && !isInner(mesh, h, twin)) {
                 topology.creases[h] = topology.creases[twin] = true;
             } else {

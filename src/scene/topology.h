@@ -58,8 +58,13 @@ void turnOver(Mesh&, std::size_t first);
     return !mesh.innerEdges.empty() && mesh.innerEdges[halfEdge] && mesh.innerEdges[twin];
 }
 
+/// Whether the edge between two faces is a crease by Mesh::sharpEdges.
+[[nodiscard]] inline bool isMarkedSharp(const Mesh& mesh, std::uint32_t halfEdge, std::uint32_t twin) {
+    return !mesh.sharpEdges.empty() && (mesh.sharpEdges[halfEdge] || mesh.sharpEdges[twin]);
+}
+
 /// Fills creases and patches: the faces that hang together across edges that are no creases. A crease bends by more
-/// than the angle, or its two faces' normals are split by more than that at both ends; inner edges are none. The mesh has all its normals.
+/// than the angle, is marked sharp, or its two faces' normals are split by more than that at both ends; inner edges are none. The mesh has all its normals.
 /// O(n).
 void buildPatches(const Mesh&, double creaseAngle, MeshTopology&);
 

@@ -46,6 +46,14 @@ int parseCount(std::string_view text) {
     return value;
 }
 
+int parseLevels(std::string_view text) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || value < 0 || value > 6)
+        throw Expected{"a whole number from 0 to 6"};
+    return value;
+}
+
 // A whole number; k, M and G stand for thousands, millions and thousands of millions.
 std::uint64_t parseAmount(std::string_view text, std::uint64_t most = std::uint64_t{1} << 40U) {
     const Expected expected{fmt::format("a whole number from 1 to {}, k, M or G after it if wished", most)};
@@ -380,6 +388,10 @@ constexpr std::array table{
                            s.lines.fitCurves = tolerance;
                        },
                        [](const S& s) { return text(s.lines.fitCurves); }},
+    SettingDescription{"subdivide-adaptive", "", "lines", "N", "0 to 6", "0",
+                       "refine N times, but only the faces that the contour may cross; lines from object",
+                       [](S& s, Text t) { s.lines.subdivideAdaptive = parseLevels(t); },
+                       [](const S& s) { return text(s.lines.subdivideAdaptive); }},
 
     SettingDescription{"camera-position", "eye", "camera", "X,Y,Z", "any point", "frames the model",
                        "where the camera stands, world space", [](S& s, Text t) { s.camera.position = parseVector(t); },
@@ -453,6 +465,10 @@ constexpr std::array table{
                        "draw the backs of all faces, or only those of double-sided materials",
                        [](S& s, Text t) { s.load.backFaces = parseChoice(backFacesChoices, t); },
                        [](const S& s) { return choiceName(backFacesChoices, s.load.backFaces); }},
+    SettingDescription{"subdivide", "", "model", "N", "0 to 6", "0",
+                       "refine every mesh N times into the smooth surface that it controls; creases stay sharp",
+                       [](S& s, Text t) { s.load.subdivide = parseLevels(t); },
+                       [](const S& s) { return text(s.load.subdivide); }},
     SettingDescription{"max-file-size", "", "limits", "BYTES", "1 to 1099511627776; k, M, G may follow", "2147483647",
                        "most bytes of a model and the files that belong to it",
                        [](S& s, Text t) { s.load.limits.fileSize = parseAmount(t); },

@@ -1,0 +1,190 @@
+#include "scene/subdivide.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include <inkedge/error.h>
+
+#include "scene/load_message.h"
+#include "scene/normals.h"
+#include "scene/subdivision.h"
+
+namespace inkedge {
+namespace {
+
+RefinedFaces refine(const ControlMesh& control, const std::string& name, int levels) {
+    RefinedFaces faces = subdivision().refine(control, levels);
+    if (!faces.failure.empty())
+        throw Error{Error::Kind::Runtime, fmt::format("mesh {}: expected faces that can be subdivided, found: {}",
+                                                      load::quote(name), faces.failure)};
+    return faces;
+}
+
+// The corners of the triangles that a face is cut into, by their number in the face. A quad is cut from its first.
+constexpr std::array<std::size_t, 6> triangleCorners{0, 1, 2, 0, 2, 3};
+constexpr std::size_t cutAfter = 2;   // whose next corner, in its triangle, lies across the quad
+constexpr std::size_t cutBefore = 3;  // the same of the other triangle
+
+std::size_t cornersOf(SubdivisionScheme scheme) { return scheme == SubdivisionScheme::Loop ? 3 : 4; }
+
+Mesh trianglesOf(const RefinedFaces& faces, SubdivisionScheme scheme) {
+    Mesh mesh;
+    mesh.positions.assign(faces.positions.begin(), faces.positions.end());
+    mesh.normals.assign(faces.normals.begin(), faces.normals.end());
+    const std::size_t size = cornersOf(scheme);
+    for (std::size_t f = 0; f < faces.parents.size(); ++f) {
+        for (std::size_t i = 0; i < 3 * (size - 2); ++i) {
+            const std::size_t corner = size * f + triangleCorners[i];
+            const bool inner = size == 4 && (i == cutAfter || i == cutBefore);
+            mesh.indices.push_back(faces.corners[corner]);
+            mesh.sharpEdges.push_back(!inner && faces.creases[corner]);
+            if (size == 4) mesh.innerEdges.push_back(inner);
+        }
+    }
+    if (std::ranges::find(mesh.sharpEdges, true) == mesh.sharpEdges.end()) mesh.sharpEdges.clear();
+    return mesh;
+}
+
+ControlMesh controlMeshOf(Mesh& mesh, const LoadSettings& settings) {
+    applyAuthoredNormals(mesh, settings);
+    MeshTopology topology = buildTopology(mesh);
+    completeNormals(mesh, topology, settings);
+    buildPatches(mesh, settings.creaseAngle, topology);
+    return controlMesh(mesh, topology);
+}
+
+Mesh subdivided(const Mesh& mesh, const ControlMesh& control, int levels) {
+    const RefinedFaces faces = refine(control, mesh.name, levels);
+    Mesh result = trianglesOf(faces, control.scheme);
+    result.name = mesh.name;
+    result.origin = mesh.origin;
+    if (mesh.materials.empty()) return result;
+    const std::size_t trianglesPerFace = cornersOf(control.scheme) - 2;
+    for (const std::uint32_t parent : faces.parents)
+        result.materials.insert(result.materials.end(), trianglesPerFace, mesh.materials[control.firstTriangles[parent]]);
+    return result;
+}
+
+/// Bits: some of it is seen from its front or at right angles, some from its back.
+using Signs = std::uint8_t;
+constexpr Signs plus = 1;
+constexpr Signs minus = 2;
+constexpr Signs both = plus | minus;
+
+class View {
+public:
+    View(const glm::dvec3& eye, Projection projection) : eye_{eye}, projection_{projection} {}
+    [[nodiscard]] Signs sign(const glm::dvec3& position, const glm::dvec3& normal) const {
+        const glm::dvec3 along = projection_ == Projection::Perspective ? position - eye_ : eye_;
+        return glm::dot(normal, along) < 0.0 ? minus : plus;
+    }
+
+private:
+    glm::dvec3 eye_;
+    Projection projection_;
+};
+
+std::vector<Signs> signsOfFaces(const Mesh& mesh, const MeshTopology& topology, const ControlMesh& control,
+                                const View& view) {
+    std::vector<Signs> signs(control.faceSizes.size(), 0);
+    for (std::size_t t = 0; t < control.faces.size(); ++t) {
+        if (control.faces[t] == noFace) continue;
+        Signs& s = signs[control.faces[t]];
+        for (std::size_t c = 3 * t; c < 3 * t + 3; ++c) {
+            const std::uint32_t vertex = mesh.indices[c];
+            s |= view.sign(glm::dvec3{mesh.positions[vertex]}, glm::dvec3{mesh.normals[vertex]});
+        }
+        const glm::dvec3 normal = topology.faceNormals[t];
+        if (normal != glm::dvec3{0.0}) s |= view.sign(glm::dvec3{mesh.positions[mesh.indices[3 * t]]}, normal);
+    }
+    return signs;
+}
+
+// Faces by a predicate of their vertices' bits, which are those of the faces around them.
+class Neighbourhood {
+public:
+    explicit Neighbourhood(const ControlMesh& control) : control_{control} {}
+
+    /// For each face the bits of all faces that share a vertex with it.
+    [[nodiscard]] std::vector<Signs> around(const std::vector<Signs>& faces) const {
+        std::vector<Signs> vertices(control_.positions.size(), 0);
+        forEachCorner([&](std::size_t face, std::size_t vertex) { vertices[vertex] |= faces[face]; });
+        std::vector<Signs> result(faces.size(), 0);
+        forEachCorner([&](std::size_t face, std::size_t vertex) { result[face] |= vertices[vertex]; });
+        return result;
+    }
+
+private:
+    template <class Visit>
+    void forEachCorner(Visit&& visit) const {
+        std::size_t corner = 0;
+        for (std::size_t f = 0; f < control_.faceSizes.size(); ++f)
+            for (std::int32_t k = 0; k < control_.faceSizes[f]; ++k)
+                visit(f, static_cast<std::size_t>(control_.corners[corner++]));
+    }
+    const ControlMesh& control_;
+};
+
+}  // namespace
+
+void subdivideMeshes(Scene::Data& data, const LoadSettings& settings) {
+    double elements = 0.0;
+    for (Mesh& mesh : data.meshes) {
+        const ControlMesh control = controlMeshOf(mesh, settings);
+        if (control.faceSizes.empty()) continue;
+        elements += refinedElements(control, settings.subdivide);
+        // OpenSubdiv counts with 32 bits and a sign.
+        const double most = std::min(static_cast<double>(settings.limits.vertices),
+                                     static_cast<double>(std::numeric_limits<std::int32_t>::max()));
+        if (elements > most)
+            load::refuse(fmt::format("mesh {}: expected at most {:.0f} vertices and indices once subdivided {} times, "
+                                     "found {:.3g}; lower subdivide or raise max-vertices",
+                                     load::quote(mesh.name), most, settings.subdivide, elements));
+        mesh = subdivided(mesh, control, settings.subdivide);
+    }
+}
+
+RefinedContourMesh refineNear(const Scene& scene, std::size_t number, const ControlMesh& control, const glm::dvec3& eye,
+                              Projection projection, int levels) {
+    const Mesh& mesh = scene.meshes()[number];
+    const View view{projection == Projection::Perspective ? eye - mesh.origin : eye, projection};
+    const Neighbourhood neighbourhood{control};
+    std::vector<Signs> chosen = neighbourhood.around(signsOfFaces(mesh, scene.topology(number), control, view));
+    for (Signs& s : chosen) s = s == both ? 1 : 0;
+    const std::vector<Signs> needed = neighbourhood.around(chosen);
+    std::vector<std::uint32_t> part;
+    for (std::uint32_t f = 0; f < needed.size(); ++f)
+        if (needed[f] != 0) part.push_back(f);
+    RefinedContourMesh result;
+    if (part.empty()) return result;
+
+    RefinedFaces faces = refine(partOf(control, part), mesh.name, levels);
+    const std::size_t size = cornersOf(control.scheme);
+    std::vector<std::uint32_t> renumbered(faces.positions.size(), noFace);
+    for (std::size_t f = 0; f < faces.parents.size(); ++f) {
+        const std::uint32_t parent = part[faces.parents[f]];
+        if (chosen[parent] == 0) continue;
+        for (std::size_t i = 0; i < 3 * (size - 2); ++i) {
+            const std::uint32_t vertex = faces.corners[size * f + triangleCorners[i]];
+            if (renumbered[vertex] == noFace) {
+                renumbered[vertex] = static_cast<std::uint32_t>(result.positions.size());
+                result.positions.push_back(faces.positions[vertex]);
+                result.normals.push_back(faces.normals[vertex]);
+            }
+            result.indices.push_back(renumbered[vertex]);
+        }
+        result.controlTriangles.insert(result.controlTriangles.end(), size - 2, control.firstTriangles[parent]);
+    }
+    return result;
+}
+
+RefinedContourMesh refineNear(const Scene& scene, std::size_t mesh, const glm::dvec3& eye, Projection projection,
+                              int levels) {
+    return refineNear(scene, mesh, controlMesh(scene.meshes()[mesh], scene.topology(mesh)), eye, projection, levels);
+}
+
+}  // namespace inkedge

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include <inkedge/scene.h>
+
+#include "scene/control_mesh.h"
+
+namespace inkedge {
+
+/// Replaces every mesh by triangles whose vertices lie on the smooth surface that it controls, settings.subdivide
+/// levels down: of Loop's scheme, or of Catmull-Clark's where the file had polygons. Creases (over the crease angle, or
+/// by the file's normals) and borders stay sharp, faces keep their material and their order; normals are the limit
+/// surface's. Triangles that repeat an earlier one or have collapsed are dropped. A mesh without faces stays as it is.
+/// @throws Error  (Kind::Input) if vertices and indices would come to more than settings.limits.vertices;
+///                (Kind::Runtime) if subdivision is not at hand
+void subdivideMeshes(Scene::Data&, const LoadSettings& settings);
+
+enum class Projection { Perspective, Orthographic };
+
+/// The smooth surface near its contour.
+struct RefinedContourMesh {
+    std::vector<glm::dvec3> positions;            ///< one a vertex: on the limit surface; mesh space, less origin
+    std::vector<glm::dvec3> normals;              ///< one a vertex: unit, the limit surface's; split at creases
+    std::vector<std::uint32_t> indices;           ///< three a triangle
+    std::vector<std::uint32_t> controlTriangles;  ///< one a triangle: the first triangle of the mesh's face it lies on
+};
+
+/// Refines the faces of a mesh that may hold contour: those with a sign change in their control mesh, which is the face
+/// and all that share a vertex with it (Hertzmann 1999, section 3.3). Signs are those of n . (x - C), zero counts as
+/// plus (equations 2 and 3), for the shading normals at corners and also for the normals of the triangles: where the
+/// latter all agree the control mesh is one-to-one in the picture, so that the surface has no contour there.
+///
+/// The triangles are those that subdivideMeshes() makes of the same faces, within rounding. Of other faces nothing is
+/// returned: their limit surface has no contour. Meant for a scene that was not subdivided when it was loaded: the
+/// vertices of one that was are taken as a control mesh again, which smooths them twice.
+/// @param mesh     into Scene::meshes()
+/// @param control  controlMesh() of it: depends on no view, so one serves all
+/// @param eye      where the camera stands, mesh space; orthographic: its direction into the scene, of any length
+/// @param levels   1 to 6
+/// @throws Error   (Kind::Runtime) if subdivision is not at hand or the memory is not
+/// Thread-safe. O(faces of the mesh + triangles returned).
+[[nodiscard]] RefinedContourMesh refineNear(const Scene&, std::size_t mesh, const ControlMesh& control,
+                                            const glm::dvec3& eye, Projection, int levels);
+
+/// The same for one view alone.
+[[nodiscard]] RefinedContourMesh refineNear(const Scene&, std::size_t mesh, const glm::dvec3& eye, Projection,
+                                            int levels);
+
+}  // namespace inkedge
