@@ -54,6 +54,7 @@ std::vector<std::string> samples(const SettingDescription& row) {
     if (row.values == "NAME|N") return {"Run", "2"};
     if (row.values == "SECONDS") return {"0", "2.5"};
     if (row.group == "limits") return {"1", "123456"};
+    if (row.range == "0 to 6") return {"0", "6"};
     if (row.values == "N") return {"0", "7"};
     ADD_FAILURE() << "--" << row.name << " takes " << row.values << ", for which this test knows no samples";
     return {};
@@ -249,6 +250,10 @@ TEST(Set, refusesNumbersOutOfRange) {
     }
     for (const std::string text : {"-1", "180.5"}) {
         expectRefusal("crease-angle", text, "--flag: expected a number from 0 to 180, found '" + text + "'");
+    }
+    for (const std::string name : {"subdivide", "subdivide-adaptive"}) {
+        for (const std::string text : {"-1", "7", "1.5", "two"})
+            expectRefusal(name, text, "--flag: expected a whole number from 0 to 6, found '" + text + "'");
     }
     for (const std::string name : {"depth-threshold", "normal-threshold"}) {
         expectRefusal(name, "-0.5", "--flag: expected a number from 0 to 1000000, found '-0.5'");
