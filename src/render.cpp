@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "gl/stage_clock.h"
 #include "gl/upload.h"
 #include "ink/paint_strokes.h"
+#include "ink/strokes_of.h"
 #include "ink/trace_lines.h"
 #include "lines/object_lines.h"
 #include "passes/composite.h"
@@ -222,14 +222,8 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     gl::StageClock clock{state_->gpu->api, maps.times};
     if (settings.lines.from == LinesFrom::Object) {
         const Lines found = lines(scene, camera, settings);
-        std::vector<Stroke> strokes;
-        for (const Line& line : found.lines) {
-            const auto style = static_cast<std::uint8_t>(std::countr_zero(static_cast<std::uint8_t>(line.type)));
-            for (std::size_t i = 0; i + (line.closed ? 0 : 1) < line.points.size(); ++i)
-                strokes.push_back({glm::vec2{line.points[i].place}, glm::vec2{line.points[(i + 1) % line.points.size()].place}, style});
-        }
         maps.times = found.times;
-        maps.picture = paintStrokes(strokes, settings.picture);
+        maps.picture = paintStrokes(strokesOf(found, settings.picture, settings.lines), settings.picture);
         clock.finish("paint");
         return maps;
     }

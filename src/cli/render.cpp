@@ -85,7 +85,12 @@ void expectFolderOf(const std::filesystem::path& file) {
 
 void checkOutputs(const RenderArguments& arguments, const Settings& settings, const View& view) {
     const std::filesystem::path output = expandTemplate(arguments.output, arguments.model, view.name);
-    if (output != "-") {
+    if (holdsLines(output)) {
+        if (!settings.maps.empty())
+            throw Error{Error::Kind::Usage,
+                        fmt::format("--maps: expected a picture as --output, found {}, which holds lines", arguments.output)};
+        expectFolderOf(output);
+    } else if (output != "-") {
         for (const auto& file : outputFiles(output, settings.maps)) expectFolderOf(file);
     }
     if (!arguments.metadataFile.empty())
@@ -119,12 +124,24 @@ Summary renderView(const RenderArguments& arguments, Settings settings, const Sc
     settings.camera = view.camera;
     const Camera camera = frameCamera(scene, settings.camera, settings.picture.size);
     Summary summary;
-    Maps maps = renderer.render(scene, camera, settings);
+    const std::filesystem::path output = expandTemplate(arguments.output, arguments.model, view.name);
+    Lines lines;
+    Maps maps;
+    if (holdsLines(output)) {
+        lines = renderer.lines(scene, camera, settings);
+        maps.camera = lines.camera;
+        maps.backend = lines.backend;
+        maps.times = lines.times;
+    } else {
+        maps = renderer.render(scene, camera, settings);
+    }
     maps.times.insert(maps.times.begin(), before.begin(), before.end());
 
     const auto begin = Clock::now();
-    const std::filesystem::path output = expandTemplate(arguments.output, arguments.model, view.name);
-    if (output == "-") {
+    if (holdsLines(output)) {
+        writeLines(scene, lines, settings, output);
+        summary.files = {output};
+    } else if (output == "-") {
         const std::vector<std::uint8_t> png = encodePng(maps.picture);
         print({reinterpret_cast<const char*>(png.data()), png.size()});
     } else {
@@ -254,7 +271,7 @@ void addRender(CLI::App& app, Action& action) {
     verb->add_option("MODEL", arguments->model, "glTF 2.0 file, .glb or .gltf")->required();
     verb->add_option(
             "-o,--output", arguments->output,
-            "picture to write, .png .tif .exr, or - for PNG on stdout; {model}, {view} and {map} are filled in")
+            "picture to write, .png .tif .exr, or lines, .svg .json, or - for PNG on stdout; {model}, {view} and {map} are filled in")
         ->required()
         ->type_name("FILE");
     verb->add_option("--metadata", arguments->metadataFile, "write camera, settings, backend and timings as JSON")

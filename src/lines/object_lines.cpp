@@ -1,13 +1,17 @@
 #include "lines/object_lines.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <mutex>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
 #include "lines/chains.h"
 #include "lines/contours.h"
 #include "lines/crossings.h"
+#include "lines/intersections.h"
 #include "lines/mesh_edges.h"
 #include "lines/ray_caster.h"
 #include "lines/screen.h"
@@ -92,6 +96,24 @@ LineType typeOf(Curve curve, Seen seen) {
     return LineType::Crease;
 }
 
+void addIntersections(const std::vector<IntersectionSegment>& found, std::vector<Segment>& to) {
+    std::uint32_t first = 0;  // of the numbers of the ends between two instances
+    std::uint32_t next = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const IntersectionSegment& crossing = found[i];
+        const bool samePair = i > 0 && crossing.a.instance == found[i - 1].a.instance &&
+                              crossing.b.instance == found[i - 1].b.instance;
+        if (!samePair) first = next;
+        next = std::max({next, first + crossing.nodes[0] + 1, first + crossing.nodes[1] + 1});
+        Segment& segment = to.emplace_back();
+        segment.curve = Curve::Intersection;
+        segment.occludes = false;
+        segment.faces = {crossing.a, crossing.b};
+        segment.ends = crossing.ends;
+        for (std::size_t k = 0; k < 2; ++k) segment.keys[k] = intersectionKey(first + crossing.nodes[k]);
+    }
+}
+
 Line makeLine(const View& view, const Chain& chain, const Part& part) {
     const Segment& first = view.segments[chain.links[static_cast<std::size_t>(part.begin)].segment];
     const PatchNumbers& patches = view.scene.patchNumbers();
@@ -129,9 +151,20 @@ struct ObjectLines::State {
             edges.push_back(findEdges(scene.meshes()[i], scene.topology(i)));
     }
 
+    // Found when they are first asked for: no other line needs the search.
+    const std::vector<IntersectionSegment>& intersections() const {
+        const std::scoped_lock lock{mutex_};
+        if (!intersections_) intersections_ = findIntersections(scene);
+        return *intersections_;
+    }
+
     Scene scene;
     RayCaster rays;
     std::vector<MeshEdges> edges;
+
+private:
+    mutable std::mutex mutex_;
+    mutable std::optional<std::vector<IntersectionSegment>> intersections_;
 };
 
 ObjectLines::ObjectLines(const Scene& scene) : state_{std::make_unique<State>(scene)} {}
@@ -154,6 +187,9 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings) const {
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i)
         collectInstanceCurves(scene, i, state_->edges[scene.instances()[i].mesh], screen, choice, view.segments);
     watch.finish("curves");
+    if ((settings.picture.lines & static_cast<std::uint8_t>(LineType::Intersection)) != 0)
+        addIntersections(state_->intersections(), view.segments);
+    watch.finish("intersections");
     view.projected = project(view.segments, screen);
     const std::vector<Chain> chains = chainSegments(view.segments, view.projected);
     watch.finish("chains");

@@ -26,6 +26,9 @@ inline constexpr Key noKey = ~Key{0};
     return (Key{1} << 62U) | (Key{instance} << 32U) | halfEdge;
 }
 
+/// An end of an IntersectionSegment.
+[[nodiscard]] constexpr Key intersectionKey(std::uint32_t node) noexcept { return (Key{1} << 63U) | node; }
+
 /// A straight piece of a line on the surface. Positions are world space less the centre of Scene::bounds().
 struct Segment {
     Curve curve = Curve::Contour;
