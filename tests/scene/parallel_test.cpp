@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -46,14 +47,14 @@ TEST(InRanges, throwsWhatARangeHasThrown) {
     EXPECT_GE(calls, 1);
 }
 
-// A long sheet of steps, and a square in the plane of the lower ones.
+// A long sheet of wavy steps, and a square in the plane of the first, which is flat.
 Scene steppedSheet() {
     constexpr std::uint32_t length = 25'000;
     constexpr std::uint32_t width = 10;
     Mesh sheet;
     for (std::uint32_t x = 0; x < length; ++x)
         for (std::uint32_t y = 0; y < width; ++y)
-            sheet.positions.emplace_back(static_cast<float>(x), static_cast<float>(y), x / 20 % 2 == 0 ? 0.0F : 20.0F);
+            sheet.positions.emplace_back(x, y, x < 20 ? 0.0 : x / 20 % 2 * 20.0 + 0.2 * std::sin(0.7 * x + 1.3 * y));
     for (std::uint32_t x = 0; x + 1 < length; ++x)
         for (std::uint32_t y = 0; y + 1 < width; ++y) {
             const std::uint32_t i = x * width + y;
