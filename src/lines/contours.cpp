@@ -16,13 +16,14 @@ namespace {
 class InstanceCurves {
 public:
     InstanceCurves(const Scene& scene, std::uint32_t instance, const MeshEdges& edges, const Screen& screen,
-                   const CurveChoice& choice, std::vector<Segment>& to)
+                   const CurveChoice& choice, std::span<const BorderPart> borders, std::vector<Segment>& to)
         : instance_{instance},
           mesh_{scene.meshes()[scene.instances()[instance].mesh]},
           topology_{scene.topology(scene.instances()[instance].mesh)},
           edges_{edges},
           screen_{screen},
           choice_{choice},
+          borders_{borders},
           to_{to},
           place_{scene.instances()[instance].transform} {
         place_[3] += place_ * glm::dvec4{mesh_.origin, 0.0} - glm::dvec4{scene.bounds().centre, 0.0};
@@ -169,7 +170,35 @@ private:
     }
 
     void addBorders() {
-        for (const std::uint32_t h : edges_.borders) add(Curve::Boundary, h, noFace);
+        for (const BorderPart& part : borders_) {
+            Curve curve = Curve::Boundary;
+            if (part.other != noFace) {
+                if (bothToOneSide(part)) {
+                    curve = Curve::Contour;
+                } else if (part.bends) {
+                    curve = Curve::Crease;
+                } else {
+                    continue;  // a seam
+                }
+            }
+            Segment& segment = add(curve, part.halfEdge, part.other);
+            const std::array<glm::dvec3, 2> whole = segment.ends;
+            const auto cut = [&](std::size_t end, double at) {
+                segment.ends[end] = whole[0] + at * (whole[1] - whole[0]);
+                segment.keys[end] = noKey;
+            };
+            if (part.from > 0.0) cut(0, part.from);
+            if (part.to < 1.0) cut(1, part.to);
+        }
+    }
+
+    // Whether the two faces at a seam lie to one side of it in the picture: a contour.
+    [[nodiscard]] bool bothToOneSide(const BorderPart& part) const {
+        const glm::dvec3 from = toWorld(position(part.halfEdge));
+        const glm::dvec3 to = toWorld(position(nextHalfEdge(part.halfEdge)));
+        const glm::dvec3 inner = toWorld(position(nextHalfEdge(nextHalfEdge(part.halfEdge))));
+        const glm::dvec3 side = glm::cross(to - from, screen_.ray(from));
+        return (glm::dot(side, inner - from) > 0.0) == (glm::dot(side, part.otherInner - from) > 0.0);
     }
 
     // An edge of many faces is a contour if all of them lie to one side of it in the picture.
@@ -259,6 +288,7 @@ private:
     const MeshEdges& edges_;
     const Screen& screen_;
     const CurveChoice& choice_;
+    std::span<const BorderPart> borders_;
     std::vector<Segment>& to_;
     glm::dmat4 place_;
     glm::dvec3 eye_{};
@@ -272,8 +302,8 @@ private:
 }  // namespace
 
 void collectInstanceCurves(const Scene& scene, std::uint32_t instance, const MeshEdges& edges, const Screen& screen,
-                           const CurveChoice& choice, std::vector<Segment>& to) {
-    InstanceCurves{scene, instance, edges, screen, choice, to}.collect();
+                           const CurveChoice& choice, std::span<const BorderPart> borders, std::vector<Segment>& to) {
+    InstanceCurves{scene, instance, edges, screen, choice, borders, to}.collect();
 }
 
 }  // namespace inkedge::lines

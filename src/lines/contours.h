@@ -1,10 +1,12 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <inkedge/scene.h>
 #include <inkedge/settings.h>
 
+#include "lines/border_parts.h"
 #include "lines/mesh_edges.h"
 #include "lines/screen.h"
 #include "lines/segment.h"
@@ -27,8 +29,9 @@ struct CurveChoice {
 ///
 /// Of closed, consistently wound parts the contours that the part itself hides are left out: concave edges, and smooth
 /// contours where the surface turns towards the eye; also creases between back-facing faces.
+/// @param borders  the instance's, of findBorderParts()
 void collectInstanceCurves(const Scene&, std::uint32_t instance, const MeshEdges&, const Screen&, const CurveChoice&,
-                           std::vector<Segment>& to);
+                           std::span<const BorderPart> borders, std::vector<Segment>& to);
 
 /// Pixels.
 inline constexpr double smoothEdge = 3.0;

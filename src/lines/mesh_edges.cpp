@@ -86,9 +86,7 @@ MeshEdges findEdges(const Mesh& mesh, const MeshTopology& topology) {
     MeshEdges edges;
     for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
         const std::uint32_t twin = topology.twins[h];
-        if (twin == noHalfEdge) {
-            if (takesPart(topology, h / 3)) edges.borders.push_back(h);
-        } else if (isHalfEdge(twin) && h < twin) {
+        if (isHalfEdge(twin) && h < twin) {
             MeshEdges::Shared& shared = edges.shared;
             if (topology.creases[h]) edges.creases.push_back(static_cast<std::uint32_t>(shared.halfEdges.size()));
             shared.faces.push_back(h / 3);

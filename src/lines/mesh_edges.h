@@ -21,7 +21,6 @@ struct MeshEdges {
         std::vector<std::uint8_t> split;    ///< one an edge: 1 if the faces are shaded with different normals along it
     } shared;
     std::vector<std::uint32_t> creases;  ///< into shared
-    std::vector<std::uint32_t> borders;  ///< half-edges
     /// Half-edges of edges that three or more faces share: those of one edge follow each other.
     std::vector<std::uint32_t> many;
     std::vector<std::uint32_t> manyBegins;  ///< where each such edge begins in many; and the end of the last

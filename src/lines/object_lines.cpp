@@ -149,6 +149,12 @@ struct ObjectLines::State {
     explicit State(const Scene& whole) : scene{whole}, rays{scene} {
         for (std::size_t i = 0; i < scene.meshes().size(); ++i)
             edges.push_back(findEdges(scene.meshes()[i], scene.topology(i)));
+        borders = findBorderParts(scene, edges);
+    }
+
+    [[nodiscard]] std::span<const BorderPart> bordersOf(std::uint32_t instance) const {
+        const auto [begin, end] = std::ranges::equal_range(borders, instance, {}, &BorderPart::instance);
+        return {begin, end};
     }
 
     // Found when they are first asked for: no other line needs the search.
@@ -161,6 +167,7 @@ struct ObjectLines::State {
     Scene scene;
     RayCaster rays;
     std::vector<MeshEdges> edges;
+    std::vector<BorderPart> borders;
 
 private:
     mutable std::mutex mutex_;
@@ -185,7 +192,8 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings) const {
     View view{scene, state_->rays, screen, {}, {}};
     const CurveChoice choice{settings.lines.contour, standsOutside(scene, screen)};
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i)
-        collectInstanceCurves(scene, i, state_->edges[scene.instances()[i].mesh], screen, choice, view.segments);
+        collectInstanceCurves(scene, i, state_->edges[scene.instances()[i].mesh], screen, choice, state_->bordersOf(i),
+                              view.segments);
     watch.finish("curves");
     if ((settings.picture.lines & static_cast<std::uint8_t>(LineType::Intersection)) != 0)
         addIntersections(state_->intersections(), view.segments);

@@ -19,23 +19,16 @@ constexpr double seamTolerance = 5e-5;  // of the scene's radius: 1/40 pixel of 
 // Only a soup of faces in each other's way needs more; seams beyond are then drawn.
 std::uint64_t maximumSteps(std::size_t borders) { return 40'000'000 + 100 * std::uint64_t{borders}; }
 
-struct Border {
-    glm::dvec3 a;
-    glm::dvec3 b;
-    glm::dvec3 into;  // unit, in the face's plane, across the edge into the face
-    std::uint32_t patch;
-};
-
-bool mayHaveSeams(const MeshTopology& topology, std::uint32_t t) { return topology.faceNormals[t] != glm::dvec3{0.0}; }
-
-std::vector<Border> collectBorders(const Scene& scene, const std::vector<std::uint32_t>& base) {
-    std::vector<Border> borders;
-    for (std::size_t i = 0; i < scene.instances().size(); ++i) {
+std::vector<BorderEdge> collectBorders(
+    const Scene& scene, const std::function<const std::vector<glm::dvec3>&(std::uint32_t mesh)>& faceNormals) {
+    std::vector<BorderEdge> borders;
+    for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
         const Instance& instance = scene.instances()[i];
         const MeshTopology& topology = scene.topology(instance.mesh);
+        const std::vector<glm::dvec3>& normals = faceNormals(instance.mesh);
         const WorldTriangles triangles{scene, instance, scene.bounds().centre};
         for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
-            if (topology.twins[h] != noHalfEdge || !mayHaveSeams(topology, h / 3)) continue;
+            if (topology.twins[h] != noHalfEdge || normals[h / 3] == glm::dvec3{0.0}) continue;
             if (topology.originals[h / 3] != h / 3) continue;  // a face that repeats another has no twins of its own
             const glm::dvec3 a = triangles.corner(h);
             const glm::dvec3 b = triangles.corner(nextHalfEdge(h));
@@ -45,46 +38,70 @@ std::vector<Border> collectBorders(const Scene& scene, const std::vector<std::ui
             const glm::dvec3 along = (b - a) / length;
             const glm::dvec3 across = third - a - along * glm::dot(third - a, along);
             if (glm::length(across) == 0.0) continue;
-            borders.push_back({a, b, glm::normalize(across), base[i] + topology.patches[h / 3]});
+            borders.push_back({i, h, a, b, glm::normalize(across)});
         }
     }
     return borders;
 }
 
-// Whether two segments run along each other for a length over the tolerance.
-bool runAlong(const Border& one, const Border& other, double tolerance) {
-    const Border& longer = glm::length(one.b - one.a) >= glm::length(other.b - other.a) ? one : other;
-    const Border& shorter = &longer == &one ? other : one;
-    const double length = glm::length(longer.b - longer.a);
-    const glm::dvec3 along = (longer.b - longer.a) / length;
-    const auto distance = [&](glm::dvec3 p) { return glm::length(glm::cross(p - longer.a, along)); };
-    if (distance(shorter.a) > tolerance || distance(shorter.b) > tolerance) return false;
-    const double s = glm::dot(shorter.a - longer.a, along);
-    const double e = glm::dot(shorter.b - longer.a, along);
-    return std::min(std::max(s, e), length) - std::max(std::min(s, e), 0.0) > tolerance;
+std::vector<Box> boxesOf(const std::vector<BorderEdge>& edges) {
+    std::vector<Box> boxes;
+    boxes.reserve(edges.size());
+    for (const BorderEdge& edge : edges) boxes.push_back({glm::min(edge.a, edge.b), glm::max(edge.a, edge.b)});
+    return boxes;
 }
 
 }  // namespace
 
+Borders::Borders(const Scene& scene,
+                 const std::function<const std::vector<glm::dvec3>&(std::uint32_t mesh)>& faceNormals)
+    : edges_{collectBorders(scene, faceNormals)},
+      tolerance_{seamTolerance * scene.bounds().radius},
+      boxes_{boxesOf(edges_)},
+      tree_{boxes_},
+      stepsLeft_{maximumSteps(edges_.size())} {}
+
+std::optional<SharedLength> runAlong(const BorderEdge& one, const BorderEdge& other, double tolerance) {
+    const double lengths[2]{glm::length(one.b - one.a), glm::length(other.b - other.a)};
+    const bool swap = lengths[0] < lengths[1];
+    const BorderEdge& longer = swap ? other : one;
+    const BorderEdge& shorter = swap ? one : other;
+    const double longLength = std::max(lengths[0], lengths[1]);
+    const glm::dvec3 along = (longer.b - longer.a) / longLength;
+    const auto distance = [&](glm::dvec3 p) { return glm::length(glm::cross(p - longer.a, along)); };
+    if (distance(shorter.a) > tolerance || distance(shorter.b) > tolerance) return {};
+    const double s = glm::dot(shorter.a - longer.a, along);
+    const double e = glm::dot(shorter.b - longer.a, along);
+    const double begin = std::max(std::min(s, e), 0.0);
+    const double end = std::min(std::max(s, e), longLength);
+    if (end - begin <= tolerance) return {};
+    // The same on the shorter one, whose a lies at s and whose b lies at e.
+    const double shares[2]{std::clamp((begin - s) / (e - s), 0.0, 1.0), std::clamp((end - s) / (e - s), 0.0, 1.0)};
+    SharedLength shared{};
+    shared.from[swap ? 1 : 0] = begin / longLength;
+    shared.to[swap ? 1 : 0] = end / longLength;
+    shared.from[swap ? 0 : 1] = std::min(shares[0], shares[1]);
+    shared.to[swap ? 0 : 1] = std::max(shares[0], shares[1]);
+    return shared;
+}
+
 void joinAcrossSeams(const Scene& scene, const std::vector<std::uint32_t>& base, double creaseAngle,
                      UnionFind& joined) {
-    const double tolerance = seamTolerance * scene.bounds().radius;
     // Faces that go on across the seam at a bend under the crease angle point away from each other by more than this.
     const double oppositeCosine = -std::cos(glm::radians(creaseAngle));
-    const std::vector<Border> borders = collectBorders(scene, base);
-
-    std::vector<Box> boxes;
-    boxes.reserve(borders.size());
-    for (const Border& border : borders) boxes.push_back({glm::min(border.a, border.b), glm::max(border.a, border.b)});
-    const BoxTree tree{boxes};
-    std::uint64_t stepsLeft = maximumSteps(borders.size());
-    for (std::uint32_t i = 0; i < borders.size(); ++i) {
-        const Border& border = borders[i];
-        tree.forEachOverlap({boxes[i].min - tolerance, boxes[i].max + tolerance}, stepsLeft, [&](std::uint32_t j) {
-            const Border& other = borders[j];
-            if (j <= i || joined.root(border.patch) == joined.root(other.patch)) return;
+    Borders borders{scene, [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& {
+                        return scene.topology(mesh).faceNormals;
+                    }};
+    const auto patchOf = [&](const BorderEdge& edge) {
+        return base[edge.instance] + scene.topology(scene.instances()[edge.instance].mesh).patches[edge.halfEdge / 3];
+    };
+    for (std::uint32_t i = 0; i < borders.edges().size(); ++i) {
+        const BorderEdge& border = borders.edges()[i];
+        borders.forEachNear(i, [&](std::uint32_t j) {
+            const BorderEdge& other = borders.edges()[j];
             if (glm::dot(border.into, other.into) > oppositeCosine) return;
-            if (runAlong(border, other, tolerance)) joined.unite(border.patch, other.patch);
+            if (joined.root(patchOf(border)) == joined.root(patchOf(other))) return;
+            if (runAlong(border, other, borders.tolerance())) joined.unite(patchOf(border), patchOf(other));
         });
     }
 }

@@ -1,0 +1,70 @@
+#include "lines/border_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "scene/seams.h"
+#include "scene/topology.h"
+
+namespace inkedge::lines {
+namespace {
+
+// A part of a border that another border runs along.
+struct Cover {
+    double from;
+    double to;
+    std::uint32_t other;  // into Borders::edges(); noBorder: that one names the part
+    bool bends;
+};
+constexpr std::uint32_t noBorder = ~0U;
+
+std::vector<std::vector<Cover>> findCovers(const Scene& scene, Borders& borders) {
+    const double straightCosine = -std::cos(glm::radians(scene.creaseAngle()));
+    constexpr double foldedBack = 0.999;  // two layers that end together: no surface goes on
+    std::vector<std::vector<Cover>> covers(borders.edges().size());
+    for (std::uint32_t i = 0; i < covers.size(); ++i) {
+        const BorderEdge& border = borders.edges()[i];
+        borders.forEachNear(i, [&](std::uint32_t j) {
+            const BorderEdge& other = borders.edges()[j];
+            const double cosine = glm::dot(border.into, other.into);
+            if (cosine > foldedBack) return;
+            const auto shared = runAlong(border, other, borders.tolerance());
+            if (!shared) return;
+            const bool bends = cosine > straightCosine;
+            covers[i].push_back({shared->from[0], shared->to[0], j, bends});
+            covers[j].push_back({shared->from[1], shared->to[1], noBorder, bends});
+        });
+    }
+    return covers;
+}
+
+}  // namespace
+
+std::vector<BorderPart> findBorderParts(const Scene& scene, std::span<const MeshEdges> meshes) {
+    Borders borders{scene, [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& { return meshes[mesh].faceNormals; }};
+    const std::vector<std::vector<Cover>> covers = findCovers(scene, borders);
+    std::vector<BorderPart> parts;
+    for (std::uint32_t i = 0; i < covers.size(); ++i) {
+        const BorderEdge& edge = borders.edges()[i];
+        const double least = borders.tolerance() / glm::length(edge.b - edge.a);  // shorter gaps between covers are none
+        std::vector<Cover> own = covers[i];
+        std::ranges::sort(own, [](const Cover& a, const Cover& b) { return a.from < b.from; });
+        double reached = 0.0;
+        for (const Cover& cover : own) {
+            if (cover.from > reached + least) parts.push_back({edge.instance, edge.halfEdge, reached, cover.from});
+            const double from = std::max(cover.from, reached);
+            reached = std::max(reached, cover.to);
+            if (cover.to <= from || cover.other == noBorder) continue;
+            const BorderEdge& other = borders.edges()[cover.other];
+            parts.push_back({edge.instance, edge.halfEdge, from, cover.to, {other.instance, other.halfEdge / 3},
+                             0.5 * (other.a + other.b) + other.into * glm::length(other.b - other.a), cover.bends});
+        }
+        if (reached < 1.0 - least) parts.push_back({edge.instance, edge.halfEdge, reached, 1.0});
+    }
+    return parts;
+}
+
+}  // namespace inkedge::lines
