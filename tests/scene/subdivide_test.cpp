@@ -241,22 +241,46 @@ TEST(Subdivide, givesTheNormalsOfTheLimitSurface) {
     }
 }
 
-TEST(Subdivide, givesEachSideOfACurvedCreaseItsNormals) {
-    // A can of six sides, its rims sharp, its sides smooth: there the normals lie along the axis or across it.
-    Mesh can;
+// Of six sides, along the z axis: its rims are creases at 65 degrees, its sides are smooth.
+Mesh barrel(double bulge) {
+    Mesh mesh;
     for (int i = 0; i < 6; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / 6.0;
-        for (const double z : {-1.0, 1.0}) can.positions.emplace_back(std::cos(angle), std::sin(angle), z);
+        for (const double z : {-1.0, 0.0, 1.0}) {
+            const double r = z == 0.0 ? 1.0 + bulge : 1.0;
+            mesh.positions.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
+        }
     }
     for (std::uint32_t i = 0; i < 6; ++i) {
         const std::uint32_t next = (i + 1) % 6;
-        addQuad(can, 2 * i, 2 * next, 2 * next + 1, 2 * i + 1);
+        for (const std::uint32_t ring : {0U, 1U})
+            addQuad(mesh, 3 * i + ring, 3 * next + ring, 3 * next + ring + 1, 3 * i + ring + 1);
         if (i < 1 || i > 4) continue;
-        can.indices.insert(can.indices.end(), {0, 2 * next, 2 * i, 1, 2 * i + 1, 2 * next + 1});
-        can.innerEdges.insert(can.innerEdges.end(), 6, false);
+        mesh.indices.insert(mesh.indices.end(), {0, 3 * next, 3 * i, 2, 3 * i + 2, 3 * next + 2});
+        mesh.innerEdges.insert(mesh.innerEdges.end(), 6, false);
     }
-    for (const Mesh& control : {can, asTriangles(can)}) {
-        const Scene scene = refined(control, levels(3, 70.0));
+    return mesh;
+}
+
+TEST(Subdivide, keepsNormalsOfAllLevelsAtCreases) {
+    for (const Mesh& control : {barrel(0.4), asTriangles(barrel(0.4))}) {
+        const Mesh coarse = refined(control, levels(2, 65.0)).meshes()[0];
+        const Mesh fine = refined(control, levels(4, 65.0)).meshes()[0];
+        for (std::size_t i = 0; i < coarse.positions.size(); ++i) {
+            float nearest = 2.0F;
+            for (std::size_t j = 0; j < fine.positions.size(); ++j) {
+                if (glm::distance(coarse.positions[i], fine.positions[j]) > 1e-6F) continue;
+                nearest = std::min(nearest, glm::distance(coarse.normals[i], fine.normals[j]));
+            }
+            EXPECT_LT(nearest, 1e-5F) << i;
+        }
+    }
+}
+
+TEST(Subdivide, givesEachSideOfACurvedCreaseItsNormals) {
+    // Along the axis or across it.
+    for (const Mesh& control : {barrel(0.0), asTriangles(barrel(0.0))}) {
+        const Scene scene = refined(control, levels(3, 65.0));
         EXPECT_EQ(scene.topology(0).patchCount, 3U);
         EXPECT_EQ(creasesOf(scene), 12U * 8U * 2U);
         EXPECT_TRUE(isClosedOutward(scene.meshes()[0], scene.topology(0)));
