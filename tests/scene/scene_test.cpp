@@ -51,6 +51,12 @@ TEST(Scene, refusesIndicesThatAreNoTriangles) {
     expectRefusal(data, "mesh 0 'part': expected three indices a triangle, found 35 indices");
 }
 
+TEST(Scene, refusesSharpEdgesThatAreNotOneAnIndex) {
+    auto data = cubeData();
+    data.meshes[0].sharpEdges.resize(7);
+    expectRefusal(data, "mesh 0 'part': expected 36 sharp edges, one an index, found 7");
+}
+
 TEST(Scene, refusesNormalsThatAreNotOneAPosition) {
     auto data = cubeData();
     data.meshes[0].normals.resize(7);
