@@ -7,6 +7,7 @@
 #include <optional>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "lines/chains.h"
 #include "lines/contours.h"
@@ -73,11 +74,26 @@ struct View {
         return innerSide == normalSide ? -normal : normal;
     }
 
+    // Whether another surface, bent by less than the crease angle, touches a boundary from beyond: a part that lies on
+    // another one, or in it.
+    [[nodiscard]] bool goesOnAcross(const Segment& segment, glm::dvec3 point) const {
+        constexpr double gap = 0.1;  // pixels
+        const glm::dvec3 along = glm::normalize(segment.ends[1] - segment.ends[0]);
+        const glm::dvec3 toInner = segment.inner - segment.ends[0];
+        const glm::dvec3 into = glm::normalize(toInner - along * glm::dot(toInner, along));
+        const glm::dvec3 normal = glm::cross(along, into);
+        const double height = gap * screen.footprint(point) + 1e-6 * scene.bounds().radius;
+        const glm::dvec3 beyond = point - 0.5 * height * into;
+        const auto other = rays.firstNormal(beyond + height * normal, beyond - height * normal, segment.faces);
+        return other && std::abs(glm::dot(*other, normal)) > std::cos(glm::radians(scene.creaseAngle()));
+    }
+
     [[nodiscard]] Seen judge(std::uint32_t s, double at) const {
         const Segment& segment = segments[s];
         const glm::dvec3 point = pointAt(s, at);
         if (rays.hides(screen, point, segment.faces, segment.slack)) return Seen::Hidden;
         if (segment.curve != Curve::Contour && segment.curve != Curve::Boundary) return Seen::Inside;
+        if (segment.curve == Curve::Boundary && goesOnAcross(segment, point)) return Seen::Seam;
         const double beyond = outside + segment.slack / screen.footprint(point);
         const glm::dvec3 beside = point + screen.across(beyond * outward(s), point);
         return rays.meets(screen, beside) ? Seen::Inside : Seen::Outline;
@@ -120,7 +136,7 @@ Line makeLine(const View& view, const Chain& chain, const Part& part) {
     const std::uint32_t mesh = view.scene.instances()[first.faces[0].instance].mesh;
     Line line;
     line.type = typeOf(first.curve, part.seen);
-    line.visible = part.seen != Seen::Hidden;
+    line.visible = isSeen(part.seen);
     line.object = first.faces[0].instance + 1;
     line.patch = patches.number[patches.base[first.faces[0].instance] +
                                 view.scene.topology(mesh).patches[first.faces[0].triangle]];
@@ -217,7 +233,7 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings) const {
     const bool keepHidden = settings.lines.hidden != HiddenLines::None;
     for (std::size_t c = 0; c < chains.size(); ++c) {
         for (const Part& part : parts[c])
-            if (part.seen != Seen::Hidden || keepHidden) result.lines.push_back(makeLine(view, chains[c], part));
+            if (isSeen(part.seen) || (part.seen == Seen::Hidden && keepHidden)) result.lines.push_back(makeLine(view, chains[c], part));
     }
     watch.finish("lines");
     return result;

@@ -143,6 +143,29 @@ bool RayCaster::hides(const Screen& screen, glm::dvec3 point, std::span<const Sc
     return false;
 }
 
+std::optional<glm::dvec3> RayCaster::firstNormal(glm::dvec3 from, glm::dvec3 to,
+                                                 std::span<const SceneFace> own) const {
+    constexpr int mostHits = 8;
+    double begin = 0.0;
+    for (int i = 0; i < mostHits && begin < 1.0; ++i) {
+        RTCRayHit hit = State::embreeRay({from, to - from, 0.0}, begin, 1.0);
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        embree::api().intersect1(state_->top.get(), &context, &hit);
+        if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+        const SceneFace face{hit.hit.instID[0], hit.hit.primID};
+        if (std::ranges::find(own, face) == own.end()) {
+            const WorldTriangles triangles{state_->scene, state_->scene.instances()[face.instance], {}};
+            const auto corners = triangles.triangle(face.triangle);
+            const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+            const double length = glm::length(normal);
+            return length > 0.0 ? normal / length : glm::dvec3{0.0};
+        }
+        begin = static_cast<double>(hit.ray.tfar) + 1e-4;
+    }
+    return {};
+}
+
 bool RayCaster::meets(const Screen& screen, glm::dvec3 point) const {
     const State::Ray ray = state_->rayTo(screen, point);
     RTCRay whole = State::embreeRay(ray, ray.begin, std::numeric_limits<double>::infinity()).ray;

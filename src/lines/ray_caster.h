@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include <inkedge/scene.h>
@@ -30,6 +31,11 @@ public:
 
     /// Whether the ray through a point meets any face beyond the near plane, before or behind the point. Thread-safe.
     [[nodiscard]] bool meets(const Screen&, glm::dvec3 point) const;
+
+    /// The normal, of either side, of the first face that a straight way meets: from one point to another. Thread-safe.
+    /// @param own  faces that do not count
+    [[nodiscard]] std::optional<glm::dvec3> firstNormal(glm::dvec3 from, glm::dvec3 to,
+                                                        std::span<const SceneFace> own) const;
 
 private:
     struct State;

@@ -152,9 +152,9 @@ private:
         }
         merge();
         for (std::size_t i = 0; i < parts_.size(); ++i) {
-            const bool alone = (i == 0 || parts_[i - 1].seen == Seen::Hidden) &&
-                               (i + 1 == parts_.size() || parts_[i + 1].seen == Seen::Hidden);
-            if (parts_[i].seen != Seen::Hidden && alone && parts_.size() > 1 && length(parts_[i]) < leastPart)
+            const bool alone = (i == 0 || !isSeen(parts_[i - 1].seen)) &&
+                               (i + 1 == parts_.size() || !isSeen(parts_[i + 1].seen));
+            if (isSeen(parts_[i].seen) && alone && parts_.size() > 1 && length(parts_[i]) < leastPart)
                 parts_[i].seen = Seen::Hidden;
         }
         merge();

@@ -15,6 +15,7 @@ enum class Seen : std::uint8_t {
     Hidden,
     Outline,  ///< a contour or boundary with nothing behind it
     Inside,   ///< anything else that is seen
+    Seam,     ///< a boundary across which another surface goes on: no line
 };
 
 /// A part of a chain that looks the same throughout. Places count segments: 2.25 is a quarter along the third in the
@@ -24,6 +25,8 @@ struct Part {
     double end;
     Seen seen;
 };
+
+[[nodiscard]] constexpr bool isSeen(Seen seen) noexcept { return seen == Seen::Outline || seen == Seen::Inside; }
 
 /// Judges a place of a segment, 0 to 1 in the picture. Called by several threads at once.
 using Judge = std::function<Seen(std::uint32_t segment, double at)>;
