@@ -41,6 +41,14 @@ std::vector<std::vector<Cover>> findCovers(const Scene& scene, Borders& borders)
     return covers;
 }
 
+// Those of faces too thin to say where a surface would go on.
+void addThinBorders(const Scene& scene, std::span<const MeshEdges> meshes, std::vector<BorderPart>& parts) {
+    for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
+        const std::uint32_t mesh = scene.instances()[i].mesh;
+        for (const std::uint32_t h : meshes[mesh].thinBorders) parts.push_back({i, h, 0.0, 1.0});
+    }
+}
+
 }  // namespace
 
 std::vector<BorderPart> findBorderParts(const Scene& scene, std::span<const MeshEdges> meshes) {
@@ -64,6 +72,10 @@ std::vector<BorderPart> findBorderParts(const Scene& scene, std::span<const Mesh
         }
         if (reached < 1.0 - least) parts.push_back({edge.instance, edge.halfEdge, reached, 1.0});
     }
+    addThinBorders(scene, meshes, parts);
+    std::ranges::stable_sort(parts, [](const BorderPart& a, const BorderPart& b) {
+        return a.instance != b.instance ? a.instance < b.instance : a.halfEdge < b.halfEdge;
+    });
     return parts;
 }
 

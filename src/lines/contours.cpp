@@ -63,27 +63,6 @@ private:
                 facing_[t] = glm::dot(edges_.faceNormals[t], view(corner)) < 0.0 ? 1 : 0;
             }
         });
-        // A face too thin to have a normal faces as the one beside its longest edge does: it is no line by itself.
-        for (std::uint32_t t = 0; t < count; ++t)
-            if (edges_.faceNormals[t] == glm::dvec3{0.0}) facing_[t] = facingBeside(t);
-    }
-
-    [[nodiscard]] std::uint8_t facingBeside(std::uint32_t thin) const {
-        constexpr int longestRow = 32;  // of thin faces beside each other
-        std::uint32_t t = thin;
-        bool turned = false;
-        for (int step = 0; step < longestRow; ++step) {
-            std::uint32_t longest = 3 * t;
-            const auto length = [&](std::uint32_t h) { return glm::length(position(nextHalfEdge(h)) - position(h)); };
-            for (std::uint32_t h = 3 * t + 1; h < 3 * t + 3; ++h)
-                if (length(h) > length(longest)) longest = h;
-            const std::uint32_t twin = topology_.twins[longest];
-            if (!isHalfEdge(twin)) break;
-            if (topology_.points[longest] == topology_.points[twin]) turned = !turned;
-            t = twin / 3;
-            if (edges_.faceNormals[t] != glm::dvec3{0.0}) break;
-        }
-        return turned ? 1 - facing_[t] : facing_[t];
     }
 
     // The edge table's pass: an exclusive or an edge.
@@ -96,10 +75,7 @@ private:
         }
     }
 
-    [[nodiscard]] bool mayBeSmooth(std::uint32_t e) const {
-        const std::uint32_t h = edges_.shared.halfEdges[e];
-        return edges_.shared.split[e] == 0 && !topology_.creases[h];
-    }
+    [[nodiscard]] bool mayBeSmooth(std::uint32_t e) const { return edges_.shared.split[e] == 0; }
 
     void chooseSmoothPatches() {
         smooth_.assign(topology_.patchCount, choice_.contour == Contour::Smooth);
@@ -138,9 +114,10 @@ private:
     // Whether a closed part is concave at an edge: such a contour lies behind the part itself.
     [[nodiscard]] bool isHiddenFold(std::uint32_t e) const {
         const std::uint32_t h = edges_.shared.halfEdges[e];
-        const std::uint32_t t = h / 3;
+        const std::uint32_t t = edges_.shared.faces[2 * e];
         if (!hidesItsBack(t)) return false;
         const std::uint32_t other = topology_.twins[h];
+        if (edges_.faceNormals[other / 3] == glm::dvec3{0.0}) return false;  // too thin to say
         const glm::dvec3 opposite = position(nextHalfEdge(nextHalfEdge(other)));
         return glm::dot(edges_.faceNormals[t], opposite - position(h)) * edges_.closed[t] > 0.0;
     }
@@ -150,6 +127,7 @@ private:
             if (isHiddenFold(e)) continue;
             const std::uint32_t h = edges_.shared.halfEdges[e];
             Segment& segment = add(Curve::Contour, h, face(edges_.shared.faces[2 * e + 1]));
+            segment.faces[0] = face(edges_.shared.faces[2 * e]);
             segment.drawn = !(smooth_[topology_.patches[h / 3]] && mayBeSmooth(e));
         }
     }

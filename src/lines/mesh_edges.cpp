@@ -1,8 +1,10 @@
 #include "lines/mesh_edges.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "scene/union_find.h"
 
@@ -80,24 +82,72 @@ std::vector<std::int8_t> findClosedParts(const Mesh& mesh, const MeshTopology& t
     return closed;
 }
 
+// The face that a thin one is a part of.
+struct Whole {
+    std::uint32_t face;
+    bool against = false;  // it is wound against the thin one
+};
+
+Whole wholeOf(const Mesh& mesh, const MeshTopology& topology, const std::vector<glm::dvec3>& normals, std::uint32_t t) {
+    constexpr int longestRow = 32;  // of thin faces beside each other
+    Whole whole{t};
+    const auto length = [&](std::uint32_t h) {
+        return glm::length(mesh.positions[mesh.indices[nextHalfEdge(h)]] - mesh.positions[mesh.indices[h]]);
+    };
+    std::uint32_t entry = noHalfEdge;
+    for (int step = 0; step < longestRow && normals[whole.face] == glm::dvec3{0.0}; ++step) {
+        std::uint32_t longest = noHalfEdge;
+        for (std::uint32_t h = 3 * whole.face; h < 3 * whole.face + 3; ++h) {
+            if (!isHalfEdge(topology.twins[h]) || h == entry) continue;
+            if (longest == noHalfEdge || length(h) > length(longest)) longest = h;
+        }
+        if (longest == noHalfEdge) break;
+        entry = topology.twins[longest];
+        if (topology.points[longest] == topology.points[entry]) whole.against = !whole.against;
+        whole.face = entry / 3;
+    }
+    return whole;
+}
+
+// Two faces that share an edge; which ones, and whether they meet in a crease, where thin faces lie between.
+void addShared(const Mesh& mesh, const MeshTopology& topology, std::uint32_t h, double creaseCosine, MeshEdges& edges) {
+    const std::uint32_t twin = topology.twins[h];
+    const auto isThin = [&](std::uint32_t t) { return edges.faceNormals[t] == glm::dvec3{0.0}; };
+    bool against = topology.points[h] == topology.points[twin];
+    bool crease = topology.creases[h];
+    std::uint32_t first = h / 3;
+    std::uint32_t second = twin / 3;
+    if (isThin(first) || isThin(second)) {
+        const Whole a = wholeOf(mesh, topology, edges.faceNormals, first);
+        const Whole b = wholeOf(mesh, topology, edges.faceNormals, second);
+        first = a.face;
+        second = b.face;
+        if (first == second) return;
+        against = against != (a.against != b.against);
+        const double cosine = glm::dot(edges.faceNormals[first], edges.faceNormals[second]);
+        crease = !isThin(first) && !isThin(second) && (against ? -cosine : cosine) < creaseCosine;
+    }
+    MeshEdges::Shared& shared = edges.shared;
+    if (crease) edges.creases.push_back(static_cast<std::uint32_t>(shared.halfEdges.size()));
+    shared.faces.push_back(first);
+    shared.faces.push_back(second);
+    shared.halfEdges.push_back(h);
+    shared.against.push_back(against ? 1 : 0);
+    shared.split.push_back(crease || !sameNormals(mesh, topology, h, twin) ? 1 : 0);
+}
+
 }  // namespace
 
-MeshEdges findEdges(const Mesh& mesh, const MeshTopology& topology) {
+MeshEdges findEdges(const Mesh& mesh, const MeshTopology& topology, double creaseAngle) {
+    const double creaseCosine = std::cos(glm::radians(creaseAngle));
     MeshEdges edges;
+    edges.faceNormals = makeFaceNormals(mesh);
     for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
-        const std::uint32_t twin = topology.twins[h];
-        if (isHalfEdge(twin) && h < twin) {
-            MeshEdges::Shared& shared = edges.shared;
-            if (topology.creases[h]) edges.creases.push_back(static_cast<std::uint32_t>(shared.halfEdges.size()));
-            shared.faces.push_back(h / 3);
-            shared.faces.push_back(twin / 3);
-            shared.halfEdges.push_back(h);
-            shared.against.push_back(topology.points[h] == topology.points[twin] ? 1 : 0);
-            shared.split.push_back(sameNormals(mesh, topology, h, twin) ? 0 : 1);
-        }
+        if (isHalfEdge(topology.twins[h]) && h < topology.twins[h]) addShared(mesh, topology, h, creaseCosine, edges);
+        const bool thin = topology.twins[h] == noHalfEdge && edges.faceNormals[h / 3] == glm::dvec3{0.0};
+        if (thin && takesPart(topology, h / 3)) edges.thinBorders.push_back(h);
     }
     collectMany(topology, edges);
-    edges.faceNormals = makeFaceNormals(mesh);
     edges.closed = findClosedParts(mesh, topology);
     return edges;
 }

@@ -164,7 +164,7 @@ Line makeLine(const View& view, const Chain& chain, const Part& part) {
 struct ObjectLines::State {
     explicit State(const Scene& whole) : scene{whole}, rays{scene} {
         for (std::size_t i = 0; i < scene.meshes().size(); ++i)
-            edges.push_back(findEdges(scene.meshes()[i], scene.topology(i)));
+            edges.push_back(findEdges(scene.meshes()[i], scene.topology(i), scene.creaseAngle()));
         borders = findBorderParts(scene, edges);
     }
 
