@@ -1,5 +1,7 @@
 #include <inkedge/write.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -34,7 +36,11 @@ std::string hex(Color color) { return fmt::format("#{:02x}{:02x}{:02x}", color.r
 
 // Text for XML 1.0: UTF-8 without the characters that no document may hold, markup as entities.
 std::string escaped(std::string_view text) {
-    const std::string valid = io::Json::parse(io::textOf(std::string{text}, -1)).get<std::string>();
+    std::string valid = io::Json::parse(io::textOf(std::string{text}, -1)).get<std::string>();
+    for (const std::string_view none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"}) {  // U+FFFE, U+FFFF
+        for (std::size_t at = 0; (at = valid.find(none, at)) != std::string::npos;)
+            valid.replace(at, 3, "\xEF\xBF\xBD");
+    }
     std::string result;
     for (const char c : valid) {
         switch (c) {
@@ -46,9 +52,6 @@ std::string escaped(std::string_view text) {
                 break;
             case '>':
                 result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
                 break;
             default:
                 result += static_cast<unsigned char>(c) < 0x20U ? ' ' : c;
