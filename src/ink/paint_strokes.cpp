@@ -74,6 +74,38 @@ void cover(Image<float>& coverage, const Stroke& stroke, float width) {
     }
 }
 
+// The same for a stroke whose width changes along it.
+void coverVarying(Image<float>& coverage, const Stroke& stroke, float penWidth) {
+    const float first = penWidth * static_cast<float>(stroke.widthFrom) / fullWidth;
+    const float last = penWidth * static_cast<float>(stroke.widthTo) / fullWidth;
+    const float reach = 0.5F * std::max(first, last) + halfDiagonal;
+    const glm::vec2 low = glm::min(stroke.from, stroke.to) - reach - 0.5F;
+    const glm::vec2 high = glm::max(stroke.from, stroke.to) + reach - 0.5F;
+    const int x0 = std::max(0, static_cast<int>(std::ceil(low.x)));
+    const int y0 = std::max(0, static_cast<int>(std::ceil(low.y)));
+    const int x1 = std::min(coverage.size.width - 1, static_cast<int>(std::floor(high.x)));
+    const int y1 = std::min(coverage.size.height - 1, static_cast<int>(std::floor(high.y)));
+
+    const glm::vec2 along = stroke.to - stroke.from;
+    const float lengthSquared = glm::dot(along, along);
+    const glm::vec2 perLength = lengthSquared > 0.0F ? along / lengthSquared : glm::vec2{0.0F};
+    const glm::vec2 normal =
+        lengthSquared > 0.0F ? glm::vec2{-along.y, along.x} / std::sqrt(lengthSquared) : glm::vec2{1, 0};
+    for (int y = y0; y <= y1; ++y) {
+        for (int x = x0; x <= x1; ++x) {
+            const glm::vec2 p = glm::vec2{static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F} - stroke.from;
+            const float s = std::clamp(glm::dot(p, perLength), 0.0F, 1.0F);
+            const glm::vec2 offset = p - s * along;
+            const float distance = glm::length(offset);
+            if (distance >= reach) continue;
+            const bool beside = (s > 0.0F && s < 1.0F) || distance < leastOffset;
+            const float share = shareOfBand(beside ? normal : offset / distance, distance, glm::mix(first, last, s));
+            float& to = coverage.at(x, y);
+            to = std::max(to, share);
+        }
+    }
+}
+
 // Lays a colour over a picture as far as it covers.
 void blend(Image<float>& picture, const Image<float>& coverage, Color color) {
     const float channels[3]{static_cast<float>(color.red), static_cast<float>(color.green),
@@ -146,7 +178,9 @@ Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureS
         if (std::ranges::none_of(strokes, isOfCoat)) continue;
         Image<float> coverage{settings.size, 1, 0.0F};
         for (const Stroke& stroke : strokes) {
-            if (isOfCoat(stroke)) cover(coverage, stroke, static_cast<float>(allPens[stroke.style].width));
+            if (!isOfCoat(stroke)) continue;
+            const bool varies = stroke.widthFrom != fullWidth || stroke.widthTo != fullWidth;
+            (varies ? coverVarying : cover)(coverage, stroke, static_cast<float>(allPens[stroke.style].width));
         }
         blend(picture, coverage, coat.color);
     }

@@ -12,38 +12,38 @@
 namespace inkedge {
 namespace {
 
-constexpr double tolerance = 0.02;  // pixels: 5 of 255 at most where a line runs along a pixel's side
+constexpr double paintTolerance = 0.02;  // pixels: 5 of 255 at most where a line runs along a pixel's side
 
-using Places = std::vector<glm::dvec2>;
-
-Places placesOf(const Line& line) {
-    Places places;
-    for (const LinePoint& p : simplify(line, tolerance).points) places.push_back(p.place);
-    if (line.closed && !places.empty()) places.push_back(places.front());
-    return places;
+std::uint8_t levelOf(double width) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(width * fullWidth, 0.0, 255.0)));
 }
 
-void addSolid(const Places& places, std::uint8_t style, std::vector<Stroke>& strokes) {
-    for (std::size_t i = 1; i < places.size(); ++i) {
-        strokes.push_back({glm::vec2{places[i - 1]}, glm::vec2{places[i]}, style});
-    }
+Stroke strokeBetween(const StrokePoint& a, const StrokePoint& b, std::uint8_t style) {
+    return {glm::vec2{a.place}, glm::vec2{b.place}, style, levelOf(a.width), levelOf(b.width)};
+}
+
+void addSolid(const std::vector<StrokePoint>& points, std::uint8_t style, std::vector<Stroke>& strokes) {
+    for (std::size_t i = 1; i < points.size(); ++i) strokes.push_back(strokeBetween(points[i - 1], points[i], style));
 }
 
 // Dashes along the way, beginning with a whole one.
-void addDashes(const Places& places, std::uint8_t style, double width, std::vector<Stroke>& strokes) {
+void addDashes(const std::vector<StrokePoint>& points, std::uint8_t style, double width, std::vector<Stroke>& strokes) {
     const double period = (dashLength + gapLength) * width;
     const double dash = dashLength * width;
     double begin = 0.0;  // of the edge, along the way
-    for (std::size_t i = 1; i < places.size(); ++i) {
-        const double length = glm::distance(places[i - 1], places[i]);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const StrokePoint& a = points[i - 1];
+        const StrokePoint& b = points[i];
+        const double length = glm::distance(a.place, b.place);
         const double end = begin + length;
         const auto at = [&](double way) {
-            return glm::vec2{glm::mix(places[i - 1], places[i], length > 0.0 ? (way - begin) / length : 0.0)};
+            const double share = length > 0.0 ? (way - begin) / length : 0.0;
+            return StrokePoint{glm::mix(a.place, b.place, share), glm::mix(a.width, b.width, share)};
         };
         for (double k = std::floor(begin / period); k * period < end || length == 0.0; ++k) {
             const double from = std::max(begin, k * period);
             const double to = std::min(end, k * period + dash);
-            if (from <= to) strokes.push_back({at(from), at(to), style});
+            if (from <= to) strokes.push_back(strokeBetween(at(from), at(to), style));
             if (length == 0.0) break;
         }
         begin = end;
@@ -52,22 +52,34 @@ void addDashes(const Places& places, std::uint8_t style, double width, std::vect
 
 }  // namespace
 
-std::vector<Stroke> strokesOf(const Lines& lines, const PictureSettings& picture, const LineSettings& settings) {
-    const auto allPens = pens(picture);
-    const glm::dvec2 size{lines.size.width, lines.size.height};
-    std::vector<Stroke> strokes;
-    for (const Line& line : lines.lines) {
-        if (!isDrawn(line, picture, settings)) continue;
-        const std::uint8_t pen = penOf(line);
-        const double width = allPens[pen].width;
-        for (const Line& part : clip(line, glm::dvec2{-0.5 * width}, size + 0.5 * width)) {
-            if (!line.visible && settings.hidden == HiddenLines::Dashed) {
-                addDashes(placesOf(part), pen, width, strokes);
-            } else {
-                addSolid(placesOf(part), pen, strokes);
-            }
+StrokeMaker::StrokeMaker(const Lines& lines, const PictureSettings& picture, const LineSettings& settings,
+                         double tolerance)
+    : picture_{picture},
+      settings_{settings},
+      tolerance_{tolerance},
+      pens_{pens(picture)},
+      widths_{lines, settings},
+      size_{lines.size.width, lines.size.height} {}
+
+void StrokeMaker::add(const Line& line, std::vector<Stroke>& strokes) const {
+    if (!isDrawn(line, picture_, settings_)) return;
+    const std::uint8_t pen = penOf(line);
+    const double width = pens_[pen].width;
+    const double margin = widths_.vary() ? width : 0.5 * width;  // up to twice as wide
+    for (const Line& part : clip(line, glm::dvec2{-margin}, size_ + margin)) {
+        const std::vector<StrokePoint> points = widths_.along(simplify(part, tolerance_));
+        if (!line.visible && settings_.hidden == HiddenLines::Dashed) {
+            addDashes(points, pen, width, strokes);
+        } else {
+            addSolid(points, pen, strokes);
         }
     }
+}
+
+std::vector<Stroke> strokesOf(const Lines& lines, const PictureSettings& picture, const LineSettings& settings) {
+    const StrokeMaker maker{lines, picture, settings, paintTolerance};
+    std::vector<Stroke> strokes;
+    for (const Line& line : lines.lines) maker.add(line, strokes);
     return strokes;
 }
 

@@ -160,6 +160,12 @@ enum class Visibility {
 };
 /// What becomes of hidden lines.
 enum class HiddenLines { None, Dashed, Solid };
+/// How wide a stroke is along its line, as a share of its type's width: 0.5 to 1.5 where it varies.
+enum class StrokeWidth {
+    Constant,
+    Depth,      ///< wider where the line is nearer, between the nearest and the furthest of all lines
+    Curvature,  ///< wider where it is straighter in the picture
+};
 
 /// Lines from object space.
 struct LineSettings {
@@ -168,6 +174,8 @@ struct LineSettings {
     Visibility visibility = Visibility::Exact;
     HiddenLines hidden = HiddenLines::None;
     double simplify = 0.25;   ///< pixels that polylines in files may stray from those found; 0: every point is kept
+    StrokeWidth strokeWidth = StrokeWidth::Constant;
+    double strokeTaper = 0.0;  ///< pixels over which the ends of open lines run out to nothing
     double fitCurves = 0.0;   ///< pixels that cubic Bezier curves may stray from the lines; 0: polylines; SVG only
     int subdivideAdaptive = 0;  ///< levels of refinement near contours, section 3.3, 0 to 6; 0: none
 };

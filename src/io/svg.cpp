@@ -15,6 +15,7 @@
 #include "curves/fit_beziers.h"
 #include "curves/simplify.h"
 #include "ink/pens.h"
+#include "ink/strokes_of.h"
 #include "io/metadata.h"
 #include "io/svg_path.h"
 
@@ -30,6 +31,11 @@ std::string number(double value) {
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
     return text;
+}
+
+// Whether lines are outlines of strokes whose width varies.
+bool varies(const LineSettings& settings) {
+    return settings.strokeWidth != StrokeWidth::Constant || settings.strokeTaper > 0.0;
 }
 
 std::string hex(Color color) { return fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue); }
@@ -119,6 +125,24 @@ void addPolyline(io::SvgPath& path, const Line& line, double tolerance) {
     if (line.closed) path.close();
 }
 
+// A stroke's outline: straight along its sides, round at its ends; clockwise, so that strokes fill what any of them
+// fills.
+void addOutline(io::SvgPath& path, const Stroke& stroke, double penWidth) {
+    const double from = 0.5 * penWidth * stroke.widthFrom / fullWidth;
+    const double to = 0.5 * penWidth * stroke.widthTo / fullWidth;
+    const glm::dvec2 a{stroke.from};
+    const glm::dvec2 b{stroke.to};
+    const double length = glm::distance(a, b);
+    const glm::dvec2 along = length > 0.0 ? (b - a) / length : glm::dvec2{1.0, 0.0};
+    const glm::dvec2 left{along.y, -along.x};
+    path.moveTo(a + from * left);
+    path.lineTo(b + to * left);
+    path.arcTo(to, b - to * left);
+    path.lineTo(a - from * left);
+    path.arcTo(from, a + from * left);
+    path.close();
+}
+
 // The paths of one pen, by object.
 using Paths = std::map<std::uint32_t, io::SvgPath>;
 
@@ -126,6 +150,18 @@ std::array<Paths, penCount> pathsOf(const Lines& lines, const PictureSettings& p
     const auto allPens = pens(picture);
     const glm::dvec2 size{lines.size.width, lines.size.height};
     std::array<Paths, penCount> paths;
+    if (varies(settings)) {
+        const StrokeMaker maker{lines, picture, settings, settings.simplify};
+        std::vector<Stroke> strokes;
+        for (const Line& line : lines.lines) {
+            strokes.clear();
+            maker.add(line, strokes);
+            for (const Stroke& stroke : strokes) {
+                addOutline(paths[stroke.style][line.object], stroke, allPens[stroke.style].width);
+            }
+        }
+        return paths;
+    }
     for (const Line& line : lines.lines) {
         if (!isDrawn(line, picture, settings)) continue;
         const std::uint8_t pen = penOf(line);
@@ -142,16 +178,18 @@ std::array<Paths, penCount> pathsOf(const Lines& lines, const PictureSettings& p
     return paths;
 }
 
-std::string group(std::size_t number_, const Pen& pen, const Paths& paths, HiddenLines hidden) {
+std::string group(std::size_t number_, const Pen& pen, const Paths& paths, const LineSettings& settings) {
     const bool isHidden = number_ >= lineTypeCount;
     const auto type = static_cast<LineType>(1U << (number_ % lineTypeCount));
-    std::string dashes;
-    if (isHidden && hidden == HiddenLines::Dashed) {
-        dashes =
+    std::string ink = fmt::format("stroke=\"{}\" stroke-width=\"{}\"", hex(pen.color), number(pen.width));
+    if (varies(settings)) {
+        ink = fmt::format("fill=\"{}\"", hex(pen.color));
+    } else if (isHidden && settings.hidden == HiddenLines::Dashed) {
+        ink +=
             fmt::format(" stroke-dasharray=\"{} {}\"", number(dashLength * pen.width), number(gapLength * pen.width));
     }
-    std::string text = fmt::format("<g class=\"inkedge {} {}\" stroke=\"{}\" stroke-width=\"{}\"{}>\n", name(type),
-                                   isHidden ? "hidden" : "visible", hex(pen.color), number(pen.width), dashes);
+    std::string text =
+        fmt::format("<g class=\"inkedge {} {}\" {}>\n", name(type), isHidden ? "hidden" : "visible", ink);
     for (const auto& [object, path] : paths) {
         const std::string data = path.text();
         if (!data.empty()) text += fmt::format("<path data-object=\"{}\" d=\"{}\"/>\n", object, data);
@@ -192,7 +230,7 @@ std::string linesSvg(const Scene& scene, const Lines& lines, const Settings& set
     const auto allPens = pens(picture);
     const auto paths = pathsOf(lines, picture, settings.lines);
     for (std::size_t i = paths.size(); i-- > 0;) {  // what comes first covers
-        if (!paths[i].empty()) text += group(i, allPens[i], paths[i], settings.lines.hidden);
+        if (!paths[i].empty()) text += group(i, allPens[i], paths[i], settings.lines);
     }
     return text + (picture.page ? "</g>\n</svg>\n" : "</svg>\n");
 }

@@ -87,6 +87,17 @@ void SvgPath::curveTo(glm::dvec2 control1, glm::dvec2 control2, glm::dvec2 place
     at_ = to;
 }
 
+void SvgPath::arcTo(double radius, glm::dvec2 place) {
+    const Place to = rounded(place);
+    if (to == at_) return;
+    dot_ = false;
+    begin('a');
+    const long long size = rounded({radius, 0.0}).x;
+    for (const long long value : {size, size, 0LL, 0LL, 100LL}) add(value);  // radii, rotation, small, clockwise
+    addStep(to);
+    at_ = to;
+}
+
 void SvgPath::close() {
     finishPart();
     text_ += 'z';

@@ -13,6 +13,8 @@ public:
     void moveTo(glm::dvec2);
     void lineTo(glm::dvec2);
     void curveTo(glm::dvec2 control1, glm::dvec2 control2, glm::dvec2 to);
+    /// A part of a circle of the radius, half of it at most, clockwise on the screen.
+    void arcTo(double radius, glm::dvec2);
     void close();
 
     /// A part that came to no more than one place is a dot there.

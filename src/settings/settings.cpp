@@ -169,6 +169,8 @@ constexpr std::array contourChoices{Choice{"auto", Contour::Auto}, Choice{"mesh"
 constexpr std::array visibilityChoices{Choice{"exact", Visibility::Exact}, Choice{"fast", Visibility::Fast}};
 constexpr std::array hiddenChoices{Choice{"none", HiddenLines::None}, Choice{"dashed", HiddenLines::Dashed},
                                    Choice{"solid", HiddenLines::Solid}};
+constexpr std::array strokeWidthChoices{Choice{"constant", StrokeWidth::Constant}, Choice{"depth", StrokeWidth::Depth},
+                                        Choice{"curvature", StrokeWidth::Curvature}};
 
 template <class T, std::size_t n>
 T parseChoice(const std::array<Choice<T>, n>& choices, std::string_view text) {
@@ -376,6 +378,14 @@ constexpr std::array table{
                        "how hidden lines are drawn; lines from object",
                        [](S& s, Text t) { s.lines.hidden = parseChoice(hiddenChoices, t); },
                        [](const S& s) { return choiceName(hiddenChoices, s.lines.hidden); }},
+    SettingDescription{"stroke-width", "", "lines", "constant|depth|curvature", "one of these", "constant",
+                       "wider where nearer, or where straighter: half to one and a half widths; lines from object",
+                       [](S& s, Text t) { s.lines.strokeWidth = parseChoice(strokeWidthChoices, t); },
+                       [](const S& s) { return choiceName(strokeWidthChoices, s.lines.strokeWidth); }},
+    SettingDescription{"stroke-taper", "", "lines", "PX", "0 to 1000", "0",
+                       "pixels over which a line's ends run out to nothing; lines from object",
+                       [](S& s, Text t) { s.lines.strokeTaper = parseNumber(t, 0.0, 1000.0); },
+                       [](const S& s) { return text(s.lines.strokeTaper); }},
     SettingDescription{"simplify", "", "lines", "PX", "0 to 100; 0 keeps every point", "0.25",
                        "how far polylines in .svg and .json may stray from the lines found",
                        [](S& s, Text t) { s.lines.simplify = parseNumber(t, 0.0, 100.0); },

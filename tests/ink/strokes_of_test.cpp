@@ -133,5 +133,70 @@ TEST(StrokesOf, seenCoverHiddenOnesOfAnEarlierType) {
     EXPECT_EQ(ink.at(52, 20, 0), 0) << "the seen one has its whole width";
 }
 
+// A line at this depth before a camera at the origin, in the picture at this height.
+Line atDepth(double from, double to, double y) {
+    Line line = lineThrough({{10, y}, {110, y}});
+    line.points[0].point = {0, 0, -from};
+    line.points[1].point = {0, 0, -to};
+    return line;
+}
+
+TEST(StrokesOf, areWiderWhereTheLineIsNearer) {
+    LineSettings settings;
+    settings.strokeWidth = StrokeWidth::Depth;
+    const auto strokes = strokesOf(linesOf({atDepth(1.0, 4.0, 20), atDepth(1.6, 1.6, 40)}), picture(8.0), settings);
+    ASSERT_EQ(strokes.size(), 2U);
+    EXPECT_EQ(strokes[0].widthFrom, fullWidth * 3 / 2);
+    EXPECT_EQ(strokes[0].widthTo, fullWidth / 2);
+    // In perspective half-way between in the picture: 1/1.6 = (1/1 + 1/4) / 2.
+    EXPECT_EQ(strokes[1].widthFrom, fullWidth);
+    const auto ink = paintStrokes(strokes, picture(8.0));
+    const auto thickness = [&](int x, int middle) {
+        double sum = 0.0;
+        for (int y = middle - 10; y < middle + 10; ++y) sum += (255 - ink.at(x, y)) / 255.0;
+        return sum;
+    };
+    // The band is as wide as at the pixel's centre, and bytes are rounded.
+    EXPECT_NEAR(thickness(20, 20), 12.0 - 8.0 * 0.105, 0.1);
+    EXPECT_NEAR(thickness(90, 20), 12.0 - 8.0 * 0.805, 0.1);
+    EXPECT_NEAR(thickness(60, 40), 8.0, 0.02);
+}
+
+TEST(StrokesOf, areWiderWhereTheLineIsStraighter) {
+    LineSettings settings;
+    settings.strokeWidth = StrokeWidth::Curvature;
+    const auto widest = [&](const Line& line) {
+        std::uint8_t most = 0;
+        for (const Stroke& stroke : strokesOf(linesOf({line}), picture(2.0), settings)) {
+            most = std::max(most, stroke.widthFrom);
+        }
+        return most;
+    };
+    EXPECT_EQ(widest(lineThrough({{10, 10}, {150, 40}})), fullWidth * 3 / 2);
+    // Of radius 15: half-way; 40: 40/55 of the way. Chords of a simplified circle bend by up to a tenth more or less.
+    EXPECT_NEAR(widest(curves::circle({50, 50}, 15, 200)), fullWidth, 8);
+    EXPECT_NEAR(widest(curves::circle({50, 50}, 40, 400)), fullWidth * (0.5 + 40.0 / 55.0), 10);
+}
+
+TEST(StrokesOf, runOutAtTheEndsOfOpenLinesOnly) {
+    LineSettings settings;
+    settings.strokeTaper = 20.0;
+    const auto strokes = strokesOf(linesOf({lineThrough({{10, 50}, {110, 50}})}), picture(4.0), settings);
+    ASSERT_EQ(strokes.size(), 3U);
+    EXPECT_EQ(strokes[0].widthFrom, 0);
+    EXPECT_EQ(strokes[0].widthTo, fullWidth);
+    EXPECT_EQ(strokes[1].from, glm::vec2(30, 50));
+    EXPECT_EQ(strokes[1].to, glm::vec2(90, 50));
+    EXPECT_EQ(strokes[2].widthFrom, fullWidth);
+    EXPECT_EQ(strokes[2].widthTo, 0);
+    const auto brief = strokesOf(linesOf({lineThrough({{10, 50}, {30, 50}})}), picture(4.0), settings);
+    ASSERT_EQ(brief.size(), 2U);
+    EXPECT_EQ(brief[0].widthTo, fullWidth / 2);
+    for (const Stroke& stroke : strokesOf(linesOf({curves::circle({50, 50}, 30, 60)}), picture(4.0), settings)) {
+        EXPECT_EQ(stroke.widthFrom, fullWidth);
+    }
+    EXPECT_EQ(strokesOf(linesOf({lineThrough({{5, 5}, {5, 5}})}), picture(4.0), settings).size(), 1U);
+}
+
 }  // namespace
 }  // namespace inkedge

@@ -1,0 +1,127 @@
+#include "ink/stroke_widths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace inkedge {
+namespace {
+
+constexpr double narrowest = 0.5;  // shares of the pen's width, for what is furthest or most bent
+constexpr double widest = 1.5;     // for what is nearest or straight
+constexpr double bendStep = 3.0;   // pixels between points that follow a line's bends
+constexpr int bendReach = 3;       // steps to either side over which a bend is measured
+constexpr double halfBend = 15.0;  // pixels: the radius at which a line is half-way between narrowest and widest
+
+double turn(glm::dvec2 in, glm::dvec2 out) {
+    return std::abs(std::atan2(in.x * out.y - in.y * out.x, glm::dot(in, out)));
+}
+
+StrokePoint between(const StrokePoint& a, const StrokePoint& b, double share) {
+    return {glm::mix(a.place, b.place, share), glm::mix(a.width, b.width, share)};
+}
+
+// No two points further apart than step.
+std::vector<StrokePoint> refined(const std::vector<StrokePoint>& points, double step) {
+    std::vector<StrokePoint> all{points.front()};
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double parts = std::max(1.0, std::ceil(glm::distance(points[i - 1].place, points[i].place) / step));
+        for (double k = 1.0; k <= parts; ++k) all.push_back(between(points[i - 1], points[i], k / parts));
+    }
+    return all;
+}
+
+// Straighter is wider.
+void setByBends(std::vector<StrokePoint>& points, bool closed) {
+    points = refined(points, bendStep);
+    const int last = static_cast<int>(points.size()) - 1;
+    const auto at = [&](int i) {
+        if (closed && last > 0) i = (i % last + last) % last;
+        return points[static_cast<std::size_t>(std::clamp(i, 0, last))].place;
+    };
+    for (int i = 0; i <= last; ++i) {
+        const glm::dvec2 in = at(i) - at(i - bendReach);
+        const glm::dvec2 out = at(i + bendReach) - at(i);
+        const double way = 0.5 * (glm::length(in) + glm::length(out));
+        const bool atEnd = in == glm::dvec2{0.0} || out == glm::dvec2{0.0};
+        const double curvature = atEnd || way == 0.0 ? 0.0 : turn(in, out) / way;
+        points[static_cast<std::size_t>(i)].width = glm::mix(narrowest, widest, 1.0 / (1.0 + halfBend * curvature));
+    }
+}
+
+double lengthOf(const std::vector<StrokePoint>& points) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) length += glm::distance(points[i - 1].place, points[i].place);
+    return length;
+}
+
+// Ends run out to nothing over a length; a line shorter than two of them has its whole width nowhere.
+std::vector<StrokePoint> tapered(const std::vector<StrokePoint>& points, double taper) {
+    const double length = lengthOf(points);
+    const double turnPoints[]{std::min(taper, 0.5 * length), std::max(length - taper, 0.5 * length)};
+    const auto share = [&](double way) { return std::clamp(std::min(way, length - way) / taper, 0.0, 1.0); };
+    std::vector<StrokePoint> all{{points.front().place, 0.0}};
+    double begin = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double end = begin + glm::distance(points[i - 1].place, points[i].place);
+        double before = begin;
+        for (const double way : turnPoints) {
+            if (way <= before || way >= end) continue;
+            before = way;
+            all.push_back(between(points[i - 1], points[i], (way - begin) / (end - begin)));
+            all.back().width *= share(way);
+        }
+        all.push_back({points[i].place, points[i].width * share(end)});
+        begin = end;
+    }
+    return all;
+}
+
+}  // namespace
+
+StrokeWidths::StrokeWidths(const Lines& lines, const LineSettings& settings)
+    : camera_{lines.camera}, kind_{settings.strokeWidth}, taper_{settings.strokeTaper} {
+    if (kind_ != StrokeWidth::Depth) return;
+    least_ = std::numeric_limits<double>::infinity();
+    most_ = -least_;
+    for (const Line& line : lines.lines) {
+        for (const LinePoint& p : line.points) {
+            const double near = nearness(p);
+            if (!std::isfinite(near)) continue;
+            least_ = std::min(least_, near);
+            most_ = std::max(most_, near);
+        }
+    }
+}
+
+bool StrokeWidths::vary() const noexcept { return kind_ != StrokeWidth::Constant || taper_ > 0.0; }
+
+// Changes evenly along a straight line in the picture: the depth, or in perspective its reciprocal.
+double StrokeWidths::nearness(const LinePoint& p) const {
+    const double z = (camera_.view * glm::dvec4{p.point, 1.0}).z;
+    return camera_.orthographic() ? z : -1.0 / z;
+}
+
+void StrokeWidths::setByDepth(const Line& line, std::vector<StrokePoint>& points) const {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double near = nearness(line.points[i % line.points.size()]);
+        const double share = most_ > least_ ? (near - least_) / (most_ - least_) : 0.5;
+        points[i].width = std::isfinite(share) ? glm::mix(narrowest, widest, std::clamp(share, 0.0, 1.0)) : 1.0;
+    }
+}
+
+std::vector<StrokePoint> StrokeWidths::along(const Line& line) const {
+    std::vector<StrokePoint> points;
+    for (const LinePoint& p : line.points) points.push_back({p.place});
+    if (points.empty()) return points;
+    if (line.closed) points.push_back(points.front());
+    if (kind_ == StrokeWidth::Depth) setByDepth(line, points);
+    if (kind_ == StrokeWidth::Curvature) setByBends(points, line.closed);
+    if (taper_ > 0.0 && !line.closed) return tapered(points, taper_);
+    return points;
+}
+
+}  // namespace inkedge

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include <inkedge/lines.h>
+#include <inkedge/settings.h>
+
+namespace inkedge {
+
+/// A place on a stroke's centre line, and its width there as a share of its pen's.
+struct StrokePoint {
+    glm::dvec2 place;
+    double width = 1.0;
+};
+
+/// Widths that vary along the lines of one view, as LineSettings::strokeWidth and ::strokeTaper ask for.
+class StrokeWidths {
+public:
+    /// Looks at how near and how far the lines lie.
+    StrokeWidths(const Lines&, const LineSettings&);
+
+    [[nodiscard]] bool vary() const noexcept;
+
+    /// The line's points, of a closed one the first again at the end, and as many between them as the widths need.
+    /// Between two the width changes evenly.
+    [[nodiscard]] std::vector<StrokePoint> along(const Line&) const;
+
+private:
+    [[nodiscard]] double nearness(const LinePoint&) const;
+    void setByDepth(const Line&, std::vector<StrokePoint>&) const;
+
+    const Camera& camera_;
+    StrokeWidth kind_;
+    double taper_;
+    double least_ = 0.0;  // nearness of the furthest point, and of the nearest
+    double most_ = 0.0;
+};
+
+}  // namespace inkedge
