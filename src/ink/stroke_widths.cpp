@@ -58,12 +58,17 @@ double lengthOf(const std::vector<StrokePoint>& points) {
     return length;
 }
 
-// Ends run out to nothing over a length; a line shorter than two of them has its whole width nowhere.
-std::vector<StrokePoint> tapered(const std::vector<StrokePoint>& points, double taper) {
+// Ends that are the line's own run out to nothing over a length; a line shorter than two of them has its whole width
+// nowhere.
+std::vector<StrokePoint> tapered(const std::vector<StrokePoint>& points, double taper, bool begins, bool ends) {
     const double length = lengthOf(points);
-    const double turnPoints[]{std::min(taper, 0.5 * length), std::max(length - taper, 0.5 * length)};
-    const auto share = [&](double way) { return std::clamp(std::min(way, length - way) / taper, 0.0, 1.0); };
-    std::vector<StrokePoint> all{{points.front().place, 0.0}};
+    const double half = begins && ends ? 0.5 * length : length;
+    const double turnPoints[]{std::min(taper, half), std::max(length - taper, length - half)};
+    const auto share = [&](double way) {
+        const double fromEnd = std::min(begins ? way : taper, ends ? length - way : taper);
+        return std::clamp(fromEnd / taper, 0.0, 1.0);
+    };
+    std::vector<StrokePoint> all{{points.front().place, points.front().width * share(0.0)}};
     double begin = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) {
         const double end = begin + glm::distance(points[i - 1].place, points[i].place);
@@ -113,15 +118,17 @@ void StrokeWidths::setByDepth(const Line& line, std::vector<StrokePoint>& points
     }
 }
 
-std::vector<StrokePoint> StrokeWidths::along(const Line& line) const {
+std::vector<StrokePoint> StrokeWidths::along(const Line& line, const Line& whole) const {
     std::vector<StrokePoint> points;
     for (const LinePoint& p : line.points) points.push_back({p.place});
     if (points.empty()) return points;
     if (line.closed) points.push_back(points.front());
     if (kind_ == StrokeWidth::Depth) setByDepth(line, points);
     if (kind_ == StrokeWidth::Curvature) setByBends(points, line.closed);
-    if (taper_ > 0.0 && !line.closed) return tapered(points, taper_);
-    return points;
+    if (taper_ == 0.0 || whole.closed) return points;
+    const bool begins = line.points.front().place == whole.points.front().place;
+    const bool ends = line.points.back().place == whole.points.back().place;
+    return begins || ends ? tapered(points, taper_, begins, ends) : points;
 }
 
 }  // namespace inkedge

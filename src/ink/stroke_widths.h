@@ -25,7 +25,8 @@ public:
 
     /// The line's points, of a closed one the first again at the end, and as many between them as the widths need.
     /// Between two the width changes evenly.
-    [[nodiscard]] std::vector<StrokePoint> along(const Line&) const;
+    /// @param whole  the line that it is a part of: only ends of that one taper, not where it was cut
+    [[nodiscard]] std::vector<StrokePoint> along(const Line&, const Line& whole) const;
 
 private:
     [[nodiscard]] double nearness(const LinePoint&) const;

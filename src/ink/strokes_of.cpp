@@ -67,7 +67,7 @@ void StrokeMaker::add(const Line& line, std::vector<Stroke>& strokes) const {
     const double width = pens_[pen].width;
     const double margin = widths_.vary() ? width : 0.5 * width;  // up to twice as wide
     for (const Line& part : clip(line, glm::dvec2{-margin}, size_ + margin)) {
-        const std::vector<StrokePoint> points = widths_.along(simplify(part, tolerance_));
+        const std::vector<StrokePoint> points = widths_.along(simplify(part, tolerance_), line);
         if (!line.visible && settings_.hidden == HiddenLines::Dashed) {
             addDashes(points, pen, width, strokes);
         } else {

@@ -189,6 +189,9 @@ TEST(StrokesOf, runOutAtTheEndsOfOpenLinesOnly) {
     EXPECT_EQ(strokes[1].to, glm::vec2(90, 50));
     EXPECT_EQ(strokes[2].widthFrom, fullWidth);
     EXPECT_EQ(strokes[2].widthTo, 0);
+    const auto cut = strokesOf(linesOf({lineThrough({{150, 50}, {900, 50}})}), picture(4.0), settings);
+    EXPECT_EQ(cut.front().widthFrom, 0);
+    EXPECT_EQ(cut.back().widthTo, fullWidth) << "where the picture cuts it, a line goes on";
     const auto brief = strokesOf(linesOf({lineThrough({{10, 50}, {30, 50}})}), picture(4.0), settings);
     ASSERT_EQ(brief.size(), 2U);
     EXPECT_EQ(brief[0].widthTo, fullWidth / 2);
