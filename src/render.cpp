@@ -208,6 +208,7 @@ Lines Renderer::lines(const Scene& scene, const Camera& camera, const Settings& 
     const lines::ObjectLines& prepared = state_->prepared(scene);
     times.push_back({"prepare lines", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count()});
     Lines found = prepared.find(camera, settings);
+    found.backend = backend();
     found.times.insert(found.times.begin(), times.begin(), times.end());
     return found;
 }

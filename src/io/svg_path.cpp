@@ -22,8 +22,10 @@ std::string number(long long hundredths) {
 
 }  // namespace
 
-SvgPath::Place SvgPath::rounded(glm::dvec2 p) {
-    const auto hundredths = [](double v) { return std::llround(std::clamp(v, -largest, largest) * 100.0); };
+SvgPath::Place SvgPath::rounded(glm::dvec2 p) const {
+    const auto hundredths = [&](double v) {
+        return std::llround(std::clamp(v, -largest, largest) * 100.0 / static_cast<double>(step_)) * step_;
+    };
     return {hundredths(p.x), hundredths(p.y)};
 }
 

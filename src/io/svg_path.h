@@ -6,10 +6,13 @@
 
 namespace inkedge::io {
 
-/// The data of an SVG path, short: relative commands, numbers of two decimals without needless characters. What is
-/// rounded off at one place is not lost at the next.
+/// The data of an SVG path, short: relative commands, numbers without needless characters. What is rounded off at one
+/// place is not lost at the next.
 class SvgPath {
 public:
+    enum class Step { Hundredth = 1, Tenth = 10 };
+    explicit SvgPath(Step step = Step::Hundredth) : step_{static_cast<long long>(step)} {}
+
     void moveTo(glm::dvec2);
     void lineTo(glm::dvec2);
     void curveTo(glm::dvec2 control1, glm::dvec2 control2, glm::dvec2 to);
@@ -26,12 +29,13 @@ private:
         long long y = 0;
         friend bool operator==(const Place&, const Place&) = default;
     };
-    static Place rounded(glm::dvec2);
+    [[nodiscard]] Place rounded(glm::dvec2) const;
     void begin(char command);
     void add(long long hundredths);
     void addStep(Place to);
     void finishPart();
 
+    long long step_;  // hundredths
     std::string text_;
     Place start_;
     Place at_;

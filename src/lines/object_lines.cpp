@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "lines/bridge_gaps.h"
 #include "lines/chains.h"
 #include "lines/contours.h"
 #include "lines/crossings.h"
@@ -235,6 +236,7 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings) const {
         for (const Part& part : parts[c])
             if (isSeen(part.seen) || (part.seen == Seen::Hidden && keepHidden)) result.lines.push_back(makeLine(view, chains[c], part));
     }
+    result.lines = bridgeGaps(std::move(result.lines), screen, scene.bounds().centre);
     watch.finish("lines");
     return result;
 }
