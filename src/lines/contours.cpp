@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "scene/parallel.h"
+#include "scene/subdivide.h"
 
 namespace inkedge::lines {
 namespace {
@@ -17,7 +19,8 @@ class InstanceCurves {
 public:
     InstanceCurves(const Scene& scene, std::uint32_t instance, const MeshEdges& edges, const Screen& screen,
                    const CurveChoice& choice, std::span<const BorderPart> borders, std::vector<Segment>& to)
-        : instance_{instance},
+        : scene_{scene},
+          instance_{instance},
           mesh_{scene.meshes()[scene.instances()[instance].mesh]},
           topology_{scene.topology(scene.instances()[instance].mesh)},
           edges_{edges},
@@ -78,8 +81,9 @@ private:
     [[nodiscard]] bool mayBeSmooth(std::uint32_t e) const { return edges_.shared.split[e] == 0; }
 
     void chooseSmoothPatches() {
-        smooth_.assign(topology_.patchCount, choice_.contour == Contour::Smooth);
-        if (choice_.contour != Contour::Auto) return;
+        const bool refined = choice_.refinement > 0 && choice_.contour != Contour::Mesh;
+        smooth_.assign(topology_.patchCount, refined || choice_.contour == Contour::Smooth);
+        if (refined || choice_.contour != Contour::Auto) return;
         struct Mean {
             double pixels = 0.0;
             int count = 0;
@@ -208,45 +212,86 @@ private:
         });
     }
 
+    // A triangle as smooth contours see it: its corners, n . (x - C) at each, and the names of the edges from each to the
+    // next.
+    struct Facet {
+        std::uint32_t face;  // that it is, or lies on
+        glm::dvec3 corners[3];
+        double slants[3];
+        Key edges[3];
+        double size;  // mesh units: how far off the mesh it may lie
+    };
+
+    void addRefinedContours() {
+        const auto projection = screen_.orthographic() ? Projection::Orthographic : Projection::Perspective;
+        const glm::dvec3 eye = screen_.orthographic() ? direction_ : eye_ + mesh_.origin;
+        const std::size_t number = scene_.instances()[instance_].mesh;
+        const RefinedContourMesh refined =
+            refineNear(scene_, number, *choice_.control, eye, projection, choice_.refinement);
+        std::unordered_map<std::uint64_t, std::uint32_t> edges;
+        for (std::size_t t = 0; t < refined.controlTriangles.size(); ++t) {
+            Facet facet{refined.controlTriangles[t], {}, {}, {}, longestEdge(refined.controlTriangles[t])};
+            const std::uint32_t* const corners = &refined.indices[3 * t];
+            for (std::size_t k = 0; k < 3; ++k) {
+                facet.corners[k] = refined.positions[corners[k]];
+                facet.slants[k] = glm::dot(refined.normals[corners[k]], view(facet.corners[k]));
+                const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
+                const auto next = static_cast<std::uint32_t>(edges.size());
+                facet.edges[k] = refinedKey(
+                    instance_, edges.try_emplace((std::uint64_t{low} << 32U) | high, next).first->second);
+            }
+            addSmoothContour(facet);
+        }
+    }
+
+    [[nodiscard]] double longestEdge(std::uint32_t t) const {
+        double longest = 0.0;
+        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
+            longest = std::max(longest, glm::length(position(nextHalfEdge(h)) - position(h)));
+        return longest;
+    }
+
     void addSmoothContours() {
+        if (choice_.refinement > 0) return addRefinedContours();
         findSlants();
         for (std::uint32_t t = 0; t < topology_.patches.size(); ++t) {
             const std::uint32_t* const corners = &mesh_.indices[3 * std::size_t{t}];
             const bool plus[3]{slants_[corners[0]] >= 0.0, slants_[corners[1]] >= 0.0, slants_[corners[2]] >= 0.0};
             if (plus[0] == plus[1] && plus[1] == plus[2]) continue;
-            if (smooth_[topology_.patches[t]] && topology_.originals[t] == t) addSmoothContour(t);
+            if (!smooth_[topology_.patches[t]] || topology_.originals[t] != t) continue;
+            Facet facet{t, {}, {}, {}, longestEdge(t)};
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const std::uint32_t h = 3 * t + k;
+                const std::uint32_t twin = topology_.twins[h];
+                facet.corners[k] = position(h);
+                facet.slants[k] = slants_[corners[k]];
+                facet.edges[k] = edgeKey(instance_, isHalfEdge(twin) ? std::min(h, twin) : h);
+            }
+            addSmoothContour(facet);
         }
     }
 
-    void addSmoothContour(std::uint32_t t) {
-        glm::dvec3 corners[3];
-        double slants[3];
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            corners[k] = position(3 * t + k);
-            slants[k] = slants_[mesh_.indices[3 * std::size_t{t} + k]];
-        }
-        if (hidesItsBack(t) && turnsTowardsEye(corners, slants, edges_.closed[t])) return;
+    void addSmoothContour(const Facet& facet) {
+        const auto& [face, corners, slants, edges, size] = facet;
+        const bool plus[3]{slants[0] >= 0.0, slants[1] >= 0.0, slants[2] >= 0.0};
+        if (plus[0] == plus[1] && plus[1] == plus[2]) return;
+        if (hidesItsBack(face) && turnsTowardsEye(corners, slants, edges_.closed[face])) return;
         Segment segment;
         segment.occludes = false;  // the faces' own contour does
-        segment.faces = {face(t), noFace};
+        segment.faces = {SceneFace{instance_, face}, noFace};
         std::size_t found = 0;
-        double longest = 0.0;
+        std::uint32_t inner = 0;
         for (std::uint32_t k = 0; k < 3; ++k) {
             const std::uint32_t next = (k + 1) % 3;
-            longest = std::max(longest, glm::length(corners[next] - corners[k]));
-            if ((slants[k] >= 0.0) == (slants[next] >= 0.0) || found == 2) continue;
+            if (std::abs(slants[k]) > std::abs(slants[inner])) inner = k;
+            if (plus[k] == plus[next]) continue;
             const double a = std::abs(slants[k]);
             const double b = std::abs(slants[next]);
             segment.ends[found] = toWorld((b * corners[k] + a * corners[next]) / (a + b));  // equation 4
-            const std::uint32_t h = 3 * t + k;
-            const std::uint32_t twin = topology_.twins[h];
-            segment.keys[found++] = edgeKey(instance_, isHalfEdge(twin) ? std::min(h, twin) : h);
+            segment.keys[found++] = edges[k];
         }
-        std::uint32_t inner = 0;
-        for (std::uint32_t k = 1; k < 3; ++k)
-            if (std::abs(slants[k]) > std::abs(slants[inner])) inner = k;
         segment.inner = toWorld(corners[inner]);
-        segment.slack = longest * std::cbrt(std::abs(glm::determinant(glm::dmat3{place_})));
+        segment.slack = size * std::cbrt(std::abs(glm::determinant(glm::dmat3{place_})));
         to_.push_back(segment);
     }
 
@@ -260,6 +305,7 @@ private:
         return glm::dot(gradient, view(corners[0])) * outward < 0.0;
     }
 
+    const Scene& scene_;
     std::uint32_t instance_;
     const Mesh& mesh_;
     const MeshTopology& topology_;

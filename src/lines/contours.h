@@ -9,6 +9,7 @@
 #include "lines/border_parts.h"
 #include "lines/mesh_edges.h"
 #include "lines/screen.h"
+#include "scene/control_mesh.h"
 #include "lines/segment.h"
 
 namespace inkedge::lines {
@@ -16,6 +17,8 @@ namespace inkedge::lines {
 /// Which lines of instances are wanted.
 struct CurveChoice {
     Contour contour = Contour::Auto;
+    int refinement = 0;           ///< levels of subdivision near smooth contours
+    const ControlMesh* control = nullptr;  ///< of the mesh; with a refinement
     bool eyeOutside = true;  ///< the eye and the near plane are outside the scene: closed parts hide their backs
 };
 
@@ -26,6 +29,9 @@ struct CurveChoice {
 /// their corners, is zero (equations 2 to 4), zeros counted as plus. With Contour::Auto a patch has smooth contours if its
 /// mesh contour has edges of under smoothEdge pixels in the mean: there they are within a pixel or so of the mesh's,
 /// without its zigzag; larger faces are seen for what they are.
+///
+/// With a refinement every patch has smooth contours, and they are those of the limit surface, found on the triangles of
+/// refineNear(); all else stays on the mesh as it is.
 ///
 /// Of closed, consistently wound parts the contours that the part itself hides are left out: concave edges, and smooth
 /// contours where the surface turns towards the eye; also creases between back-facing faces.

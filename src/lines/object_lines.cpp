@@ -174,6 +174,13 @@ struct ObjectLines::State {
         return {begin, end};
     }
 
+    const ControlMesh& controlOf(std::uint32_t mesh) const {
+        const std::scoped_lock lock{mutex_};
+        controls_.resize(scene.meshes().size());
+        if (!controls_[mesh]) controls_[mesh] = controlMesh(scene.meshes()[mesh], scene.topology(mesh));
+        return *controls_[mesh];
+    }
+
     // Found when they are first asked for: no other line needs the search.
     const std::vector<IntersectionSegment>& intersections() const {
         const std::scoped_lock lock{mutex_};
@@ -189,6 +196,7 @@ struct ObjectLines::State {
 private:
     mutable std::mutex mutex_;
     mutable std::optional<std::vector<IntersectionSegment>> intersections_;
+    mutable std::vector<std::optional<ControlMesh>> controls_;
 };
 
 ObjectLines::ObjectLines(const Scene& scene) : state_{std::make_unique<State>(scene)} {}
@@ -207,10 +215,12 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings) const {
 
     const Screen screen{camera, scene.bounds().centre, settings.picture.size};
     View view{scene, state_->rays, screen, {}, {}};
-    const CurveChoice choice{settings.lines.contour, standsOutside(scene, screen)};
-    for (std::uint32_t i = 0; i < scene.instances().size(); ++i)
+    CurveChoice choice{settings.lines.contour, settings.lines.subdivideAdaptive, nullptr, standsOutside(scene, screen)};
+    for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
+        if (choice.refinement > 0) choice.control = &state_->controlOf(scene.instances()[i].mesh);
         collectInstanceCurves(scene, i, state_->edges[scene.instances()[i].mesh], screen, choice, state_->bordersOf(i),
                               view.segments);
+    }
     watch.finish("curves");
     if ((settings.picture.lines & static_cast<std::uint8_t>(LineType::Intersection)) != 0)
         addIntersections(state_->intersections(), view.segments);

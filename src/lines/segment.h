@@ -23,9 +23,13 @@ inline constexpr Key noKey = ~Key{0};
 }
 /// A place on an edge, by the lesser of its half-edges.
 [[nodiscard]] constexpr Key edgeKey(std::uint32_t instance, std::uint32_t halfEdge) noexcept {
-    return (Key{1} << 62U) | (Key{instance} << 32U) | halfEdge;
+    return (Key{1} << 61U) | (Key{instance} << 32U) | halfEdge;
 }
 
+/// An edge of a RefinedContourMesh, numbered in an order of its own.
+[[nodiscard]] constexpr Key refinedKey(std::uint32_t instance, std::uint32_t number) noexcept {
+    return (Key{3} << 61U) | (Key{instance} << 32U) | number;
+}
 /// An end of an IntersectionSegment.
 [[nodiscard]] constexpr Key intersectionKey(std::uint32_t node) noexcept { return (Key{1} << 63U) | node; }
 
