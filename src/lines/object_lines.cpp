@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -50,6 +51,7 @@ struct View {
     const Scene& scene;
     const RayCaster& rays;
     const Screen& screen;
+    const ViewBuffers* buffers;
     std::vector<Segment> segments;
     std::vector<ScreenSegment> projected;
 
@@ -89,12 +91,32 @@ struct View {
         return other && std::abs(glm::dot(*other, normal)) > std::cos(glm::radians(scene.creaseAngle()));
     }
 
+    [[nodiscard]] glm::dvec2 placeAt(std::uint32_t s, double at) const {
+        return glm::mix(projected[s].ends[0].place, projected[s].ends[1].place, at);
+    }
+
+    [[nodiscard]] bool hides(std::uint32_t s, double at, glm::dvec3 point) const {
+        const Segment& segment = segments[s];
+        if (buffers != nullptr) {
+            const auto& ends = projected[s].ends;
+            const ScreenPoint place{placeAt(s, at), glm::mix(ends[0].nearness, ends[1].nearness, at)};
+            const double slack = segment.slack / screen.footprint(point);
+            const Guess guess = guessVisibility(*buffers, screen, place, outward(s), segment.faces, slack);
+            if (guess != Guess::Unsure) return guess == Guess::Hidden;
+        }
+        return rays.hides(screen, point, segment.faces, segment.slack);
+    }
+
     [[nodiscard]] Seen judge(std::uint32_t s, double at) const {
         const Segment& segment = segments[s];
         const glm::dvec3 point = pointAt(s, at);
-        if (rays.hides(screen, point, segment.faces, segment.slack)) return Seen::Hidden;
+        if (hides(s, at, point)) return Seen::Hidden;
         if (segment.curve != Curve::Contour && segment.curve != Curve::Boundary) return Seen::Inside;
         if (segment.curve == Curve::Boundary && goesOnAcross(segment, point)) return Seen::Seam;
+        if (buffers != nullptr && segment.slack == 0.0) {
+            const glm::dvec2 beside = placeAt(s, at) + outward(s);
+            return isBackground(*buffers, beside) ? Seen::Outline : Seen::Inside;
+        }
         const double beyond = outside + segment.slack / screen.footprint(point);
         const glm::dvec3 beside = point + screen.across(beyond * outward(s), point);
         return rays.meets(screen, beside) ? Seen::Inside : Seen::Outline;
@@ -206,7 +228,7 @@ bool ObjectLines::holds(const Scene& scene) const noexcept {
     return state_->scene.identity().lock() == scene.identity().lock();
 }
 
-Lines ObjectLines::find(const Camera& camera, const Settings& settings) const {
+Lines ObjectLines::find(const Camera& camera, const Settings& settings, const ViewBuffers* buffers) const {
     const Scene& scene = state_->scene;
     Lines result;
     result.size = settings.picture.size;
@@ -214,7 +236,7 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings) const {
     Stopwatch watch{result.times};
 
     const Screen screen{camera, scene.bounds().centre, settings.picture.size};
-    View view{scene, state_->rays, screen, {}, {}};
+    View view{scene, state_->rays, screen, buffers, {}, {}};
     CurveChoice choice{settings.lines.contour, settings.lines.subdivideAdaptive, nullptr, standsOutside(scene, screen)};
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
         if (choice.refinement > 0) choice.control = &state_->controlOf(scene.instances()[i].mesh);
@@ -235,9 +257,10 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings) const {
     watch.finish("crossings");
 
     std::vector<std::vector<Part>> parts(chains.size());
+    const double step = buffers == nullptr ? sampleStep : bufferStep;
     const Judge judge = [&](std::uint32_t segment, double at) { return view.judge(segment, at); };
     onEach(chains.size(), [&](std::size_t c) {
-        parts[c] = partChain(chains[c], view.projected, crossings, firstCrossings, judge);
+        parts[c] = partChain(chains[c], view.projected, crossings, firstCrossings, judge, step);
     });
     watch.finish("visibility");
 

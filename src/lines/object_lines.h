@@ -6,6 +6,8 @@
 #include <inkedge/scene.h>
 #include <inkedge/settings.h>
 
+#include "lines/view_buffers.h"
+
 namespace inkedge::lines {
 
 /// A scene made ready for its lines: edge tables and bounding volume hierarchies, made once for all views.
@@ -19,7 +21,9 @@ public:
 
     /// The lines that a camera sees and, if settings.lines.hidden asks for them, those hidden from it: section 3 of
     /// Hertzmann 1999.
-    [[nodiscard]] Lines find(const Camera&, const Settings&) const;
+    /// @param buffers  what the camera sees, of settings.picture.size: hidden lines are told by it, and by rays only where it
+    ///                 leaves a doubt; null: by rays alone
+    [[nodiscard]] Lines find(const Camera&, const Settings&, const ViewBuffers* buffers = nullptr) const;
 
 private:
     struct State;

@@ -13,12 +13,13 @@ constexpr double fine = 0.25;  // pixels: how closely a change is placed; shorte
 class ChainParter {
 public:
     ChainParter(const Chain& chain, std::span<const ScreenSegment> segments, std::span<const Crossing> crossings,
-                std::span<const std::uint32_t> firstCrossings, const Judge& judge)
+                std::span<const std::uint32_t> firstCrossings, const Judge& judge, double step)
         : chain_{chain},
           segments_{segments},
           crossings_{crossings},
           firstCrossings_{firstCrossings},
           judge_{judge},
+          step_{step},
           lengths_{0.0} {
         for (const Chain::Link& link : chain.links) {
             const ScreenSegment& s = segments[link.segment];
@@ -87,7 +88,7 @@ private:
             }
             return;
         }
-        const int samples = std::max(1, static_cast<int>(std::ceil((end - begin) / sampleStep)));
+        const int samples = std::max(1, static_cast<int>(std::ceil((end - begin) / step_)));
         double from = beginPlace;
         double before = 0.0;
         Seen seen{};
@@ -165,6 +166,7 @@ private:
     std::span<const Crossing> crossings_;
     std::span<const std::uint32_t> firstCrossings_;
     const Judge& judge_;
+    double step_;
     std::vector<double> lengths_;  // pixels from the chain's start to each joint
     std::vector<Part> parts_;
     std::vector<bool> unjudged_;  // one a part
@@ -174,8 +176,8 @@ private:
 
 std::vector<Part> partChain(const Chain& chain, std::span<const ScreenSegment> segments,
                             std::span<const Crossing> crossings, std::span<const std::uint32_t> firstCrossings,
-                            const Judge& judge) {
-    return ChainParter{chain, segments, crossings, firstCrossings, judge}.part();
+                            const Judge& judge, double step) {
+    return ChainParter{chain, segments, crossings, firstCrossings, judge, step}.part();
 }
 
 }  // namespace inkedge::lines

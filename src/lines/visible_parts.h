@@ -31,15 +31,18 @@ struct Part {
 /// Judges a place of a segment, 0 to 1 in the picture. Called by several threads at once.
 using Judge = std::function<Seen(std::uint32_t segment, double at)>;
 
+inline constexpr double sampleStep = 6.0;  ///< pixels
+inline constexpr double bufferStep = 1.0;  ///< where a look into a buffer says it
+
 /// Parts a chain where what is seen changes: at crossings, at its joints, and where two samples between these
-/// disagree. Pieces between crossings are sampled at most every sampleStep pixels and bisected where samples disagree.
+/// disagree. Pieces between crossings are sampled at least every step pixels and bisected where samples disagree.
 /// Hidden parts shorter than longestGap between seen ones count as seen, and seen ones shorter than leastPart as
 /// hidden: both are the mesh's facets, not the shape's.
 [[nodiscard]] std::vector<Part> partChain(const Chain&, std::span<const ScreenSegment>,
                                           std::span<const Crossing> crossings,
-                                          std::span<const std::uint32_t> firstCrossings, const Judge&);
+                                          std::span<const std::uint32_t> firstCrossings, const Judge&,
+                                          double step = sampleStep);
 
-inline constexpr double sampleStep = 6.0;  ///< pixels
 inline constexpr double longestGap = 2.5;
 inline constexpr double leastPart = 1.0;
 
