@@ -13,9 +13,11 @@
 #include "gl/stage_clock.h"
 #include "gl/upload.h"
 #include "ink/paint_strokes.h"
+#include "ink/screen_triangles.h"
 #include "ink/strokes_of.h"
 #include "ink/trace_lines.h"
 #include "lines/object_lines.h"
+#include "memory.h"
 #include "passes/composite.h"
 #include "passes/detect_edges.h"
 #include "passes/detect_lines.h"
@@ -23,6 +25,7 @@
 #include "passes/draw_surface.h"
 #include "passes/placement.h"
 #include "passes/read_maps.h"
+#include "tiles.h"
 
 namespace inkedge {
 namespace {
@@ -61,6 +64,10 @@ bool needsSurface(const Settings& settings) {
            wantsAny(settings, {Map::Depth, Map::Normal, Map::DepthEdges, Map::NormalEdges});
 }
 
+Size samplesOf(const PictureSettings& picture) {
+    return {picture.size.width * picture.supersampling, picture.size.height * picture.supersampling};
+}
+
 // What the triangles are drawn into.
 struct Geometry {
     std::optional<PlaneBuffers> planes;
@@ -68,26 +75,24 @@ struct Geometry {
 };
 
 // In one pass where both are wanted, of one size and with lights that need one pass only.
-Geometry drawGeometry(const View& view, gl::StageClock& clock) {
+Geometry drawGeometry(const View& view, const Tile& tile, gl::StageClock& clock) {
     const auto& [gpu, upload, scene, camera, settings] = view;
-    const PictureSettings& picture = settings.picture;
-    const int samples = picture.supersampling;
+    const int samples = settings.picture.supersampling;
     const bool planes = needsPlanes(settings);
     const bool surface = needsSurface(settings);
     Geometry geometry;
     if (planes && surface && samples == 1 && settings.detector.normalLights == NormalLights::Single) {
         PlanesAndSurface both =
-            drawPlanesAndSurface(gpu, upload, scene, camera, settings.detector.lightSpace, picture.size);
+            drawPlanesAndSurface(gpu, upload, scene, camera, settings.detector.lightSpace, tile);
         clock.finish("geometry");
         return {std::move(both.planes), std::move(both.surface)};
     }
     if (planes) {
-        geometry.planes =
-            drawPlanes(gpu, upload, scene, camera, {picture.size.width * samples, picture.size.height * samples});
+        geometry.planes = drawPlanes(gpu, upload, scene, camera, tile);
         clock.finish("planes");
     }
     if (surface) {
-        geometry.surface = drawSurface(gpu, upload, scene, camera, settings.detector, picture.size);
+        geometry.surface = drawSurface(gpu, upload, scene, camera, settings.detector, inPixels(tile, samples));
         clock.finish("surface");
     }
     return geometry;
@@ -111,29 +116,91 @@ void renderSurface(const View& view, const SurfaceBuffers& surface, gl::StageClo
     clock.finish("read-back");
 }
 
-// Lines of the planes detector: their types, ids and, unless the classic detector draws it, the picture.
-void renderPlanes(const View& view, const PlaneBuffers& buffers, gl::StageClock& clock, Maps& maps) {
+// Lines of the planes detector: their types, ids and, unless the classic detector draws the picture, the strokes.
+std::vector<Stroke> renderPlanes(const View& view, const Tile& tile, const PlaneBuffers& buffers,
+                                 const ScreenTriangles& triangles, gl::StageClock& clock, Maps& maps) {
     const auto& [gpu, upload, scene, camera, settings] = view;
     const PictureSettings& picture = settings.picture;
     const double unit = unitLength(scene);
 
     LineBuffers lines;
-    lines.marks = detectLines(gpu, buffers.planes, camera, unit, scene.creaseAngle());
+    lines.tile = tile;
+    lines.marks = detectLines(gpu, buffers.planes, tile, camera, unit, scene.creaseAngle());
     clock.finish("lines");
     lines.planes = gl::readFloats(gpu.api, buffers.planes, 4);
     lines.triangles = gl::readIntegers(gpu.api, buffers.triangles);
     clock.finish("read-back");
     TracedLines traced =
-        traceLines(std::move(lines), scene, upload.firstTriangles(), camera, unit, drawnTypes(picture),
-                   picture.supersampling, wants(settings, Map::Ids) ? TraceIds::Keep : TraceIds::Drop);
-    clock.finish("trace");
-    if (!drawsClassic(settings)) {
-        if (wants(settings, Map::Edges)) maps.edges = mask(traced.types, picture.lines);
-        maps.picture = paintStrokes(traced.strokes, picture);
-        clock.finish("paint");
-    }
+        traceLines(std::move(lines), scene, triangles, camera, unit, drawnTypes(picture), picture.supersampling,
+                   wants(settings, Map::Ids) ? TraceIds::Keep : TraceIds::Drop);
+    if (!drawsClassic(settings) && wants(settings, Map::Edges)) maps.edges = mask(traced.types, picture.lines);
     maps.ids = std::move(traced.ids);
     if (wants(settings, Map::Types)) maps.types = std::move(traced.types);
+    clock.finish("trace");
+    return std::move(traced.strokes);
+}
+
+// Puts a tile's picture and maps into the whole ones.
+void keepMaps(Maps part, const Tile& tile, Maps& maps) {
+    keep(std::move(part.picture), tile, maps.picture);
+    keep(std::move(part.depth), tile, maps.depth);
+    keep(std::move(part.windowDepth), tile, maps.windowDepth);
+    keep(std::move(part.normal), tile, maps.normal);
+    keep(std::move(part.depthMagnitude), tile, maps.depthMagnitude);
+    keep(std::move(part.normalMagnitude), tile, maps.normalMagnitude);
+    keep(std::move(part.depthEdges), tile, maps.depthEdges);
+    keep(std::move(part.normalEdges), tile, maps.normalEdges);
+    keep(std::move(part.edges), tile, maps.edges);
+    keep(std::move(part.types), tile, maps.types);
+    keep(std::move(part.ids), tile, maps.ids);
+}
+
+// Draws a picture tile by tile. Strokes reach over tiles' borders: they are painted when all are there.
+void renderTiles(const View& view, gl::StageClock& clock, Maps& maps) {
+    const auto& [gpu, upload, scene, camera, settings] = view;
+    const PictureSettings& picture = settings.picture;
+    const Size samples = samplesOf(picture);
+    std::optional<ScreenTriangles> triangles;
+    if (needsPlanes(settings)) triangles.emplace(scene, upload.firstTriangles(), camera, samples);
+    std::vector<Stroke> strokes;
+    for (const Tile& tile : tilesOf(samples, picture.tileSize)) {
+        Maps part;
+        const Geometry geometry = drawGeometry(view, tile, clock);
+        if (geometry.planes) {
+            const std::vector<Stroke> more = renderPlanes(view, tile, *geometry.planes, *triangles, clock, part);
+            strokes.insert(strokes.end(), more.begin(), more.end());
+        }
+        if (geometry.surface) renderSurface(view, *geometry.surface, clock, part);
+        keepMaps(std::move(part), inPixels(tile, picture.supersampling), maps);
+    }
+    if (drawsClassic(settings)) return;
+    maps.picture = paintStrokes(strokes, picture);
+    clock.finish("paint");
+}
+
+void check(const PictureSettings& picture) {
+    const Size size = picture.size;
+    if (picture.supersampling != 1 && picture.supersampling != 2 && picture.supersampling != 4) {
+        throw Error{Error::Kind::Usage,
+                    fmt::format("supersampling: expected 1, 2 or 4, found {}", picture.supersampling)};
+    }
+    if (picture.tileSize < PictureSettings::leastTileSize || picture.tileSize > PictureSettings::mostTileSize) {
+        throw Error{Error::Kind::Usage, fmt::format("tile-size: expected {} to {}, found {}", PictureSettings::leastTileSize,
+                                                    PictureSettings::mostTileSize, picture.tileSize)};
+    }
+    constexpr int most = PictureSettings::mostSide;
+    if (size.width >= 1 && size.height >= 1 && size.width <= most && size.height <= most) return;
+    throw Error{Error::Kind::Usage, fmt::format("size: expected 1x1 to {0}x{0} pixels, found {1}x{2}", most,
+                                                size.width, size.height)};
+}
+
+// Bytes a pixel that the picture and the maps take.
+std::uint64_t bytesPerPixel(const Settings& settings) {
+    std::uint64_t bytes = settings.picture.background ? 3 : 4;
+    const std::pair<Map, std::uint64_t> costs[]{{Map::Depth, 8}, {Map::Normal, 12}, {Map::DepthEdges, 5},
+                                                {Map::NormalEdges, 5}, {Map::Edges, 1}, {Map::Types, 1}, {Map::Ids, 16}};
+    for (const auto& [map, cost] : costs) bytes += wants(settings, map) ? cost : 0;
+    return bytes;
 }
 
 }  // namespace
@@ -141,13 +208,7 @@ void renderPlanes(const View& view, const PlaneBuffers& buffers, gl::StageClock&
 struct Renderer::State {
     explicit State(const BackendSettings& wish) : context{gl::createContext(wish)} {
         const gl::Current current{*context};
-        const gl::Api& api = context->api();
-        GLint sides[3]{};
-        api.GetIntegerv(GL_MAX_TEXTURE_SIZE, &sides[0]);
-        GLint viewport[2]{};
-        api.GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
-        maximumSize = std::min({sides[0], viewport[0], viewport[1]});
-        gpu = std::make_unique<gl::Gpu>(api);
+        gpu = std::make_unique<gl::Gpu>(context->api());
     }
     ~State() {
         const gl::Current current{*context};
@@ -156,19 +217,6 @@ struct Renderer::State {
     }
     State(const State&) = delete;
     State& operator=(const State&) = delete;
-
-    void check(const PictureSettings& picture) const {
-        const Size size = picture.size;
-        if (picture.supersampling != 1 && picture.supersampling != 2 && picture.supersampling != 4) {
-            throw Error{Error::Kind::Usage,
-                        fmt::format("supersampling: expected 1, 2 or 4, found {}", picture.supersampling)};
-        }
-        const int most = maximumSize / picture.supersampling;
-        if (size.width >= 1 && size.height >= 1 && size.width <= most && size.height <= most) return;
-        throw Error{Error::Kind::Usage,
-                    fmt::format("size: expected 1x1 to {0}x{0} pixels at supersampling {1}, found {2}x{3}", most,
-                                picture.supersampling, size.width, size.height)};
-    }
 
     const gl::UploadedScene& uploaded(const Scene& scene) {
         if (!upload || !upload->holds(scene)) {
@@ -179,7 +227,6 @@ struct Renderer::State {
     }
 
     std::unique_ptr<gl::Context> context;
-    int maximumSize = 0;
     std::unique_ptr<gl::Gpu> gpu;
     const lines::ObjectLines& prepared(const Scene& scene) {
         if (!objectLines || !objectLines->holds(scene)) {
@@ -199,7 +246,6 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
 const BackendInfo& Renderer::backend() const noexcept { return state_->context->info(); }
-int Renderer::maximumSize() const noexcept { return state_->maximumSize; }
 
 Lines Renderer::lines(const Scene& scene, const Camera& camera, const Settings& settings) {
     check(camera);
@@ -213,8 +259,9 @@ Lines Renderer::lines(const Scene& scene, const Camera& camera, const Settings& 
 }
 
 Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& settings) {
-    state_->check(settings.picture);
+    check(settings.picture);
     check(camera);
+    expectMemory(settings.picture.size, bytesPerPixel(settings));
     const gl::Current current{*state_->context};
     Maps maps;
     maps.camera = camera;
@@ -229,9 +276,7 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     }
     const View view{*state_->gpu, state_->uploaded(scene), scene, camera, settings};
     clock.finish("upload");
-    const Geometry geometry = drawGeometry(view, clock);
-    if (geometry.planes) renderPlanes(view, *geometry.planes, clock, maps);
-    if (geometry.surface) renderSurface(view, *geometry.surface, clock, maps);
+    renderTiles(view, clock, maps);
     state_->gpu->textures.trim();
     return maps;
 }

@@ -44,15 +44,35 @@ float shareOfBand(glm::vec2 normal, float distance, float width) {
     return shareBeside(inner, longer, shorter) + shareBeside(outer, longer, shorter) - 1.0F;
 }
 
+// Rows of a picture that are painted at once.
+struct Rows {
+    int first;
+    int count;
+};
+
+// Some million pixels in floats, whatever the picture's size.
+constexpr int pixelsAtOnce = 1 << 22;
+
+std::vector<Rows> rowsOf(Size size) {
+    const int count = std::max(1, pixelsAtOnce / size.width);
+    std::vector<Rows> all;
+    for (int y = 0; y < size.height; y += count) all.push_back({y, std::min(count, size.height - y)});
+    return all;
+}
+
+// How far from its centre line a stroke covers pixels' centres.
+float reachOf(float width) { return 0.5F * width + halfDiagonal; }
+
 // Raises coverage to that of a stroke: a band of the pen's width around its centre line, with round caps.
-void cover(Image<float>& coverage, const Stroke& stroke, float width) {
-    const float reach = 0.5F * width + halfDiagonal;
+// @param firstRow  of the picture that coverage shows
+void cover(Image<float>& coverage, int firstRow, const Stroke& stroke, float width) {
+    const float reach = reachOf(width);
     const glm::vec2 low = glm::min(stroke.from, stroke.to) - reach - 0.5F;
     const glm::vec2 high = glm::max(stroke.from, stroke.to) + reach - 0.5F;
     const int x0 = std::max(0, static_cast<int>(std::ceil(low.x)));
-    const int y0 = std::max(0, static_cast<int>(std::ceil(low.y)));
+    const int y0 = std::max(firstRow, static_cast<int>(std::ceil(low.y)));
     const int x1 = std::min(coverage.size.width - 1, static_cast<int>(std::floor(high.x)));
-    const int y1 = std::min(coverage.size.height - 1, static_cast<int>(std::floor(high.y)));
+    const int y1 = std::min(firstRow + coverage.size.height - 1, static_cast<int>(std::floor(high.y)));
 
     const glm::vec2 along = stroke.to - stroke.from;
     const float lengthSquared = glm::dot(along, along);
@@ -67,7 +87,7 @@ void cover(Image<float>& coverage, const Stroke& stroke, float width) {
             const float distance = glm::length(offset);
             if (distance >= reach) continue;
             const bool beside = (s > 0.0F && s < 1.0F) || distance < leastOffset;  // not at a cap
-            float& to = coverage.at(x, y);
+            float& to = coverage.at(x, y - firstRow);
             to = std::max(
                 to, beside ? shareOfBand(normal, distance, width) : shareOfBand(offset / distance, distance, width));
         }
@@ -122,14 +142,52 @@ std::vector<Coat> coatsOf(const std::array<Pen, penCount>& all) {
     return coats;
 }
 
-Image<float> emptyPicture(const PictureSettings& settings, bool grey) {
+Image<float> emptyPicture(const PictureSettings& settings, Size size, bool grey) {
     const Color behind = settings.background.value_or(settings.lineColor);
-    if (grey) return {settings.size, 1, static_cast<float>(behind.red)};
-    Image<float> picture{settings.size, settings.background ? 3 : 4, 0.0F};
+    if (grey) return {size, 1, static_cast<float>(behind.red)};
+    Image<float> picture{size, settings.background ? 3 : 4, 0.0F};
     const float channels[3]{static_cast<float>(behind.red), static_cast<float>(behind.green),
                             static_cast<float>(behind.blue)};
     for (std::size_t i = 0; i < picture.pixels.size(); i += static_cast<std::size_t>(picture.channels)) {
         std::copy_n(channels, 3, picture.pixels.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return picture;
+}
+
+using Pens = std::array<Pen, penCount>;
+
+// The strokes that reach into each part of the picture.
+std::vector<std::vector<Stroke>> sorted(std::span<const Stroke> strokes, const std::vector<Rows>& parts,
+                                        const Pens& allPens) {
+    std::vector<std::vector<Stroke>> each(parts.size());
+    const auto last = static_cast<float>(parts.size() - 1);
+    const auto partOf = [&](float y) {
+        return static_cast<std::size_t>(std::clamp(std::floor(y / static_cast<float>(parts[0].count)), 0.0F, last));
+    };
+    for (const Stroke& stroke : strokes) {
+        const float reach = reachOf(static_cast<float>(allPens[stroke.style].width)) + 1.0F;
+        const std::size_t end = partOf(std::max(stroke.from.y, stroke.to.y) + reach);
+        for (std::size_t i = partOf(std::min(stroke.from.y, stroke.to.y) - reach); i <= end; ++i) {
+            each[i].push_back(stroke);
+        }
+    }
+    return each;
+}
+
+// Lays one colour after the other over the background.
+Image<float> paintRows(Rows rows, std::span<const Stroke> strokes, const Pens& allPens,
+                       const std::vector<Coat>& coats, const PictureSettings& settings, bool grey) {
+    const Size size{settings.size.width, rows.count};
+    Image<float> picture = emptyPicture(settings, size, grey);
+    for (const Coat& coat : coats) {
+        const auto isOfCoat = [&](const Stroke& stroke) { return coat.pens.test(stroke.style); };
+        if (std::ranges::none_of(strokes, isOfCoat)) continue;
+        Image<float> coverage{size, 1, 0.0F};
+        for (const Stroke& stroke : strokes) {
+            if (!isOfCoat(stroke)) continue;
+            cover(coverage, rows.first, stroke, static_cast<float>(allPens[stroke.style].width));
+        }
+        blend(picture, coverage, coat.color);
     }
     return picture;
 }
@@ -140,19 +198,15 @@ Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureS
     const auto allPens = pens(settings);
     const bool grey = settings.background && settings.background->grey() &&
                       std::ranges::all_of(allPens, [](const Pen& pen) { return pen.color.grey(); });
-    Image<float> picture = emptyPicture(settings, grey);
-    for (const Coat& coat : coatsOf(allPens)) {
-        const auto isOfCoat = [&](const Stroke& stroke) { return coat.pens.test(stroke.style); };
-        if (std::ranges::none_of(strokes, isOfCoat)) continue;
-        Image<float> coverage{settings.size, 1, 0.0F};
-        for (const Stroke& stroke : strokes) {
-            if (isOfCoat(stroke)) cover(coverage, stroke, static_cast<float>(allPens[stroke.style].width));
-        }
-        blend(picture, coverage, coat.color);
+    const std::vector<Coat> coats = coatsOf(allPens);
+    const std::vector<Rows> parts = rowsOf(settings.size);
+    const std::vector<std::vector<Stroke>> strokesOf = sorted(strokes, parts, allPens);
+    Image<std::uint8_t> result{settings.size, grey ? 1 : settings.background ? 3 : 4};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Image<float> picture = paintRows(parts[i], strokesOf[i], allPens, coats, settings, grey);
+        std::ranges::transform(picture.pixels, &result.at(0, parts[i].first),
+                               [](float v) { return static_cast<std::uint8_t>(std::lround(v)); });
     }
-    Image<std::uint8_t> result{picture.size, picture.channels};
-    std::ranges::transform(picture.pixels, result.pixels.begin(),
-                           [](float v) { return static_cast<std::uint8_t>(std::lround(v)); });
     return result;
 }
 

@@ -28,16 +28,19 @@ Image<std::uint8_t> unpack(const Image<std::uint8_t>& blocks, Size size) {
 
 }  // namespace
 
-Image<std::uint8_t> detectLines(gl::Gpu& gpu, const gl::Texture& planes, const Camera& camera, double unit,
-                                double creaseAngle) {
+Image<std::uint8_t> detectLines(gl::Gpu& gpu, const gl::Texture& planes, const Tile& tile, const Camera& camera,
+                                double unit, double creaseAngle) {
     constexpr auto program = gl::Program::DetectLines;
     const Size size = planes.size();
     const double creaseCosine = std::cos(glm::radians(creaseAngle));
-    const double focal = camera.focalLength(size) * (camera.orthographic() ? unit : 1.0);
+    const double focal = camera.focalLength(tile.whole) * (camera.orthographic() ? unit : 1.0);
     const GLuint id = gpu.programs.id(program);
     gpu.api.ProgramUniform1f(id, 0, static_cast<float>(focal));
     gpu.api.ProgramUniform1i(id, 1, camera.orthographic() ? 1 : 0);
     gpu.api.ProgramUniform1f(id, 2, static_cast<float>(creaseCosine * std::abs(creaseCosine)));
+
+    gpu.api.ProgramUniform2f(id, 3, 0.5F * static_cast<float>(tile.whole.width) - static_cast<float>(tile.drawn.x),
+                             0.5F * static_cast<float>(tile.whole.height) - static_cast<float>(tile.drawn.y));
 
     const Size blocks{(size.width + blockSide - 1) / blockSide, (size.height + blockSide - 1) / blockSide};
     const gl::Texture marks = gpu.textures.acquire(blocks, GL_RGBA32UI);

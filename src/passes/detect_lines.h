@@ -4,18 +4,19 @@
 #include <inkedge/image.h>
 
 #include "gl/gpu.h"
+#include "tiles.h"
 
 namespace inkedge {
 
 /// Finds where the faces of neighbouring pixels do not go on into each other. Shader: detect_lines.frag; CPU
 /// definition: reference::detectLines(), which it equals but for decisions within float rounding.
-/// @param planes  as PlaneBuffers::planes
+/// @param planes  as PlaneBuffers::planes, of this tile
 /// @param unit    scene units in a unit length of the planes
 /// @param creaseAngle  degrees
 /// @return        reference::PairMark bits, one byte a pixel, row 0 at the top: the low four bits for the pixel and the
 /// one
 ///                to its right, the high four for the pixel and the one below
-[[nodiscard]] Image<std::uint8_t> detectLines(gl::Gpu&, const gl::Texture& planes, const Camera&, double unit,
-                                              double creaseAngle);
+[[nodiscard]] Image<std::uint8_t> detectLines(gl::Gpu&, const gl::Texture& planes, const Tile&, const Camera&,
+                                              double unit, double creaseAngle);
 
 }  // namespace inkedge

@@ -138,14 +138,15 @@ public:
     }
 
     TracedLines trace(LineBuffers lines, Size size) {
-        return traceLines(std::move(lines), scene(usualModel), upload(usualModel).firstTriangles(),
-                          camera(usualModel, size), unitLength(scene(usualModel)), drawnTypes(pictureSettings(size)), 1,
+        const ScreenTriangles triangles{scene(usualModel), upload(usualModel).firstTriangles(),
+                                        camera(usualModel, size), size};
+        return traceLines(std::move(lines), scene(usualModel), triangles, camera(usualModel, size), unitLength(scene(usualModel)), drawnTypes(pictureSettings(size)), 1,
                           TraceIds::Drop);
     }
 
     Image<std::uint8_t> findLines(const PlaneBuffers& planes, Size size) {
         const Scene& model = scene(usualModel);
-        return detectLines(gpu_, planes.planes, camera(usualModel, size), unitLength(model), model.creaseAngle());
+        return detectLines(gpu_, planes.planes, size, camera(usualModel, size), unitLength(model), model.creaseAngle());
     }
 
 private:
@@ -156,6 +157,7 @@ private:
         SurfaceBuffers surface = drawSurface(gpu_, upload(usualModel), model, view, {}, size);
         EdgeMarks edges = readMarks(api(), detectEdges(gpu_, surface.surface, view, {}, Magnitudes::Drop));
         LineBuffers lines;
+        lines.tile = size;
         lines.marks = findLines(planes, size);
         lines.planes = gl::readFloats(api(), planes.planes, 4);
         lines.triangles = gl::readIntegers(api(), planes.triangles);

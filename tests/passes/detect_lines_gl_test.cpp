@@ -71,7 +71,7 @@ public:
     Comparison compare(const Camera& camera, Size size, double creaseAngle) {
         const double unit = unitLength(scene_);
         const PlaneBuffers buffers = drawPlanes(gpu_, upload_, scene_, camera, size);
-        const Image<std::uint8_t> marks = detectLines(gpu_, buffers.planes, camera, unit, creaseAngle);
+        const Image<std::uint8_t> marks = detectLines(gpu_, buffers.planes, size, camera, unit, creaseAngle);
         const Image<float> planes = gl::readFloats(gpu_.api, buffers.planes, 4);
         const double focal = 0.5 * size.height * camera.projection(size)[1][1] * (camera.orthographic() ? unit : 1.0);
         const Image<std::uint8_t> expected = reference::detectLines(planes, focal, camera.orthographic(), creaseAngle);
@@ -179,7 +179,7 @@ TEST_P(DetectLines, takeTheCreaseAngleTheyAreGiven) {
         camera.near = -20.0;
         const PlaneBuffers buffers = drawPlanes(gpu(), upload, scene, camera, size);
         for (const double angle : {bend - 0.5, bend + 0.5}) {
-            const Image<std::uint8_t> marks = detectLines(gpu(), buffers.planes, camera, unitLength(scene), angle);
+            const Image<std::uint8_t> marks = detectLines(gpu(), buffers.planes, size, camera, unitLength(scene), angle);
             for (int y = 0; y < size.height; ++y) {
                 EXPECT_EQ(marks.at(15, y), angle < bend ? PairMark::bend : 0U) << bend << ", " << angle;
                 EXPECT_EQ(marks.at(14, y), 0U);

@@ -290,7 +290,7 @@ TEST(Set, refusesWhatIsNoSize) {
         expectRefusal("size", text, "--flag: expected a whole number from 0, found '" + text + "'");
     }
     for (const std::string text : {"0x0", "0x5", "5x0"}) {
-        expectRefusal("size", text, "--flag: expected a width and a height of at least 1 pixel, found '" + text + "'");
+        expectRefusal("size", text, "--flag: expected 1x1 to 32768x32768 pixels, found '" + text + "'");
     }
 }
 
