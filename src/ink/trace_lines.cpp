@@ -107,7 +107,10 @@ private:
         const double wp = static_cast<double>(buffers_.planes.at(p.x, p.y));
         const double wq = static_cast<double>(buffers_.planes.at(q.x, q.y));
         if (std::abs(wp - wq) > rounding * std::max(std::abs(wp), std::abs(wq))) return wq > wp;
-        return plane(q).w > plane(p).w;
+        constexpr double equal = 1e-9;  // faces that lie as deep as each other stay so, however numbers are rounded
+        const double atP = plane(p).w;
+        const double atQ = plane(q).w;
+        return atQ - atP > equal * std::max(std::abs(atP), std::abs(atQ));
     }
 
     // Where the planes of p and q meet on the step from p to q, if they do and it can be told.
@@ -356,7 +359,7 @@ Image<std::uint8_t> typesOfPixels(const Image<std::uint8_t>& samples, int sample
     return types;
 }
 
-// A pixel's ids are those of its first sample on a line, or of its middle one.
+// A pixel's ids are those of its first sample beside a line, or of its middle one.
 Image<std::uint32_t> idsOfPixels(const TracedLines& traced, int samplesPerPixel) {
     const Size size{traced.ids.size.width / samplesPerPixel, traced.ids.size.height / samplesPerPixel};
     Image<std::uint32_t> ids{size, traced.ids.channels};
@@ -367,7 +370,7 @@ Image<std::uint32_t> idsOfPixels(const TracedLines& traced, int samplesPerPixel)
             for (int i = samplesPerPixel * samplesPerPixel - 1; i >= 0; --i) {
                 const int sampleX = x * samplesPerPixel + i % samplesPerPixel;
                 const int sampleY = y * samplesPerPixel + i / samplesPerPixel;
-                if (traced.types.at(sampleX, sampleY) == 0) continue;
+                if (traced.types.at(sampleX, sampleY) == 0 && traced.ids.at(sampleX, sampleY, 1) == 0) continue;
                 fromX = sampleX;
                 fromY = sampleY;
             }
