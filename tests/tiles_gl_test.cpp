@@ -114,8 +114,8 @@ TEST_P(Tiling, changesNoPixelOfClassicEdges) {
     }
 }
 
-// Where two surfaces are equally near, or one is seen so flat that it all but jumps from pixel to pixel, the rounding of
-// interpolation decides, and each tile has its own: 0 to 25 pixels of these on llvmpipe.
+// Where two surfaces are equally near, or two faces meet at just the crease angle (30 degrees on grazing_plane's sphere), the
+// rounding of interpolation decides, and each tile has its own: 0 to 25 pixels of these on llvmpipe.
 TEST_P(Tiling, changesFewPixelsWhereRoundingDecides) {
     for (const std::string name : {"touching_solids", "grazing_plane"}) {
         SCOPED_TRACE(name);
