@@ -15,100 +15,124 @@ namespace {
 constexpr float halfDiagonal = 0.70711F;  // of a pixel
 constexpr float leastOffset = 1e-4F;      // pixels: a shorter one has no direction worth the name
 
-// The share of a pixel's square that lies on one side of a line: how far the line is from its centre, positive if the
-// centre is on that side; how far the square reaches across the line, along its longer and its shorter axis.
-float shareBeside(float distance, float longer, float shorter) {
-    const float t = std::abs(distance);
-    const float even = 0.5F * (longer - shorter);
-    const float end = 0.5F * (longer + shorter);
-    float far = 1.0F;
-    if (t <= even) {
-        far = 0.5F + t / longer;
-    } else if (t < end) {
-        far -= (end - t) * (end - t) / (2.0F * longer * shorter);
+// A band's direction, as far as the share of a pixel's square that it covers depends on it.
+class BandShare {
+public:
+    /// @param normal  across the band, unit
+    BandShare(glm::vec2 normal, float width) : halfWidth_{0.5F * width} {
+        const glm::vec2 across = glm::abs(normal);
+        longer_ = std::max(across.x, across.y);
+        const float shorter = std::min(across.x, across.y);
+        even_ = 0.5F * (longer_ - shorter);
+        end_ = 0.5F * (longer_ + shorter);
+        corner_ = 2.0F * longer_ * shorter;
     }
-    return distance < 0.0F ? 1.0F - far : far;
-}
 
-// The share of a pixel that a straight band covers: exact.
-// @param normal    across the band, unit
-// @param distance  of its centre line from the pixel's centre
-float shareOfBand(glm::vec2 normal, float distance, float width) {
-    const float outer = 0.5F * width + distance;
-    const float inner = 0.5F * width - distance;
-    if (inner >= halfDiagonal) return 1.0F;
-    if (inner <= -halfDiagonal) return 0.0F;
-    const glm::vec2 across = glm::abs(normal);
-    const float longer = std::max(across.x, across.y);
-    const float shorter = std::min(across.x, across.y);
-    return shareBeside(inner, longer, shorter) + shareBeside(outer, longer, shorter) - 1.0F;
-}
+    /// Exact.
+    /// @param distance  of the band's centre line from the pixel's centre
+    [[nodiscard]] float at(float distance) const {
+        const float outer = halfWidth_ + distance;
+        const float inner = halfWidth_ - distance;
+        if (inner >= halfDiagonal) return 1.0F;
+        if (inner <= -halfDiagonal) return 0.0F;
+        return beside(inner) + beside(outer) - 1.0F;
+    }
 
-// Rows of a picture that are painted at once.
-struct Rows {
-    int first;
-    int count;
+private:
+    // The share that lies on one side of a line: how far it is from the centre, positive if the centre is on that side.
+    [[nodiscard]] float beside(float distance) const {
+        const float t = std::abs(distance);
+        float far = 1.0F;
+        if (t <= even_) {
+            far = 0.5F + t / longer_;
+        } else if (t < end_) {
+            far -= (end_ - t) * (end_ - t) / corner_;
+        }
+        return distance < 0.0F ? 1.0F - far : far;
+    }
+
+    float halfWidth_;
+    float longer_;  // how far the square reaches across, along its longer axis
+    float even_;    // up to here a line cuts two opposite sides
+    float end_;     // from here on it cuts none
+    float corner_;
 };
 
-// Some million pixels in floats, whatever the picture's size.
-constexpr int pixelsAtOnce = 1 << 22;
+// Pixels from (x0, y0) to (x1, y1); none if it ends before it begins.
+struct Box {
+    int x0;
+    int y0;
+    int x1;
+    int y1;
+};
 
-std::vector<Rows> rowsOf(Size size) {
-    const int count = std::max(1, pixelsAtOnce / size.width);
-    std::vector<Rows> all;
-    for (int y = 0; y < size.height; y += count) all.push_back({y, std::min(count, size.height - y)});
-    return all;
-}
-
-// How far from its centre line a stroke covers pixels' centres.
-float reachOf(float width) { return 0.5F * width + halfDiagonal; }
-
-// Raises coverage to that of a stroke: a band of the pen's width around its centre line, with round caps.
-// @param firstRow  of the picture that coverage shows
-void cover(Image<float>& coverage, int firstRow, const Stroke& stroke, float width) {
-    const float reach = reachOf(width);
+// The pixels of a picture that a stroke may cover.
+Box boxOf(const Stroke& stroke, float width, Size size) {
+    const float reach = 0.5F * width + halfDiagonal;
     const glm::vec2 low = glm::min(stroke.from, stroke.to) - reach - 0.5F;
     const glm::vec2 high = glm::max(stroke.from, stroke.to) + reach - 0.5F;
-    const int x0 = std::max(0, static_cast<int>(std::ceil(low.x)));
-    const int y0 = std::max(firstRow, static_cast<int>(std::ceil(low.y)));
-    const int x1 = std::min(coverage.size.width - 1, static_cast<int>(std::floor(high.x)));
-    const int y1 = std::min(firstRow + coverage.size.height - 1, static_cast<int>(std::floor(high.y)));
+    return {std::max(0, static_cast<int>(std::ceil(low.x))), std::max(0, static_cast<int>(std::ceil(low.y))),
+            std::min(size.width - 1, static_cast<int>(std::floor(high.x))),
+            std::min(size.height - 1, static_cast<int>(std::floor(high.y)))};
+}
 
+// Some rows of the picture, small enough to stay in the processor's cache while strokes are laid over each other.
+constexpr int stripRows = 16;
+
+struct Strip {
+    int firstRow;
+    Image<float> picture;
+    Image<float> coverage;
+};
+
+// Raises coverage to that of a stroke: a band of the pen's width around its centre line, with round caps.
+// @param box  its pixels
+void cover(Strip& strip, const Stroke& stroke, float width, Box box) {
+    const float reach = 0.5F * width + halfDiagonal;
     const glm::vec2 along = stroke.to - stroke.from;
     const float lengthSquared = glm::dot(along, along);
     const glm::vec2 perLength = lengthSquared > 0.0F ? along / lengthSquared : glm::vec2{0.0F};
     const glm::vec2 normal =
         lengthSquared > 0.0F ? glm::vec2{-along.y, along.x} / std::sqrt(lengthSquared) : glm::vec2{1, 0};
-    for (int y = y0; y <= y1; ++y) {
-        for (int x = x0; x <= x1; ++x) {
+    const BandShare band{normal, width};
+    const int y1 = std::min(box.y1, strip.firstRow + stripRows - 1);
+    for (int y = std::max(box.y0, strip.firstRow); y <= y1; ++y) {
+        float* const row = &strip.coverage.at(0, y - strip.firstRow);
+        for (int x = box.x0; x <= box.x1; ++x) {
             const glm::vec2 p = glm::vec2{static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F} - stroke.from;
             const float s = glm::dot(p, perLength);
             const glm::vec2 offset = p - std::clamp(s, 0.0F, 1.0F) * along;
-            const float distance = glm::length(offset);
-            if (distance >= reach) continue;
+            const float distanceSquared = glm::dot(offset, offset);
+            if (distanceSquared >= reach * reach || row[x] >= 1.0F) continue;
+            const float distance = std::sqrt(distanceSquared);
             const bool beside = (s > 0.0F && s < 1.0F) || distance < leastOffset;  // not at a cap
-            float& to = coverage.at(x, y - firstRow);
-            to = std::max(
-                to, beside ? shareOfBand(normal, distance, width) : shareOfBand(offset / distance, distance, width));
+            row[x] = std::max(row[x], beside ? band.at(distance) : BandShare{offset / distance, width}.at(distance));
         }
     }
 }
 
 // Lays a colour over a picture as far as it covers.
-void blend(Image<float>& picture, const Image<float>& coverage, Color color) {
+void blend(Strip& strip, Color color) {
     const float channels[3]{static_cast<float>(color.red), static_cast<float>(color.green),
                             static_cast<float>(color.blue)};
-    for (std::size_t i = 0; i < coverage.pixels.size(); ++i) {
-        const float c = coverage.pixels[i];
-        if (c == 0.0F) continue;
-        float* pixel = &picture.pixels[i * static_cast<std::size_t>(picture.channels)];
-        if (picture.channels == 4) {  // straight alpha: the colour is that of the ink alone
+    const auto count = static_cast<std::size_t>(strip.picture.channels);
+    float* pixel = strip.picture.pixels.data();
+    if (count == 1) {
+        for (const float c : strip.coverage.pixels) {
+            *pixel += (channels[0] - *pixel) * c;
+            ++pixel;
+        }
+        return;
+    }
+    for (const float c : strip.coverage.pixels) {
+        if (c != 0.0F && count == 4) {  // straight alpha: the colour is that of the ink alone
             const float alpha = c + pixel[3] / 255.0F * (1.0F - c);
             for (int k = 0; k < 3; ++k) pixel[k] += (channels[k] - pixel[k]) * c / alpha;
             pixel[3] = 255.0F * alpha;
-        } else {
-            for (int k = 0; k < picture.channels; ++k) pixel[k] += (channels[k] - pixel[k]) * c;
+        } else if (c != 0.0F) {
+            for (int k = 0; k < 3; ++k) pixel[k] += (channels[k] - pixel[k]) * c;
         }
+        pixel += count;
     }
 }
 
@@ -142,12 +166,12 @@ std::vector<Coat> coatsOf(const std::array<Pen, penCount>& all) {
     return coats;
 }
 
-Image<float> emptyPicture(const PictureSettings& settings, Size size, bool grey) {
+// As many channels as the picture needs.
+Image<std::uint8_t> emptyPicture(const PictureSettings& settings, bool grey) {
     const Color behind = settings.background.value_or(settings.lineColor);
-    if (grey) return {size, 1, static_cast<float>(behind.red)};
-    Image<float> picture{size, settings.background ? 3 : 4, 0.0F};
-    const float channels[3]{static_cast<float>(behind.red), static_cast<float>(behind.green),
-                            static_cast<float>(behind.blue)};
+    if (grey) return {settings.size, 1, behind.red};
+    Image<std::uint8_t> picture{settings.size, settings.background ? 3 : 4};
+    const std::uint8_t channels[3]{behind.red, behind.green, behind.blue};
     for (std::size_t i = 0; i < picture.pixels.size(); i += static_cast<std::size_t>(picture.channels)) {
         std::copy_n(channels, 3, picture.pixels.begin() + static_cast<std::ptrdiff_t>(i));
     }
@@ -156,40 +180,44 @@ Image<float> emptyPicture(const PictureSettings& settings, Size size, bool grey)
 
 using Pens = std::array<Pen, penCount>;
 
-// The strokes that reach into each part of the picture.
-std::vector<std::vector<Stroke>> sorted(std::span<const Stroke> strokes, const std::vector<Rows>& parts,
-                                        const Pens& allPens) {
-    std::vector<std::vector<Stroke>> each(parts.size());
-    const auto last = static_cast<float>(parts.size() - 1);
-    const auto partOf = [&](float y) {
-        return static_cast<std::size_t>(std::clamp(std::floor(y / static_cast<float>(parts[0].count)), 0.0F, last));
-    };
+struct BoxedStroke {
+    const Stroke* stroke;
+    float width;
+    Box box;
+};
+
+// The strokes that each strip shows, in their order.
+std::vector<std::vector<BoxedStroke>> sorted(std::span<const Stroke> strokes, const Pens& allPens, Size size) {
+    std::vector<std::vector<BoxedStroke>> strips(static_cast<std::size_t>((size.height + stripRows - 1) / stripRows));
     for (const Stroke& stroke : strokes) {
-        const float reach = reachOf(static_cast<float>(allPens[stroke.style].width)) + 1.0F;
-        const std::size_t end = partOf(std::max(stroke.from.y, stroke.to.y) + reach);
-        for (std::size_t i = partOf(std::min(stroke.from.y, stroke.to.y) - reach); i <= end; ++i) {
-            each[i].push_back(stroke);
+        const auto width = static_cast<float>(allPens[stroke.style].width);
+        const Box box = boxOf(stroke, width, size);
+        if (box.x0 > box.x1) continue;
+        for (int y = box.y0; y <= box.y1; y = (y / stripRows + 1) * stripRows) {
+            strips[static_cast<std::size_t>(y / stripRows)].push_back({&stroke, width, box});
         }
     }
-    return each;
+    return strips;
 }
 
-// Lays one colour after the other over the background.
-Image<float> paintRows(Rows rows, std::span<const Stroke> strokes, const Pens& allPens,
-                       const std::vector<Coat>& coats, const PictureSettings& settings, bool grey) {
-    const Size size{settings.size.width, rows.count};
-    Image<float> picture = emptyPicture(settings, size, grey);
+// Paints strokes over the part of a picture that a strip covers.
+void paint(Strip& strip, std::span<const BoxedStroke> strokes, std::span<const Coat> coats,
+           Image<std::uint8_t>& picture) {
+    const auto begin = &picture.at(0, strip.firstRow);
+    const int rows = std::min(stripRows, picture.size.height - strip.firstRow);
+    const std::ptrdiff_t values = std::ptrdiff_t{rows} * picture.size.width * picture.channels;
+    std::copy_n(begin, values, strip.picture.pixels.begin());
     for (const Coat& coat : coats) {
-        const auto isOfCoat = [&](const Stroke& stroke) { return coat.pens.test(stroke.style); };
+        const auto isOfCoat = [&](const BoxedStroke& s) { return coat.pens.test(s.stroke->style); };
         if (std::ranges::none_of(strokes, isOfCoat)) continue;
-        Image<float> coverage{size, 1, 0.0F};
-        for (const Stroke& stroke : strokes) {
-            if (!isOfCoat(stroke)) continue;
-            cover(coverage, rows.first, stroke, static_cast<float>(allPens[stroke.style].width));
+        std::ranges::fill(strip.coverage.pixels, 0.0F);
+        for (const BoxedStroke& s : strokes) {
+            if (isOfCoat(s)) cover(strip, *s.stroke, s.width, s.box);
         }
-        blend(picture, coverage, coat.color);
+        blend(strip, coat.color);
     }
-    return picture;
+    constexpr auto rounded = [](float v) { return static_cast<std::uint8_t>(static_cast<int>(double{v} + 0.5)); };
+    std::transform(strip.picture.pixels.begin(), strip.picture.pixels.begin() + values, begin, rounded);
 }
 
 }  // namespace
@@ -199,15 +227,14 @@ Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureS
     const bool grey = settings.background && settings.background->grey() &&
                       std::ranges::all_of(allPens, [](const Pen& pen) { return pen.color.grey(); });
     const std::vector<Coat> coats = coatsOf(allPens);
-    const std::vector<Rows> parts = rowsOf(settings.size);
-    const std::vector<std::vector<Stroke>> strokesOf = sorted(strokes, parts, allPens);
-    Image<std::uint8_t> result{settings.size, grey ? 1 : settings.background ? 3 : 4};
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const Image<float> picture = paintRows(parts[i], strokesOf[i], allPens, coats, settings, grey);
-        std::ranges::transform(picture.pixels, &result.at(0, parts[i].first),
-                               [](float v) { return static_cast<std::uint8_t>(std::lround(v)); });
+    Image<std::uint8_t> picture = emptyPicture(settings, grey);
+    const Size stripSize{settings.size.width, stripRows};
+    Strip strip{0, {stripSize, picture.channels}, {stripSize, 1}};
+    for (const std::vector<BoxedStroke>& shown : sorted(strokes, allPens, settings.size)) {
+        if (!shown.empty()) paint(strip, shown, coats, picture);
+        strip.firstRow += stripRows;
     }
-    return result;
+    return picture;
 }
 
 }  // namespace inkedge

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
+#include <iterator>
 #include <optional>
 #include <span>
 
@@ -27,9 +29,37 @@ struct Crossing {
 
 // The crossings of one row of samples with their neighbours to the right and below.
 struct CrossingRow {
+    explicit CrossingRow(int width) : right(static_cast<std::size_t>(width)), down(static_cast<std::size_t>(width)) {}
+
+    // Most samples have none.
+    void clear() {
+        for (const int column : columns) right[static_cast<std::size_t>(column)].types = 0;
+        for (const int column : columns) down[static_cast<std::size_t>(column)].types = 0;
+        columns.clear();
+    }
+
     std::vector<Crossing> right;
     std::vector<Crossing> down;
+    std::vector<int> columns;  // where there are some, ascending
 };
+
+// Calls visit(x) where a row of marks is not 0. Most are: skips them by eights.
+template <class Visit>
+void forEachMarked(const Image<std::uint8_t>& marks, int y, int begin, int end, Visit visit) {
+    const std::uint8_t* const row = &marks.at(0, y);
+    constexpr int step = sizeof(std::uint64_t);
+    for (int x = begin; x < end;) {
+        std::uint64_t next = 1;
+        if (x + step <= end) std::memcpy(&next, row + x, sizeof next);
+        if (next == 0) {
+            x += step;
+            continue;
+        }
+        for (const int stop = std::min(x + step, end); x < stop; ++x) {
+            if (row[x] != 0) visit(x);
+        }
+    }
+}
 
 // Counted in the tile.
 struct Sample {
@@ -58,18 +88,15 @@ public:
           columns_{aroundKept(buffers.tile)},
           types_{buffers.marks.size, 1} {}
 
-    CrossingRow row(int y) {
-        const Size size = buffers_.marks.size;
-        CrossingRow crossings{std::vector<Crossing>(static_cast<std::size_t>(size.width)),
-                              std::vector<Crossing>(static_cast<std::size_t>(size.width))};
-        for (int x = columns_.x; x < columns_.x + columns_.size.width; ++x) {
+    void traceRow(int y, CrossingRow& crossings) {
+        crossings.clear();
+        forEachMarked(buffers_.marks, y, columns_.x, columns_.x + columns_.size.width, [&](int x) {
             const unsigned marks = buffers_.marks.at(x, y);
-            if (marks == 0) continue;
             const auto column = static_cast<std::size_t>(x);
             if ((marks & 15U) != 0) crossings.right[column] = crossing({x, y}, {x + 1, y}, marks & 15U);
             if ((marks >> 4U) != 0) crossings.down[column] = crossing({x, y}, {x, y + 1}, marks >> 4U);
-        }
-        return crossings;
+            crossings.columns.push_back(x);
+        });
     }
 
     // LineType bits at the nearer sample of each crossing traced so far.
@@ -196,12 +223,12 @@ public:
     void apply() {
         const Size size = buffers_.marks.size;
         for (int y = 1; y + 1 < size.height; ++y) {
-            for (int x = 1; x + 1 < size.width; ++x) {
-                if (!standsAlone(x, y) || !isPinhole(x, y)) continue;
+            forEachMarked(buffers_.marks, y, 1, size.width - 1, [&](int x) {
+                if (!standsAlone(x, y) || !isPinhole(x, y)) return;
                 buffers_.marks.at(x, y) = 0;
                 buffers_.marks.at(x - 1, y) &= belowMarks;
                 buffers_.marks.at(x, y - 1) &= rightMarks;
-            }
+            });
         }
     }
 
@@ -255,18 +282,32 @@ public:
     //        --------- bottom
     // @param y  of the whole picture
     void join(int y, const CrossingRow& above, const CrossingRow& below) {
-        const auto& [whole, drawn, kept] = tile_;
-        for (int x = kept.x; x < std::min(kept.x + kept.size.width, whole.width - 1); ++x) {
-            const auto column = static_cast<std::size_t>(x - drawn.x);
+        const Rectangle kept = tile_.keptInDrawn();
+        const int end = std::min(kept.x + kept.size.width, tile_.drawn.size.width - 1);
+        findCells(above.columns, below.columns);
+        for (const int x : cells_) {
+            if (x < kept.x || x >= end) continue;
+            const auto column = static_cast<std::size_t>(x);
             const Crossing* sides[4]{&above.right[column], &below.right[column], &above.down[column],
                                      &above.down[column + 1]};
             const auto drawnEnd =
                 std::remove_if(sides, sides + 4, [&](const Crossing* c) { return (c->types & types_.drawn) == 0; });
-            joinCell({sides, static_cast<std::size_t>(drawnEnd - sides)}, x, y);
+            joinCell({sides, static_cast<std::size_t>(drawnEnd - sides)}, x + tile_.drawn.x, y);
         }
     }
 
 private:
+    // The cells that crossings lie on, counted by their left column in the tile; -1 and the last column among them.
+    void findCells(const std::vector<int>& above, const std::vector<int>& below) {
+        upper_.clear();
+        for (const int column : above) {
+            if (upper_.empty() || upper_.back() < column - 1) upper_.push_back(column - 1);
+            upper_.push_back(column);
+        }
+        cells_.clear();
+        std::ranges::set_union(upper_, below, std::back_inserter(cells_));
+    }
+
     [[nodiscard]] std::uint8_t styleOf(const Crossing& c) const {
         const auto drawn = static_cast<unsigned>(c.types & types_.drawn);
         const unsigned styled = drawn & types_.styled;
@@ -316,6 +357,8 @@ private:
     float scale_;
     const Tile& tile_;
     std::vector<Stroke>& strokes_;
+    std::vector<int> upper_;  // cells that touch a crossing of the row above, ascending
+    std::vector<int> cells_;  // those of either row
 };
 
 // The patch, the patch across, the node and the material of each sample.
@@ -398,11 +441,13 @@ TracedLines traceLines(LineBuffers buffers, const Scene& scene, const ScreenTria
     const Tile& tile = buffers.tile;
     const Rectangle rows = aroundKept(tile);
     CellJoiner joiner{types, samplesPerPixel, tile, traced.strokes};
-    CrossingRow above = tracer.row(rows.y);
+    CrossingRow above{tile.drawn.size.width};
+    CrossingRow below{tile.drawn.size.width};
+    tracer.traceRow(rows.y, above);
     for (int y = rows.y + 1; y < rows.y + rows.size.height; ++y) {
-        CrossingRow below = tracer.row(y);
+        tracer.traceRow(y, below);
         if (const int cells = y - 1 + tile.drawn.y; cells >= tile.kept.y) joiner.join(cells, above, below);
-        above = std::move(below);
+        std::swap(above, below);
     }
     traced.types = cropped(tracer.takeTypes(), tile.keptInDrawn());
     if (ids == TraceIds::Keep) traced.ids = cropped(traceIds(buffers, scene, triangles), tile.keptInDrawn());
