@@ -127,8 +127,10 @@ std::vector<Stroke> renderPlanes(const View& view, const Tile& tile, const Plane
     lines.tile = tile;
     lines.marks = detectLines(gpu, buffers.planes, tile, camera, unit, scene.creaseAngle());
     clock.finish("lines");
-    lines.planes = gl::readFloats(gpu.api, buffers.planes, 4);
-    lines.triangles = gl::readIntegers(gpu.api, buffers.triangles);
+    std::vector<Rectangle> regions = regionsAround(lines.marks);
+    if (wants(settings, Map::Ids)) regions = {{0, 0, lines.marks.size}};
+    lines.planes = gl::readFloats(gpu.api, buffers.planes, 4, regions);
+    lines.triangles = gl::readIntegers(gpu.api, buffers.triangles, regions);
     clock.finish("read-back");
     TracedLines traced =
         traceLines(std::move(lines), scene, triangles, camera, unit, drawnTypes(picture), picture.supersampling,

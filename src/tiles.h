@@ -7,15 +7,9 @@
 
 #include <inkedge/image.h>
 
-namespace inkedge {
+#include "rectangle.h"
 
-/// A part of an image; (x, y) is its top left corner.
-struct Rectangle {
-    int x = 0;
-    int y = 0;
-    Size size;
-    friend bool operator==(const Rectangle&, const Rectangle&) = default;
-};
+namespace inkedge {
 
 /// A part of a picture that is drawn at once. Lengths are samples (or pixels, see inPixels()) of the whole picture.
 struct Tile {

@@ -10,16 +10,17 @@
 
 #include "ink/paint_strokes.h"
 #include "ink/screen_triangles.h"
+#include "samples.h"
 #include "tiles.h"
 
 namespace inkedge {
 
 /// What the detector left for the ink, in samples: one a pixel, or 2 x 2 or 4 x 4. Row 0 is the tile's top row.
 struct LineBuffers {
-    Tile tile;                       ///< what they show
-    Image<float> planes;             ///< as PlaneBuffers::planes
-    Image<std::uint32_t> triangles;  ///< as PlaneBuffers::triangles
-    Image<std::uint8_t> marks;       ///< as detectLines() returns them
+    Tile tile;                         ///< what they show
+    Samples<float> planes;             ///< as PlaneBuffers::planes; needed where regionsAround() the marks are
+    Samples<std::uint32_t> triangles;  ///< as PlaneBuffers::triangles; likewise, everywhere for TraceIds::Keep
+    Image<std::uint8_t> marks;         ///< as detectLines() returns them
 };
 
 struct TracedLines {

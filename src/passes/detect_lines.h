@@ -1,9 +1,12 @@
 #pragma once
 
+#include <vector>
+
 #include <inkedge/camera.h>
 #include <inkedge/image.h>
 
 #include "gl/gpu.h"
+#include "rectangle.h"
 #include "tiles.h"
 
 namespace inkedge {
@@ -18,5 +21,9 @@ namespace inkedge {
 ///                to its right, the high four for the pixel and the one below
 [[nodiscard]] Image<std::uint8_t> detectLines(gl::Gpu&, const gl::Texture& planes, const Tile&, const Camera&,
                                               double unit, double creaseAngle);
+
+/// Parts of a picture, apart from each other, that hold all marked pixels and the eight around each: what has to be read
+/// to trace the lines there.
+[[nodiscard]] std::vector<Rectangle> regionsAround(const Image<std::uint8_t>& marks);
 
 }  // namespace inkedge

@@ -159,8 +159,9 @@ private:
         LineBuffers lines;
         lines.tile = size;
         lines.marks = findLines(planes, size);
-        lines.planes = gl::readFloats(api(), planes.planes, 4);
-        lines.triangles = gl::readIntegers(api(), planes.triangles);
+        const std::vector<Rectangle> regions = regionsAround(lines.marks);
+        lines.planes = gl::readFloats(api(), planes.planes, 4, regions);
+        lines.triangles = gl::readIntegers(api(), planes.triangles, regions);
         TracedLines traced = trace(lines, size);
         Image<std::uint8_t> picture = paintStrokes(traced.strokes, pictureSettings(size));
         return {std::move(planes), std::move(surface), std::move(edges),
@@ -387,9 +388,11 @@ void addOutput(Equipment& equipment, Size size) {
     });
     add("read-back/" + nameOf(size), [&equipment, size](benchmark::State& state) {
         const PlaneBuffers& planes = equipment.buffers(size).planes;
+        const Image<std::uint8_t>& marks = equipment.buffers(size).lines.marks;
         repeat(state, [&] {
-            benchmark::DoNotOptimize(gl::readFloats(equipment.api(), planes.planes, 4).pixels.data());
-            benchmark::DoNotOptimize(gl::readIntegers(equipment.api(), planes.triangles).pixels.data());
+            const std::vector<Rectangle> regions = regionsAround(marks);
+            benchmark::DoNotOptimize(gl::readFloats(equipment.api(), planes.planes, 4, regions).values.get());
+            benchmark::DoNotOptimize(gl::readIntegers(equipment.api(), planes.triangles, regions).values.get());
         });
     });
     add("encode/" + nameOf(size), [&equipment, size](benchmark::State& state) {
