@@ -22,8 +22,8 @@ namespace inkedge {
 [[nodiscard]] Image<std::uint8_t> detectLines(gl::Gpu&, const gl::Texture& planes, const Tile&, const Camera&,
                                               double unit, double creaseAngle);
 
-/// Parts of a picture, apart from each other, that hold all marked pixels and the eight around each: what has to be read
-/// to trace the lines there.
+/// Parts of a picture, apart from each other, that hold all marked pixels and the eight around each: what has to be
+/// read to trace the lines there.
 [[nodiscard]] std::vector<Rectangle> regionsAround(const Image<std::uint8_t>& marks);
 
 }  // namespace inkedge

@@ -183,7 +183,8 @@ TEST(EncodePng, keepsEveryValueOfUpTo256ColoursInAPalette) {
         for (const std::size_t colors : {1U, 255U, 256U, 257U}) {
             const Image<std::uint8_t> some = noise({static_cast<int>(colors), 1}, channels);
             Image<std::uint8_t> picture{{93, 71}, channels};
-            for (std::size_t i = 0; i < picture.pixels.size(); ++i) picture.pixels[i] = some.pixels[i % some.pixels.size()];
+            for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+                picture.pixels[i] = some.pixels[i % some.pixels.size()];
             const DecodedPng decoded = decodePng(encodePng(picture));
             EXPECT_EQ(decoded.colorType == PNG_COLOR_TYPE_PALETTE, colors <= 256) << colors;
             EXPECT_EQ(decoded.image.channels, channels);
