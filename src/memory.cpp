@@ -57,11 +57,12 @@ void expectMemory(Size picture, std::uint64_t bytesPerPixel) {
     const auto available = availableMemory();
     if (!available || bytes <= *available) return;
     constexpr double gibibyte = 1 << 30U;
-    throw Error{Error::Kind::Runtime,
-                fmt::format("a picture of {} x {} pixels with its maps: expected {:.1f} GiB of memory, found {:.1f}; ask "
-                            "for a smaller --size or fewer --maps",
-                            picture.width, picture.height, static_cast<double>(bytes) / gibibyte,
-                            static_cast<double>(*available) / gibibyte)};
+    throw Error{
+        Error::Kind::Runtime,
+        fmt::format("a picture of {} x {} pixels with its maps: expected {:.1f} GiB of memory, found {:.1f}; ask "
+                    "for a smaller --size or fewer --maps",
+                    picture.width, picture.height, static_cast<double>(bytes) / gibibyte,
+                    static_cast<double>(*available) / gibibyte)};
 }
 
 }  // namespace inkedge

@@ -1,12 +1,12 @@
-#include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <memory>
 #include <optional>
-
-#include <fmt/format.h>
+#include <utility>
+#include <vector>
 
 #include <inkedge/renderer.h>
 
+#include "expect_usable.h"
 #include "gl/context.h"
 #include "gl/gpu.h"
 #include "gl/read_back.h"
@@ -17,7 +17,6 @@
 #include "ink/strokes_of.h"
 #include "ink/trace_lines.h"
 #include "lines/object_lines.h"
-#include "memory.h"
 #include "passes/composite.h"
 #include "passes/detect_edges.h"
 #include "passes/detect_lines.h"
@@ -29,20 +28,6 @@
 
 namespace inkedge {
 namespace {
-
-void check(const Camera& camera) {
-    const bool angleUsable = camera.orthographic() || (camera.viewAngle > 0.0 && camera.viewAngle < 180.0);
-    const bool depthsUsable = camera.near < camera.far && (camera.orthographic() || camera.near > 0.0);
-    const bool finite =
-        std::isfinite(camera.near) && std::isfinite(camera.far) && std::isfinite(glm::determinant(camera.view));
-    if (!angleUsable || !depthsUsable || !finite) {
-        throw Error{
-            Error::Kind::Usage,
-            fmt::format("camera: expected a view angle over 0 and under 180 and 0 < near < far, all finite, found "
-                        "{} and {}, {}",
-                        camera.viewAngle, camera.near, camera.far)};
-    }
-}
 
 // What one call draws.
 struct View {
@@ -60,8 +45,7 @@ bool needsPlanes(const Settings& settings) {
 }
 
 bool needsSurface(const Settings& settings) {
-    return drawsClassic(settings) ||
-           wantsAny(settings, {Map::Depth, Map::Normal, Map::DepthEdges, Map::NormalEdges});
+    return drawsClassic(settings) || wantsAny(settings, {Map::Depth, Map::Normal, Map::DepthEdges, Map::NormalEdges});
 }
 
 Size samplesOf(const PictureSettings& picture) {
@@ -82,8 +66,7 @@ Geometry drawGeometry(const View& view, const Tile& tile, gl::StageClock& clock)
     const bool surface = needsSurface(settings);
     Geometry geometry;
     if (planes && surface && samples == 1 && settings.detector.normalLights == NormalLights::Single) {
-        PlanesAndSurface both =
-            drawPlanesAndSurface(gpu, upload, scene, camera, settings.detector.lightSpace, tile);
+        PlanesAndSurface both = drawPlanesAndSurface(gpu, upload, scene, camera, settings.detector.lightSpace, tile);
         clock.finish("geometry");
         return {std::move(both.planes), std::move(both.surface)};
     }
@@ -127,34 +110,19 @@ std::vector<Stroke> renderPlanes(const View& view, const Tile& tile, const Plane
     lines.tile = tile;
     lines.marks = detectLines(gpu, buffers.planes, tile, camera, unit, scene.creaseAngle());
     clock.finish("lines");
-    std::vector<Rectangle> regions = regionsAround(lines.marks);
-    if (wants(settings, Map::Ids)) regions = {{0, 0, lines.marks.size}};
+    const bool keepIds = wants(settings, Map::Ids);
+    const std::vector<Rectangle> regions =
+        keepIds ? std::vector<Rectangle>{{0, 0, lines.marks.size}} : regionsAround(lines.marks);
     lines.planes = gl::readFloats(gpu.api, buffers.planes, 4, regions);
     lines.triangles = gl::readIntegers(gpu.api, buffers.triangles, regions);
     clock.finish("read-back");
-    TracedLines traced =
-        traceLines(std::move(lines), scene, triangles, camera, unit, drawnTypes(picture), picture.supersampling,
-                   wants(settings, Map::Ids) ? TraceIds::Keep : TraceIds::Drop);
+    TracedLines traced = traceLines(std::move(lines), scene, triangles, camera, unit, drawnTypes(picture),
+                                    picture.supersampling, keepIds ? TraceIds::Keep : TraceIds::Drop);
     if (!drawsClassic(settings) && wants(settings, Map::Edges)) maps.edges = mask(traced.types, picture.lines);
     maps.ids = std::move(traced.ids);
     if (wants(settings, Map::Types)) maps.types = std::move(traced.types);
     clock.finish("trace");
     return std::move(traced.strokes);
-}
-
-// Puts a tile's picture and maps into the whole ones.
-void keepMaps(Maps part, const Tile& tile, Maps& maps) {
-    keep(std::move(part.picture), tile, maps.picture);
-    keep(std::move(part.depth), tile, maps.depth);
-    keep(std::move(part.windowDepth), tile, maps.windowDepth);
-    keep(std::move(part.normal), tile, maps.normal);
-    keep(std::move(part.depthMagnitude), tile, maps.depthMagnitude);
-    keep(std::move(part.normalMagnitude), tile, maps.normalMagnitude);
-    keep(std::move(part.depthEdges), tile, maps.depthEdges);
-    keep(std::move(part.normalEdges), tile, maps.normalEdges);
-    keep(std::move(part.edges), tile, maps.edges);
-    keep(std::move(part.types), tile, maps.types);
-    keep(std::move(part.ids), tile, maps.ids);
 }
 
 // Draws a picture tile by tile. Strokes reach over tiles' borders: they are painted when all are there.
@@ -173,36 +141,11 @@ void renderTiles(const View& view, gl::StageClock& clock, Maps& maps) {
             strokes.insert(strokes.end(), more.begin(), more.end());
         }
         if (geometry.surface) renderSurface(view, *geometry.surface, clock, part);
-        keepMaps(std::move(part), inPixels(tile, picture.supersampling), maps);
+        keep(std::move(part), inPixels(tile, picture.supersampling), maps);
     }
     if (drawsClassic(settings)) return;
     maps.picture = paintStrokes(strokes, picture);
     clock.finish("paint");
-}
-
-void check(const PictureSettings& picture) {
-    const Size size = picture.size;
-    if (picture.supersampling != 1 && picture.supersampling != 2 && picture.supersampling != 4) {
-        throw Error{Error::Kind::Usage,
-                    fmt::format("supersampling: expected 1, 2 or 4, found {}", picture.supersampling)};
-    }
-    if (picture.tileSize < PictureSettings::leastTileSize || picture.tileSize > PictureSettings::mostTileSize) {
-        throw Error{Error::Kind::Usage, fmt::format("tile-size: expected {} to {}, found {}", PictureSettings::leastTileSize,
-                                                    PictureSettings::mostTileSize, picture.tileSize)};
-    }
-    constexpr int most = PictureSettings::mostSide;
-    if (size.width >= 1 && size.height >= 1 && size.width <= most && size.height <= most) return;
-    throw Error{Error::Kind::Usage, fmt::format("size: expected 1x1 to {0}x{0} pixels, found {1}x{2}", most,
-                                                size.width, size.height)};
-}
-
-// Bytes a pixel that the picture and the maps take.
-std::uint64_t bytesPerPixel(const Settings& settings) {
-    std::uint64_t bytes = settings.picture.background ? 3 : 4;
-    const std::pair<Map, std::uint64_t> costs[]{{Map::Depth, 8}, {Map::Normal, 12}, {Map::DepthEdges, 5},
-                                                {Map::NormalEdges, 5}, {Map::Edges, 1}, {Map::Types, 1}, {Map::Ids, 16}};
-    for (const auto& [map, cost] : costs) bytes += wants(settings, map) ? cost : 0;
-    return bytes;
 }
 
 }  // namespace
@@ -228,8 +171,6 @@ struct Renderer::State {
         return *upload;
     }
 
-    std::unique_ptr<gl::Context> context;
-    std::unique_ptr<gl::Gpu> gpu;
     const lines::ObjectLines& prepared(const Scene& scene) {
         if (!objectLines || !objectLines->holds(scene)) {
             objectLines.reset();
@@ -238,6 +179,8 @@ struct Renderer::State {
         return *objectLines;
     }
 
+    std::unique_ptr<gl::Context> context;
+    std::unique_ptr<gl::Gpu> gpu;
     std::unique_ptr<gl::UploadedScene> upload;
     std::unique_ptr<lines::ObjectLines> objectLines;
 };
@@ -250,32 +193,32 @@ Renderer::~Renderer() = default;
 const BackendInfo& Renderer::backend() const noexcept { return state_->context->info(); }
 
 Lines Renderer::lines(const Scene& scene, const Camera& camera, const Settings& settings) {
-    check(camera);
-    std::vector<StageTime> times;
+    expectUsable(camera);
     const auto begin = std::chrono::steady_clock::now();
     const lines::ObjectLines& prepared = state_->prepared(scene);
-    times.push_back({"prepare lines", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count()});
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
     Lines found = prepared.find(camera, settings);
-    found.times.insert(found.times.begin(), times.begin(), times.end());
+    found.times.insert(found.times.begin(), {"prepare lines", time.count()});
     return found;
 }
 
 Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& settings) {
-    check(settings.picture);
-    check(camera);
-    expectMemory(settings.picture.size, bytesPerPixel(settings));
+    expectUsable(settings.picture);
+    expectUsable(camera);
+    expectMemory(settings);
     const gl::Current current{*state_->context};
     Maps maps;
     maps.camera = camera;
     maps.backend = backend();
-    gl::StageClock clock{state_->gpu->api, maps.times};
     if (settings.lines.from == LinesFrom::Object) {
         const Lines found = lines(scene, camera, settings);
         maps.times = found.times;
+        gl::StageClock clock{state_->gpu->api, maps.times};
         maps.picture = paintStrokes(strokesOf(found, settings.picture, settings.lines), settings.picture);
         clock.finish("paint");
         return maps;
     }
+    gl::StageClock clock{state_->gpu->api, maps.times};
     const View view{*state_->gpu, state_->uploaded(scene), scene, camera, settings};
     clock.finish("upload");
     renderTiles(view, clock, maps);

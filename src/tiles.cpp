@@ -73,4 +73,18 @@ Rectangle viewOf(const Tile& tile) noexcept {
             {std::min(whole.width, mostViewport), std::min(whole.height, mostViewport)}};
 }
 
+void keep(Maps part, const Tile& tile, Maps& maps) {
+    keep(std::move(part.picture), tile, maps.picture);
+    keep(std::move(part.depth), tile, maps.depth);
+    keep(std::move(part.windowDepth), tile, maps.windowDepth);
+    keep(std::move(part.normal), tile, maps.normal);
+    keep(std::move(part.depthMagnitude), tile, maps.depthMagnitude);
+    keep(std::move(part.normalMagnitude), tile, maps.normalMagnitude);
+    keep(std::move(part.depthEdges), tile, maps.depthEdges);
+    keep(std::move(part.normalEdges), tile, maps.normalEdges);
+    keep(std::move(part.edges), tile, maps.edges);
+    keep(std::move(part.types), tile, maps.types);
+    keep(std::move(part.ids), tile, maps.ids);
+}
+
 }  // namespace inkedge

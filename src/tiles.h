@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <inkedge/image.h>
+#include <inkedge/maps.h>
 
 #include "rectangle.h"
 
@@ -26,9 +27,9 @@ struct Tile {
     [[nodiscard]] Rectangle keptInDrawn() const noexcept { return {kept.x - drawn.x, kept.y - drawn.y, kept.size}; }
 };
 
-/// Samples around what a tile keeps, but at the picture's edge: more than the reach of any pass (Farid's kernels: 2; the
-/// filter of pinholes and the cells of the ink: 3). Every tile begins at a multiple of it, so that drivers work on the
-/// same blocks of samples as in one piece.
+/// Samples around what a tile keeps, but at the picture's edge: more than the reach of any pass (Farid's kernels: 2;
+/// the filter of pinholes and the cells of the ink: 3). Every tile begins at a multiple of it, so that drivers work on
+/// the same blocks of samples as in one piece.
 inline constexpr int tileMargin = 64;
 
 /// The tiles of a picture, row by row; one if no side is over mostSide. All draw parts of one size, so that one set of
@@ -39,8 +40,9 @@ inline constexpr int tileMargin = 64;
 /// The same tile counted in pixels of so many samples along each axis, which its lengths are multiples of.
 [[nodiscard]] Tile inPixels(const Tile&, int samplesPerPixel) noexcept;
 
-/// The part of the picture that OpenGL's viewport shows while a tile is drawn: all of it along an axis that is no longer
-/// than 16384, which every OpenGL 4.5 can do, so that triangles are clipped as in one piece; else so much around the tile.
+/// The part of the picture that OpenGL's viewport shows while a tile is drawn: all of it along an axis that is no
+/// longer than 16384, which every OpenGL 4.5 can do, so that triangles are clipped as in one piece; else so much around
+/// the tile.
 [[nodiscard]] Rectangle viewOf(const Tile&) noexcept;
 
 /// Copies a part of an image to where `at` lies in another, of as many channels.
@@ -75,5 +77,8 @@ void keep(Image<T> part, const Tile& tile, Image<T>& picture) {
     if (picture.empty()) picture = Image<T>{tile.whole, part.channels};
     paste(part, from, picture, tile.kept);
 }
+
+/// The same of a picture and its maps.
+void keep(Maps part, const Tile&, Maps& picture);
 
 }  // namespace inkedge

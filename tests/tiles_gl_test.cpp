@@ -62,8 +62,8 @@ void expectSame(const Both& both) {
     EXPECT_EQ(differing(both.whole.normalEdges, both.tiled.normalEdges), 0);
     EXPECT_EQ(differing(both.whole.types, both.tiled.types), 0);
     EXPECT_EQ(differing(both.whole.ids, both.tiled.ids), 0);
-    // Drivers interpolate from the target's corner, so that the last bits are each tile's own: of normals those of small
-    // triangles, 6e-5 on llvmpipe.
+    // Drivers interpolate from the target's corner, so that the last bits are each tile's own: of normals those of
+    // small triangles, 6e-5 on llvmpipe.
     constexpr double rounding = 2e-4;
     EXPECT_LT(distance(both.whole.depth, both.tiled.depth), rounding);
     EXPECT_LT(distance(both.whole.windowDepth, both.tiled.windowDepth), rounding);
@@ -114,8 +114,8 @@ TEST_P(Tiling, changesNoPixelOfClassicEdges) {
     }
 }
 
-// Where two surfaces are equally near, or two faces meet at just the crease angle (30 degrees on grazing_plane's sphere), the
-// rounding of interpolation decides, and each tile has its own: 0 to 25 pixels of these on llvmpipe.
+// Where two surfaces are equally near, or two faces meet at just the crease angle (30 degrees on grazing_plane's
+// sphere), the rounding of interpolation decides, and each tile has its own: 0 to 25 pixels of these on llvmpipe.
 TEST_P(Tiling, changesFewPixelsWhereRoundingDecides) {
     for (const std::string name : {"touching_solids", "grazing_plane"}) {
         SCOPED_TRACE(name);
@@ -126,9 +126,9 @@ TEST_P(Tiling, changesFewPixelsWhereRoundingDecides) {
     }
 }
 
-// An orthographic camera that is moved aside by whole pixels sees what lies there in a wider picture. It projects by other
-// floats, so that vertices may come to lie on other places of the rasteriser's grid, 1/256 pixel beside: the ink then
-// differs by 1/256 of its darkness for each, and by more where a whole sample changes sides.
+// An orthographic camera that is moved aside by whole pixels sees what lies there in a wider picture. It projects by
+// other floats, so that vertices may come to lie on other places of the rasteriser's grid, 1/256 pixel beside: the ink
+// then differs by 1/256 of its darkness for each, and by more where a whole sample changes sides.
 TEST_P(Tiling, drawsPicturesThatAreLongerThanAnyTarget) {
     std::vector<std::pair<Mesh, glm::dmat4>> boxes;
     for (int i = 0; i < 60; ++i) {

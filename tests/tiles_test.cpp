@@ -7,9 +7,8 @@
 namespace inkedge {
 namespace {
 
-constexpr Size pictures[]{{1, 1},       {256, 256},    {257, 256},    {300, 1000},    {1000, 700},
-                          {4096, 4096}, {4097, 5000},  {20000, 300},  {32768, 32768}, {131072, 64},
-                          {7680, 4320}, {319, 131071}};
+constexpr Size pictures[]{{1, 1},       {256, 256},   {257, 256},     {300, 1000},  {1000, 700},  {4096, 4096},
+                          {4097, 5000}, {20000, 300}, {32768, 32768}, {131072, 64}, {7680, 4320}, {319, 131071}};
 constexpr int sides[]{256, 300, 1000, 4096, 8192};
 
 bool contains(const Rectangle& outer, const Rectangle& inner) {
@@ -85,8 +84,8 @@ TEST(Tiles, ofSamplesAreWholePixels) {
             const Tile pixels = inPixels(tile, samples);
             EXPECT_EQ(pixels.whole, (Size{999, 1234}));
             for (const auto& [few, many] : {std::pair{pixels.kept, tile.kept}, {pixels.drawn, tile.drawn}}) {
-                EXPECT_EQ((Rectangle{few.x * samples, few.y * samples,
-                                     {few.size.width * samples, few.size.height * samples}}),
+                EXPECT_EQ((Rectangle{
+                              few.x * samples, few.y * samples, {few.size.width * samples, few.size.height * samples}}),
                           many);
             }
         }

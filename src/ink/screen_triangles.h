@@ -51,8 +51,8 @@ public:
     /// triangles on the way are too many to follow.
     [[nodiscard]] Walk walk(SceneTriangle from, glm::dvec2 start, glm::dvec2 goal) const;
 
-    /// What linear function of the picture a triangle is: w and its slopes a pixel, as PlaneBuffers::planes, but in scene
-    /// units and to double precision.
+    /// What linear function of the picture a triangle is: w and its slopes a pixel, as PlaneBuffers::planes, but in
+    /// scene units and to double precision.
     struct Plane {
         double w;
         double dx;

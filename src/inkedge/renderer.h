@@ -33,12 +33,13 @@ public:
     /// in memory. settings.load, .camera and .backend are not
     /// looked at. The last scene's upload is kept for the next call.
     /// @throws Error  (Kind::Usage) if a setting of the picture is out of range, or the camera is unusable;
-    ///                (Kind::Runtime) if there is less memory than the picture and its maps take, or the context runs out of memory, or is lost: then make a new Renderer
+    ///                (Kind::Runtime) if there is less memory than the picture and its maps take, or the context runs
+    ///                out of memory, or is lost: then make a new Renderer
     [[nodiscard]] Maps render(const Scene&, const Camera&, const Settings& = {});
 
     /// The lines of one view from object space, as settings.lines says: visible polylines in the picture and in the
-    /// world, hidden ones too if settings.lines.hidden keeps them. What a scene needs for it (edge tables, bounding volume
-    /// hierarchies) is kept for the next call. Of settings.picture, size and lines are looked at.
+    /// world, hidden ones too if settings.lines.hidden keeps them. What a scene needs for it (edge tables, bounding
+    /// volume hierarchies) is kept for the next call. Of settings.picture, size and lines are looked at.
     /// @throws Error  (Kind::Usage) if the size or the camera is unusable; (Kind::Runtime) if Embree is not there or
     ///                memory runs out
     [[nodiscard]] Lines lines(const Scene&, const Camera&, const Settings& = {});

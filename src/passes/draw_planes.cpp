@@ -87,8 +87,9 @@ PlanesAndSurface drawPlanesAndSurface(gl::Gpu& gpu, const gl::UploadedScene& upl
     const glm::dmat4 projection = reversedProjection(camera, tile.whole, unit);
     upload.place(placeInstances(scene, upload, camera, lightSpace));
 
-    PlanesAndSurface buffers{{gpu.textures.acquire(size, GL_RGBA32F), gpu.textures.acquire(size, GL_R32UI)},
-                             {gpu.textures.acquire(size, GL_RGBA32F), gpu.textures.acquire(size, GL_DEPTH_COMPONENT32F)}};
+    PlanesAndSurface buffers{
+        {gpu.textures.acquire(size, GL_RGBA32F), gpu.textures.acquire(size, GL_R32UI)},
+        {gpu.textures.acquire(size, GL_RGBA32F), gpu.textures.acquire(size, GL_DEPTH_COMPONENT32F)}};
     auto& [planes, surface] = buffers;
     const gl::Framebuffer target{gpu.api, {&planes.planes, &planes.triangles, &surface.surface}, &surface.depth};
     gl::prepareDrawing(gpu, gl::Program::DrawPlanesAndSurface, target);

@@ -19,8 +19,7 @@ struct PlaneBuffers {
 };
 
 /// Draws the scene once, and its coplanar layers once more. Shaders: draw_planes.vert, draw_planes.frag.
-[[nodiscard]] PlaneBuffers drawPlanes(gl::Gpu&, const gl::UploadedScene&, const Scene&, const Camera&,
-                                       const Tile&);
+[[nodiscard]] PlaneBuffers drawPlanes(gl::Gpu&, const gl::UploadedScene&, const Scene&, const Camera&, const Tile&);
 
 /// What drawPlanes() and drawSurface() with NormalLights::Single give, from one pass over the triangles.
 struct PlanesAndSurface {

@@ -5,8 +5,8 @@
 
 namespace inkedge {
 
-/// Sets the viewport and what shaders/shared/view.glsl reads, so that a target of the size of what is drawn shows the tile.
-/// For after gl::prepareDrawing(), which shows all of a picture.
+/// Sets the viewport and what shaders/shared/view.glsl reads, so that a target of the size of what is drawn shows the
+/// tile. For after gl::prepareDrawing(), which shows all of a picture.
 inline void showTile(gl::Gpu& gpu, gl::Program program, const Tile& tile) {
     const auto [x, y, size] = viewOf(tile);
     gpu.api.Viewport(x - tile.drawn.x, y - tile.drawn.y, size.width, size.height);

@@ -360,7 +360,10 @@ constexpr std::array table{
                        [](const S& s) { return text(s.picture.supersampling); }},
     SettingDescription{"tile-size", "", "picture", "SAMPLES", "256 to 8192", "4096",
                        "larger pictures are drawn in parts of at most this side: less needs less memory",
-                       [](S& s, Text t) { s.picture.tileSize = parseCount(t, PictureSettings::leastTileSize, PictureSettings::mostTileSize); },
+                       [](S& s, Text t) {
+                           s.picture.tileSize =
+                               parseCount(t, PictureSettings::leastTileSize, PictureSettings::mostTileSize);
+                       },
                        [](const S& s) { return text(s.picture.tileSize); }},
     SettingDescription{"lines", "", "picture", "TYPE,...",
                        "outline, occlusion, boundary, crease, intersection, object, isoparametric, marked; or all, none",

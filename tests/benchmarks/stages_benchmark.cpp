@@ -140,8 +140,8 @@ public:
     TracedLines trace(LineBuffers lines, Size size) {
         const ScreenTriangles triangles{scene(usualModel), upload(usualModel).firstTriangles(),
                                         camera(usualModel, size), size};
-        return traceLines(std::move(lines), scene(usualModel), triangles, camera(usualModel, size), unitLength(scene(usualModel)), drawnTypes(pictureSettings(size)), 1,
-                          TraceIds::Drop);
+        return traceLines(std::move(lines), scene(usualModel), triangles, camera(usualModel, size),
+                          unitLength(scene(usualModel)), drawnTypes(pictureSettings(size)), 1, TraceIds::Drop);
     }
 
     Image<std::uint8_t> findLines(const PlaneBuffers& planes, Size size) {

@@ -94,8 +94,9 @@ TEST_P(GlErrors, areSurvivedByThePoolOfTextures) {
     const gl::Current current{context()};
     GLint most = 0;
     context().api().GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-    expectError(Error::Kind::Runtime, HasSubstr("expected graphics memory for a picture of "),
-                [&] { (void)gpu().textures.acquire({most, most}, GL_RGBA32F); });
+    expectError(Error::Kind::Runtime, HasSubstr("expected graphics memory for a picture of "), [&] {
+        (void)gpu().textures.acquire({most, most}, GL_RGBA32F);
+    });
     EXPECT_NO_THROW((void)gpu().textures.acquire({32, 32}, GL_RGBA32F));
 }
 

@@ -180,7 +180,8 @@ TEST_P(DetectLines, takeTheCreaseAngleTheyAreGiven) {
         camera.near = -20.0;
         const PlaneBuffers buffers = drawPlanes(gpu(), upload, scene, camera, size);
         for (const double angle : {bend - 0.5, bend + 0.5}) {
-            const Image<std::uint8_t> marks = detectLines(gpu(), buffers.planes, size, camera, unitLength(scene), angle);
+            const Image<std::uint8_t> marks =
+                detectLines(gpu(), buffers.planes, size, camera, unitLength(scene), angle);
             for (int y = 0; y < size.height; ++y) {
                 EXPECT_EQ(marks.at(15, y), angle < bend ? PairMark::bend : 0U) << bend << ", " << angle;
                 EXPECT_EQ(marks.at(14, y), 0U);
