@@ -12,6 +12,7 @@ layout(binding = 0) uniform sampler2D planes;  // as draw_planes.frag writes the
 layout(location = 0) uniform float focalLength;   // pixels (orthographic: pixels a unit length)
 layout(location = 1) uniform bool orthographic;
 layout(location = 2) uniform float creaseCosine;  // c |c|, c the crease angle's cosine
+layout(location = 3) uniform vec2 centre;         // of the whole picture, pixels from the tile's corner
 
 // One byte a pixel, four pixels a component (the first in the low byte), four rows a texel.
 layout(location = 0) out uvec4 marks;
@@ -55,7 +56,7 @@ uint marksAbove(int y, vec4 row[5]) {
     }
     for (int x = 0; x < 5; ++x) {
         ivec2 pixel = min(4 * ivec2(gl_FragCoord.xy) + ivec2(x, y), size - 1);
-        vec3 normal = normalOf(row[x], vec2(pixel) + 0.5 - 0.5 * vec2(size));
+        vec3 normal = normalOf(row[x], vec2(pixel) + 0.5 - centre);
         if (x < 4 && y > 0) {
             found |= pairMarks(above[x], row[x], aboveNormal[x], normal, above[x].z, row[x].z) << (8 * x + 4);
         }

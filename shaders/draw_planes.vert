@@ -1,4 +1,5 @@
 #version 450 core
+#extension GL_GOOGLE_include_directive : require
 
 layout(location = 0) in vec3 position;      // mesh space
 layout(location = 2) in vec4 modelView[3];  // rows; per instance: mesh space -> view space in unit lengths
@@ -29,13 +30,15 @@ layout(location = 4) out float surfaceDepth;
 
 invariant gl_Position;  // layers must cover the pixels that they cover in the first pass
 
+#include "shared/view.glsl"
+
 void main() {
     vec4 p = vec4(position, 1.0);
     vec3 viewPosition = vec3(dot(modelView[0], p), dot(modelView[1], p), dot(modelView[2], p));
     eyeDepth = -viewPosition.z;
     patchNumber = patchNumbers[numbering.x + patchIndex];
     triangles = numbering.yz;
-    gl_Position = projection * vec4(viewPosition, 1.0);
+    gl_Position = inView(projection * vec4(viewPosition, 1.0));
     gl_Position.z += layerLift;
 #ifdef SURFACE
     vec4 n = vec4(normal, 0.0);

@@ -1,4 +1,5 @@
 #version 450 core
+#extension GL_GOOGLE_include_directive : require
 
 layout(location = 0) in vec3 position;     // mesh space
 layout(location = 1) in vec3 normal;       // mesh space, unit
@@ -13,11 +14,13 @@ layout(location = 1) out float eyeDepth;      // scene units
 
 invariant gl_Position;  // the two passes of the two-pass normal map must agree on depth
 
+#include "shared/view.glsl"
+
 void main() {
     vec4 p = vec4(position, 1.0);
     vec3 viewPosition = vec3(dot(modelView[0], p), dot(modelView[1], p), dot(modelView[2], p));
     vec4 n = vec4(normal, 0.0);
     surfaceNormal = vec3(dot(normalMatrix[0], n), dot(normalMatrix[1], n), dot(normalMatrix[2], n));
     eyeDepth = -viewPosition.z * unitLength;
-    gl_Position = projection * vec4(viewPosition, 1.0);
+    gl_Position = inView(projection * vec4(viewPosition, 1.0));
 }

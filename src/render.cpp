@@ -1,18 +1,19 @@
-#include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <memory>
 #include <optional>
-
-#include <fmt/format.h>
+#include <utility>
+#include <vector>
 
 #include <inkedge/renderer.h>
 
+#include "expect_usable.h"
 #include "gl/context.h"
 #include "gl/gpu.h"
 #include "gl/read_back.h"
 #include "gl/stage_clock.h"
 #include "gl/upload.h"
 #include "ink/paint_strokes.h"
+#include "ink/screen_triangles.h"
 #include "ink/strokes_of.h"
 #include "ink/trace_lines.h"
 #include "lines/object_lines.h"
@@ -23,23 +24,10 @@
 #include "passes/draw_surface.h"
 #include "passes/placement.h"
 #include "passes/read_maps.h"
+#include "tiles.h"
 
 namespace inkedge {
 namespace {
-
-void check(const Camera& camera) {
-    const bool angleUsable = camera.orthographic() || (camera.viewAngle > 0.0 && camera.viewAngle < 180.0);
-    const bool depthsUsable = camera.near < camera.far && (camera.orthographic() || camera.near > 0.0);
-    const bool finite =
-        std::isfinite(camera.near) && std::isfinite(camera.far) && std::isfinite(glm::determinant(camera.view));
-    if (!angleUsable || !depthsUsable || !finite) {
-        throw Error{
-            Error::Kind::Usage,
-            fmt::format("camera: expected a view angle over 0 and under 180 and 0 < near < far, all finite, found "
-                        "{} and {}, {}",
-                        camera.viewAngle, camera.near, camera.far)};
-    }
-}
 
 // What one call draws.
 struct View {
@@ -57,8 +45,11 @@ bool needsPlanes(const Settings& settings) {
 }
 
 bool needsSurface(const Settings& settings) {
-    return drawsClassic(settings) ||
-           wantsAny(settings, {Map::Depth, Map::Normal, Map::DepthEdges, Map::NormalEdges});
+    return drawsClassic(settings) || wantsAny(settings, {Map::Depth, Map::Normal, Map::DepthEdges, Map::NormalEdges});
+}
+
+Size samplesOf(const PictureSettings& picture) {
+    return {picture.size.width * picture.supersampling, picture.size.height * picture.supersampling};
 }
 
 // What the triangles are drawn into.
@@ -68,26 +59,23 @@ struct Geometry {
 };
 
 // In one pass where both are wanted, of one size and with lights that need one pass only.
-Geometry drawGeometry(const View& view, gl::StageClock& clock) {
+Geometry drawGeometry(const View& view, const Tile& tile, gl::StageClock& clock) {
     const auto& [gpu, upload, scene, camera, settings] = view;
-    const PictureSettings& picture = settings.picture;
-    const int samples = picture.supersampling;
+    const int samples = settings.picture.supersampling;
     const bool planes = needsPlanes(settings);
     const bool surface = needsSurface(settings);
     Geometry geometry;
     if (planes && surface && samples == 1 && settings.detector.normalLights == NormalLights::Single) {
-        PlanesAndSurface both =
-            drawPlanesAndSurface(gpu, upload, scene, camera, settings.detector.lightSpace, picture.size);
+        PlanesAndSurface both = drawPlanesAndSurface(gpu, upload, scene, camera, settings.detector.lightSpace, tile);
         clock.finish("geometry");
         return {std::move(both.planes), std::move(both.surface)};
     }
     if (planes) {
-        geometry.planes =
-            drawPlanes(gpu, upload, scene, camera, {picture.size.width * samples, picture.size.height * samples});
+        geometry.planes = drawPlanes(gpu, upload, scene, camera, tile);
         clock.finish("planes");
     }
     if (surface) {
-        geometry.surface = drawSurface(gpu, upload, scene, camera, settings.detector, picture.size);
+        geometry.surface = drawSurface(gpu, upload, scene, camera, settings.detector, inPixels(tile, samples));
         clock.finish("surface");
     }
     return geometry;
@@ -111,29 +99,53 @@ void renderSurface(const View& view, const SurfaceBuffers& surface, gl::StageClo
     clock.finish("read-back");
 }
 
-// Lines of the planes detector: their types, ids and, unless the classic detector draws it, the picture.
-void renderPlanes(const View& view, const PlaneBuffers& buffers, gl::StageClock& clock, Maps& maps) {
+// Lines of the planes detector: their types, ids and, unless the classic detector draws the picture, the strokes.
+std::vector<Stroke> renderPlanes(const View& view, const Tile& tile, const PlaneBuffers& buffers,
+                                 const ScreenTriangles& triangles, gl::StageClock& clock, Maps& maps) {
     const auto& [gpu, upload, scene, camera, settings] = view;
     const PictureSettings& picture = settings.picture;
     const double unit = unitLength(scene);
 
     LineBuffers lines;
-    lines.marks = detectLines(gpu, buffers.planes, camera, unit, scene.creaseAngle());
+    lines.tile = tile;
+    lines.marks = detectLines(gpu, buffers.planes, tile, camera, unit, scene.creaseAngle());
     clock.finish("lines");
-    lines.planes = gl::readFloats(gpu.api, buffers.planes, 4);
-    lines.triangles = gl::readIntegers(gpu.api, buffers.triangles);
+    const bool keepIds = wants(settings, Map::Ids);
+    const std::vector<Rectangle> regions =
+        keepIds ? std::vector<Rectangle>{{0, 0, lines.marks.size}} : regionsAround(lines.marks);
+    lines.planes = gl::readFloats(gpu.api, buffers.planes, 4, regions);
+    lines.triangles = gl::readIntegers(gpu.api, buffers.triangles, regions);
     clock.finish("read-back");
-    TracedLines traced =
-        traceLines(std::move(lines), scene, upload.firstTriangles(), camera, unit, drawnTypes(picture),
-                   picture.supersampling, wants(settings, Map::Ids) ? TraceIds::Keep : TraceIds::Drop);
-    clock.finish("trace");
-    if (!drawsClassic(settings)) {
-        if (wants(settings, Map::Edges)) maps.edges = mask(traced.types, picture.lines);
-        maps.picture = paintStrokes(traced.strokes, picture);
-        clock.finish("paint");
-    }
+    TracedLines traced = traceLines(std::move(lines), scene, triangles, camera, unit, drawnTypes(picture),
+                                    picture.supersampling, keepIds ? TraceIds::Keep : TraceIds::Drop);
+    if (!drawsClassic(settings) && wants(settings, Map::Edges)) maps.edges = mask(traced.types, picture.lines);
     maps.ids = std::move(traced.ids);
     if (wants(settings, Map::Types)) maps.types = std::move(traced.types);
+    clock.finish("trace");
+    return std::move(traced.strokes);
+}
+
+// Draws a picture tile by tile. Strokes reach over tiles' borders: they are painted when all are there.
+void renderTiles(const View& view, gl::StageClock& clock, Maps& maps) {
+    const auto& [gpu, upload, scene, camera, settings] = view;
+    const PictureSettings& picture = settings.picture;
+    const Size samples = samplesOf(picture);
+    std::optional<ScreenTriangles> triangles;
+    if (needsPlanes(settings)) triangles.emplace(scene, upload.firstTriangles(), camera, samples);
+    std::vector<Stroke> strokes;
+    for (const Tile& tile : tilesOf(samples, picture.tileSize)) {
+        Maps part;
+        const Geometry geometry = drawGeometry(view, tile, clock);
+        if (geometry.planes) {
+            const std::vector<Stroke> more = renderPlanes(view, tile, *geometry.planes, *triangles, clock, part);
+            strokes.insert(strokes.end(), more.begin(), more.end());
+        }
+        if (geometry.surface) renderSurface(view, *geometry.surface, clock, part);
+        keep(std::move(part), inPixels(tile, picture.supersampling), maps);
+    }
+    if (drawsClassic(settings)) return;
+    maps.picture = paintStrokes(strokes, picture);
+    clock.finish("paint");
 }
 
 }  // namespace
@@ -141,13 +153,7 @@ void renderPlanes(const View& view, const PlaneBuffers& buffers, gl::StageClock&
 struct Renderer::State {
     explicit State(const BackendSettings& wish) : context{gl::createContext(wish)} {
         const gl::Current current{*context};
-        const gl::Api& api = context->api();
-        GLint sides[3]{};
-        api.GetIntegerv(GL_MAX_TEXTURE_SIZE, &sides[0]);
-        GLint viewport[2]{};
-        api.GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
-        maximumSize = std::min({sides[0], viewport[0], viewport[1]});
-        gpu = std::make_unique<gl::Gpu>(api);
+        gpu = std::make_unique<gl::Gpu>(context->api());
     }
     ~State() {
         const gl::Current current{*context};
@@ -157,19 +163,6 @@ struct Renderer::State {
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
-    void check(const PictureSettings& picture) const {
-        const Size size = picture.size;
-        if (picture.supersampling != 1 && picture.supersampling != 2 && picture.supersampling != 4) {
-            throw Error{Error::Kind::Usage,
-                        fmt::format("supersampling: expected 1, 2 or 4, found {}", picture.supersampling)};
-        }
-        const int most = maximumSize / picture.supersampling;
-        if (size.width >= 1 && size.height >= 1 && size.width <= most && size.height <= most) return;
-        throw Error{Error::Kind::Usage,
-                    fmt::format("size: expected 1x1 to {0}x{0} pixels at supersampling {1}, found {2}x{3}", most,
-                                picture.supersampling, size.width, size.height)};
-    }
-
     const gl::UploadedScene& uploaded(const Scene& scene) {
         if (!upload || !upload->holds(scene)) {
             upload.reset();  // first: never two scenes in graphics memory
@@ -178,9 +171,6 @@ struct Renderer::State {
         return *upload;
     }
 
-    std::unique_ptr<gl::Context> context;
-    int maximumSize = 0;
-    std::unique_ptr<gl::Gpu> gpu;
     const lines::ObjectLines& prepared(const Scene& scene) {
         if (!objectLines || !objectLines->holds(scene)) {
             objectLines.reset();
@@ -189,6 +179,8 @@ struct Renderer::State {
         return *objectLines;
     }
 
+    std::unique_ptr<gl::Context> context;
+    std::unique_ptr<gl::Gpu> gpu;
     std::unique_ptr<gl::UploadedScene> upload;
     std::unique_ptr<lines::ObjectLines> objectLines;
 };
@@ -199,40 +191,38 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
 const BackendInfo& Renderer::backend() const noexcept { return state_->context->info(); }
-int Renderer::maximumSize() const noexcept { return state_->maximumSize; }
 
 Lines Renderer::lines(const Scene& scene, const Camera& camera, const Settings& settings) {
-    check(camera);
-    std::vector<StageTime> times;
+    expectUsable(camera);
     const auto begin = std::chrono::steady_clock::now();
     const lines::ObjectLines& prepared = state_->prepared(scene);
-    times.push_back({"prepare lines", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count()});
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
     Lines found = prepared.find(camera, settings);
     found.backend = backend();
-    found.times.insert(found.times.begin(), times.begin(), times.end());
+    found.times.insert(found.times.begin(), {"prepare lines", time.count()});
     return found;
 }
 
 Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& settings) {
-    state_->check(settings.picture);
-    check(camera);
+    expectUsable(settings.picture);
+    expectUsable(camera);
+    expectMemory(settings);
     const gl::Current current{*state_->context};
     Maps maps;
     maps.camera = camera;
     maps.backend = backend();
-    gl::StageClock clock{state_->gpu->api, maps.times};
     if (settings.lines.from == LinesFrom::Object) {
         const Lines found = lines(scene, camera, settings);
         maps.times = found.times;
+        gl::StageClock clock{state_->gpu->api, maps.times};
         maps.picture = paintStrokes(strokesOf(found, settings.picture, settings.lines), settings.picture);
         clock.finish("paint");
         return maps;
     }
+    gl::StageClock clock{state_->gpu->api, maps.times};
     const View view{*state_->gpu, state_->uploaded(scene), scene, camera, settings};
     clock.finish("upload");
-    const Geometry geometry = drawGeometry(view, clock);
-    if (geometry.planes) renderPlanes(view, *geometry.planes, clock, maps);
-    if (geometry.surface) renderSurface(view, *geometry.surface, clock, maps);
+    renderTiles(view, clock, maps);
     state_->gpu->textures.trim();
     return maps;
 }

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <span>
+
 #include <inkedge/image.h>
 
 #include "gl/gpu.h"
+#include "rectangle.h"
+#include "samples.h"
 
 namespace inkedge::gl {
 
@@ -11,6 +15,9 @@ namespace inkedge::gl {
 [[nodiscard]] Image<float> readFloats(const Api&, const Texture&, int channels);
 /// An R32UI texture's values.
 [[nodiscard]] Image<std::uint32_t> readIntegers(const Api&, const Texture&);
+/// The same of some of its parts only, each at its place.
+[[nodiscard]] Samples<float> readFloats(const Api&, const Texture&, int channels, std::span<const Rectangle>);
+[[nodiscard]] Samples<std::uint32_t> readIntegers(const Api&, const Texture&, std::span<const Rectangle>);
 /// An RGBA32UI texture as 16 bytes a texel, the low byte of the first component first (on little-endian hosts).
 [[nodiscard]] Image<std::uint8_t> readPacked(const Api&, const Texture&);
 /// A depth texture's values.

@@ -14,7 +14,7 @@ class StageClock {
 public:
     StageClock(const Api& api, std::vector<StageTime>& times) : api_{api}, times_{times} {}
 
-    /// Waits for the stage's work to be done and notes its time.
+    /// Waits for the stage's work to be done and adds its time to what the stage took before.
     /// @throws Error  (Kind::Runtime) if OpenGL reports an error or a lost context
     void finish(const char* stage);
 

@@ -15,112 +15,161 @@ namespace {
 constexpr float halfDiagonal = 0.70711F;  // of a pixel
 constexpr float leastOffset = 1e-4F;      // pixels: a shorter one has no direction worth the name
 
-// The share of a pixel's square that lies on one side of a line: how far the line is from its centre, positive if the
-// centre is on that side; how far the square reaches across the line, along its longer and its shorter axis.
-float shareBeside(float distance, float longer, float shorter) {
-    const float t = std::abs(distance);
-    const float even = 0.5F * (longer - shorter);
-    const float end = 0.5F * (longer + shorter);
-    float far = 1.0F;
-    if (t <= even) {
-        far = 0.5F + t / longer;
-    } else if (t < end) {
-        far -= (end - t) * (end - t) / (2.0F * longer * shorter);
+// A band's direction, as far as the share of a pixel's square that it covers depends on it.
+class BandShare {
+public:
+    /// @param normal  across the band, unit
+    BandShare(glm::vec2 normal, float width) : halfWidth_{0.5F * width} {
+        const glm::vec2 across = glm::abs(normal);
+        longer_ = std::max(across.x, across.y);
+        const float shorter = std::min(across.x, across.y);
+        even_ = 0.5F * (longer_ - shorter);
+        end_ = 0.5F * (longer_ + shorter);
+        corner_ = 2.0F * longer_ * shorter;
     }
-    return distance < 0.0F ? 1.0F - far : far;
-}
 
-// The share of a pixel that a straight band covers: exact.
-// @param normal    across the band, unit
-// @param distance  of its centre line from the pixel's centre
-float shareOfBand(glm::vec2 normal, float distance, float width) {
-    const float outer = 0.5F * width + distance;
-    const float inner = 0.5F * width - distance;
-    if (inner >= halfDiagonal) return 1.0F;
-    if (inner <= -halfDiagonal) return 0.0F;
-    const glm::vec2 across = glm::abs(normal);
-    const float longer = std::max(across.x, across.y);
-    const float shorter = std::min(across.x, across.y);
-    return shareBeside(inner, longer, shorter) + shareBeside(outer, longer, shorter) - 1.0F;
-}
+    /// Exact.
+    /// @param distance  of the band's centre line from the pixel's centre
+    [[nodiscard]] float at(float distance) const {
+        const float outer = halfWidth_ + distance;
+        const float inner = halfWidth_ - distance;
+        if (inner >= halfDiagonal) return 1.0F;
+        if (inner <= -halfDiagonal) return 0.0F;
+        return beside(inner) + beside(outer) - 1.0F;
+    }
 
-// Raises coverage to that of a stroke: a band of the pen's width around its centre line, with round caps.
-void cover(Image<float>& coverage, const Stroke& stroke, float width) {
+private:
+    // The share that lies on one side of a line: how far it is from the centre, positive if the centre is on that side.
+    [[nodiscard]] float beside(float distance) const {
+        const float t = std::abs(distance);
+        float far = 1.0F;
+        if (t <= even_) {
+            far = 0.5F + t / longer_;
+        } else if (t < end_) {
+            far -= (end_ - t) * (end_ - t) / corner_;
+        }
+        return distance < 0.0F ? 1.0F - far : far;
+    }
+
+    float halfWidth_;
+    float longer_;  // how far the square reaches across, along its longer axis
+    float even_;    // up to here a line cuts two opposite sides
+    float end_;     // from here on it cuts none
+    float corner_;
+};
+
+// Pixels from (x0, y0) to (x1, y1); none if it ends before it begins.
+struct Box {
+    int x0;
+    int y0;
+    int x1;
+    int y1;
+};
+
+// The pixels of a picture that a stroke may cover.
+Box boxOf(const Stroke& stroke, float width, Size size) {
     const float reach = 0.5F * width + halfDiagonal;
     const glm::vec2 low = glm::min(stroke.from, stroke.to) - reach - 0.5F;
     const glm::vec2 high = glm::max(stroke.from, stroke.to) + reach - 0.5F;
-    const int x0 = std::max(0, static_cast<int>(std::ceil(low.x)));
-    const int y0 = std::max(0, static_cast<int>(std::ceil(low.y)));
-    const int x1 = std::min(coverage.size.width - 1, static_cast<int>(std::floor(high.x)));
-    const int y1 = std::min(coverage.size.height - 1, static_cast<int>(std::floor(high.y)));
+    return {std::max(0, static_cast<int>(std::ceil(low.x))), std::max(0, static_cast<int>(std::ceil(low.y))),
+            std::min(size.width - 1, static_cast<int>(std::floor(high.x))),
+            std::min(size.height - 1, static_cast<int>(std::floor(high.y)))};
+}
 
+// Some rows of the picture, small enough to stay in the processor's cache while strokes are laid over each other.
+constexpr int stripRows = 16;
+
+struct Strip {
+    int firstRow;
+    Image<float> picture;
+    Image<float> coverage;
+};
+
+// Raises coverage to that of a stroke: a band of the pen's width around its centre line, with round caps.
+// @param box  its pixels
+void cover(Strip& strip, const Stroke& stroke, float width, Box box) {
+    const float reach = 0.5F * width + halfDiagonal;
     const glm::vec2 along = stroke.to - stroke.from;
     const float lengthSquared = glm::dot(along, along);
     const glm::vec2 perLength = lengthSquared > 0.0F ? along / lengthSquared : glm::vec2{0.0F};
     const glm::vec2 normal =
         lengthSquared > 0.0F ? glm::vec2{-along.y, along.x} / std::sqrt(lengthSquared) : glm::vec2{1, 0};
-    for (int y = y0; y <= y1; ++y) {
-        for (int x = x0; x <= x1; ++x) {
+    const BandShare band{normal, width};
+    const int y1 = std::min(box.y1, strip.firstRow + stripRows - 1);
+    for (int y = std::max(box.y0, strip.firstRow); y <= y1; ++y) {
+        float* const row = &strip.coverage.at(0, y - strip.firstRow);
+        for (int x = box.x0; x <= box.x1; ++x) {
             const glm::vec2 p = glm::vec2{static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F} - stroke.from;
             const float s = glm::dot(p, perLength);
             const glm::vec2 offset = p - std::clamp(s, 0.0F, 1.0F) * along;
-            const float distance = glm::length(offset);
-            if (distance >= reach) continue;
+            const float distanceSquared = glm::dot(offset, offset);
+            if (distanceSquared >= reach * reach || row[x] >= 1.0F) continue;
+            const float distance = std::sqrt(distanceSquared);
             const bool beside = (s > 0.0F && s < 1.0F) || distance < leastOffset;  // not at a cap
-            float& to = coverage.at(x, y);
-            to = std::max(
-                to, beside ? shareOfBand(normal, distance, width) : shareOfBand(offset / distance, distance, width));
+            row[x] = std::max(row[x], beside ? band.at(distance) : BandShare{offset / distance, width}.at(distance));
         }
     }
 }
 
-// The same for a stroke whose width changes along it.
-void coverVarying(Image<float>& coverage, const Stroke& stroke, float penWidth) {
-    const float first = penWidth * static_cast<float>(stroke.widthFrom) / fullWidth;
-    const float last = penWidth * static_cast<float>(stroke.widthTo) / fullWidth;
-    const float reach = 0.5F * std::max(first, last) + halfDiagonal;
-    const glm::vec2 low = glm::min(stroke.from, stroke.to) - reach - 0.5F;
-    const glm::vec2 high = glm::max(stroke.from, stroke.to) + reach - 0.5F;
-    const int x0 = std::max(0, static_cast<int>(std::ceil(low.x)));
-    const int y0 = std::max(0, static_cast<int>(std::ceil(low.y)));
-    const int x1 = std::min(coverage.size.width - 1, static_cast<int>(std::floor(high.x)));
-    const int y1 = std::min(coverage.size.height - 1, static_cast<int>(std::floor(high.y)));
+// Of a pen's width, at each end.
+struct EndWidths {
+    float from;
+    float to;
+};
+EndWidths widthsOf(const Stroke& stroke, float penWidth) {
+    return {penWidth * static_cast<float>(stroke.widthFrom) / fullWidth,
+            penWidth * static_cast<float>(stroke.widthTo) / fullWidth};
+}
 
+bool varies(const Stroke& stroke) { return stroke.widthFrom != fullWidth || stroke.widthTo != fullWidth; }
+
+// The same for a stroke whose width changes along it.
+void coverVarying(Strip& strip, const Stroke& stroke, float penWidth, Box box) {
+    const auto [first, last] = widthsOf(stroke, penWidth);
+    const float reach = 0.5F * std::max(first, last) + halfDiagonal;
     const glm::vec2 along = stroke.to - stroke.from;
     const float lengthSquared = glm::dot(along, along);
     const glm::vec2 perLength = lengthSquared > 0.0F ? along / lengthSquared : glm::vec2{0.0F};
     const glm::vec2 normal =
         lengthSquared > 0.0F ? glm::vec2{-along.y, along.x} / std::sqrt(lengthSquared) : glm::vec2{1, 0};
-    for (int y = y0; y <= y1; ++y) {
-        for (int x = x0; x <= x1; ++x) {
+    const int y1 = std::min(box.y1, strip.firstRow + stripRows - 1);
+    for (int y = std::max(box.y0, strip.firstRow); y <= y1; ++y) {
+        float* const row = &strip.coverage.at(0, y - strip.firstRow);
+        for (int x = box.x0; x <= box.x1; ++x) {
             const glm::vec2 p = glm::vec2{static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F} - stroke.from;
             const float s = std::clamp(glm::dot(p, perLength), 0.0F, 1.0F);
             const glm::vec2 offset = p - s * along;
             const float distance = glm::length(offset);
             if (distance >= reach) continue;
             const bool beside = (s > 0.0F && s < 1.0F) || distance < leastOffset;
-            const float share = shareOfBand(beside ? normal : offset / distance, distance, glm::mix(first, last, s));
-            float& to = coverage.at(x, y);
-            to = std::max(to, share);
+            const glm::vec2 across = beside ? normal : offset / distance;
+            row[x] = std::max(row[x], BandShare{across, glm::mix(first, last, s)}.at(distance));
         }
     }
 }
 
 // Lays a colour over a picture as far as it covers.
-void blend(Image<float>& picture, const Image<float>& coverage, Color color) {
+void blend(Strip& strip, Color color) {
     const float channels[3]{static_cast<float>(color.red), static_cast<float>(color.green),
                             static_cast<float>(color.blue)};
-    for (std::size_t i = 0; i < coverage.pixels.size(); ++i) {
-        const float c = coverage.pixels[i];
-        if (c == 0.0F) continue;
-        float* pixel = &picture.pixels[i * static_cast<std::size_t>(picture.channels)];
-        if (picture.channels == 4) {  // straight alpha: the colour is that of the ink alone
+    const auto count = static_cast<std::size_t>(strip.picture.channels);
+    float* pixel = strip.picture.pixels.data();
+    if (count == 1) {
+        for (const float c : strip.coverage.pixels) {
+            *pixel += (channels[0] - *pixel) * c;
+            ++pixel;
+        }
+        return;
+    }
+    for (const float c : strip.coverage.pixels) {
+        if (c != 0.0F && count == 4) {  // straight alpha: the colour is that of the ink alone
             const float alpha = c + pixel[3] / 255.0F * (1.0F - c);
             for (int k = 0; k < 3; ++k) pixel[k] += (channels[k] - pixel[k]) * c / alpha;
             pixel[3] = 255.0F * alpha;
-        } else {
-            for (int k = 0; k < picture.channels; ++k) pixel[k] += (channels[k] - pixel[k]) * c;
+        } else if (c != 0.0F) {
+            for (int k = 0; k < 3; ++k) pixel[k] += (channels[k] - pixel[k]) * c;
         }
+        pixel += count;
     }
 }
 
@@ -154,16 +203,59 @@ std::vector<Coat> coatsOf(const std::array<Pen, penCount>& all) {
     return coats;
 }
 
-Image<float> emptyPicture(const PictureSettings& settings, bool grey) {
+// As many channels as the picture needs.
+Image<std::uint8_t> emptyPicture(const PictureSettings& settings, bool grey) {
     const Color behind = settings.background.value_or(settings.lineColor);
-    if (grey) return {settings.size, 1, static_cast<float>(behind.red)};
-    Image<float> picture{settings.size, settings.background ? 3 : 4, 0.0F};
-    const float channels[3]{static_cast<float>(behind.red), static_cast<float>(behind.green),
-                            static_cast<float>(behind.blue)};
+    if (grey) return {settings.size, 1, behind.red};
+    Image<std::uint8_t> picture{settings.size, settings.background ? 3 : 4};
+    const std::uint8_t channels[3]{behind.red, behind.green, behind.blue};
     for (std::size_t i = 0; i < picture.pixels.size(); i += static_cast<std::size_t>(picture.channels)) {
         std::copy_n(channels, 3, picture.pixels.begin() + static_cast<std::ptrdiff_t>(i));
     }
     return picture;
+}
+
+using Pens = std::array<Pen, penCount>;
+
+struct BoxedStroke {
+    const Stroke* stroke;
+    float width;
+    Box box;
+};
+
+// The strokes that each strip shows, in their order.
+std::vector<std::vector<BoxedStroke>> sorted(std::span<const Stroke> strokes, const Pens& allPens, Size size) {
+    std::vector<std::vector<BoxedStroke>> strips(static_cast<std::size_t>((size.height + stripRows - 1) / stripRows));
+    for (const Stroke& stroke : strokes) {
+        const auto width = static_cast<float>(allPens[stroke.style].width);
+        const EndWidths ends = widthsOf(stroke, width);
+        const Box box = boxOf(stroke, std::max(ends.from, ends.to), size);
+        if (box.x0 > box.x1) continue;
+        for (int y = box.y0; y <= box.y1; y = (y / stripRows + 1) * stripRows) {
+            strips[static_cast<std::size_t>(y / stripRows)].push_back({&stroke, width, box});
+        }
+    }
+    return strips;
+}
+
+// Paints strokes over the part of a picture that a strip covers.
+void paint(Strip& strip, std::span<const BoxedStroke> strokes, std::span<const Coat> coats,
+           Image<std::uint8_t>& picture) {
+    const auto begin = &picture.at(0, strip.firstRow);
+    const int rows = std::min(stripRows, picture.size.height - strip.firstRow);
+    const std::ptrdiff_t values = std::ptrdiff_t{rows} * picture.size.width * picture.channels;
+    std::copy_n(begin, values, strip.picture.pixels.begin());
+    for (const Coat& coat : coats) {
+        const auto isOfCoat = [&](const BoxedStroke& s) { return coat.pens.test(s.stroke->style); };
+        if (std::ranges::none_of(strokes, isOfCoat)) continue;
+        std::ranges::fill(strip.coverage.pixels, 0.0F);
+        for (const BoxedStroke& s : strokes) {
+            if (isOfCoat(s)) (varies(*s.stroke) ? coverVarying : cover)(strip, *s.stroke, s.width, s.box);
+        }
+        blend(strip, coat.color);
+    }
+    constexpr auto rounded = [](float v) { return static_cast<std::uint8_t>(static_cast<int>(double{v} + 0.5)); };
+    std::transform(strip.picture.pixels.begin(), strip.picture.pixels.begin() + values, begin, rounded);
 }
 
 }  // namespace
@@ -172,22 +264,15 @@ Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureS
     const auto allPens = pens(settings);
     const bool grey = settings.background && settings.background->grey() &&
                       std::ranges::all_of(allPens, [](const Pen& pen) { return pen.color.grey(); });
-    Image<float> picture = emptyPicture(settings, grey);
-    for (const Coat& coat : coatsOf(allPens)) {
-        const auto isOfCoat = [&](const Stroke& stroke) { return coat.pens.test(stroke.style); };
-        if (std::ranges::none_of(strokes, isOfCoat)) continue;
-        Image<float> coverage{settings.size, 1, 0.0F};
-        for (const Stroke& stroke : strokes) {
-            if (!isOfCoat(stroke)) continue;
-            const bool varies = stroke.widthFrom != fullWidth || stroke.widthTo != fullWidth;
-            (varies ? coverVarying : cover)(coverage, stroke, static_cast<float>(allPens[stroke.style].width));
-        }
-        blend(picture, coverage, coat.color);
+    const std::vector<Coat> coats = coatsOf(allPens);
+    Image<std::uint8_t> picture = emptyPicture(settings, grey);
+    const Size stripSize{settings.size.width, stripRows};
+    Strip strip{0, {stripSize, picture.channels}, {stripSize, 1}};
+    for (const std::vector<BoxedStroke>& shown : sorted(strokes, allPens, settings.size)) {
+        if (!shown.empty()) paint(strip, shown, coats, picture);
+        strip.firstRow += stripRows;
     }
-    Image<std::uint8_t> result{picture.size, picture.channels};
-    std::ranges::transform(picture.pixels, result.pixels.begin(),
-                           [](float v) { return static_cast<std::uint8_t>(std::lround(v)); });
-    return result;
+    return picture;
 }
 
 }  // namespace inkedge

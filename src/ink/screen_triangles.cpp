@@ -37,6 +37,9 @@ ScreenTriangles::ScreenTriangles(const Scene& scene, const std::vector<std::uint
         glm::dmat4 fromOrigin{1.0};
         fromOrigin[3] = glm::dvec4{scene.meshes()[instance.mesh].origin, 1.0};
         toPixels_.push_back(viewport * (view * (instance.transform * fromOrigin)));
+        if (camera.orthographic()) {
+            toW_.push_back(glm::transpose(camera.view * (instance.transform * fromOrigin))[2]);
+        }
     }
     collectLayerBorders();
 }
@@ -109,6 +112,23 @@ ScreenTriangles::EdgeLines ScreenTriangles::edgeLines(SceneTriangle t) const {
         for (glm::dvec3& line : lines.line) line = -line;
     }
     return lines;
+}
+
+ScreenTriangles::Plane ScreenTriangles::plane(SceneTriangle t, glm::dvec2 at) const {
+    const glm::dvec3 a = corner(t.instance, 3 * t.triangle);
+    const glm::dvec3 b = corner(t.instance, 3 * t.triangle + 1);
+    const glm::dvec3 c = corner(t.instance, 3 * t.triangle + 2);
+    glm::dvec3 w{1.0};  // at the corners, times their homogeneous coordinate
+    if (!toW_.empty()) {
+        const Mesh& mesh = scene_.meshes()[scene_.instances()[t.instance].mesh];
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const glm::dvec3 position{mesh.positions[mesh.indices[3 * t.triangle + i]]};
+            w[static_cast<int>(i)] = glm::dot(toW_[t.instance], glm::dvec4{position, 1.0});
+        }
+    }
+    const glm::dvec3 bc = glm::cross(b, c);
+    const glm::dvec3 plane = (w.x * bc + w.y * glm::cross(c, a) + w.z * glm::cross(a, b)) / glm::dot(a, bc);
+    return {glm::dot(plane, glm::dvec3{at, 1.0}), plane.x, plane.y};
 }
 
 ScreenTriangles::Walk ScreenTriangles::walk(SceneTriangle from, glm::dvec2 start, glm::dvec2 goal) const {

@@ -8,6 +8,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x3.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include <inkedge/camera.h>
 
@@ -19,7 +20,8 @@ struct SceneTriangle {
     std::uint32_t triangle;  ///< of the instance's mesh
 };
 
-/// The scene's triangles as one camera projects them. Coordinates are pixels, (0, 0) the picture's top left corner.
+/// The scene's triangles as one camera projects them. Coordinates are pixels, (0, 0) the whole picture's top left
+/// corner.
 class ScreenTriangles {
 public:
     /// @param firstTriangles  for each instance the number of its first triangle in the scene
@@ -49,6 +51,15 @@ public:
     /// triangles on the way are too many to follow.
     [[nodiscard]] Walk walk(SceneTriangle from, glm::dvec2 start, glm::dvec2 goal) const;
 
+    /// What linear function of the picture a triangle is: w and its slopes a pixel, as PlaneBuffers::planes, but in
+    /// scene units and to double precision.
+    struct Plane {
+        double w;
+        double dx;
+        double dy;
+    };
+    [[nodiscard]] Plane plane(SceneTriangle, glm::dvec2 at) const;
+
     /// Whether two triangles of one mesh are the same or touch each other.
     [[nodiscard]] bool touch(SceneTriangle, SceneTriangle) const;
 
@@ -74,6 +85,7 @@ private:
     const Scene& scene_;
     const std::vector<std::uint32_t>& firstTriangles_;
     std::vector<glm::dmat4x3> toPixels_;  // one an instance: mesh positions less their origin -> homogeneous pixels
+    std::vector<glm::dvec4> toW_;         // and, orthographic, what gives w
     std::unordered_map<std::uint32_t, std::vector<BorderEdge>> layerBorders_;  // by patch number
 };
 

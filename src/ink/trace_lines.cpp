@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
+#include <iterator>
 #include <optional>
 #include <span>
 
 #include <glm/geometric.hpp>
 
 #include <inkedge/reference.h>
-
-#include "ink/screen_triangles.h"
 
 namespace inkedge {
 namespace {
@@ -29,36 +29,74 @@ struct Crossing {
 
 // The crossings of one row of samples with their neighbours to the right and below.
 struct CrossingRow {
+    explicit CrossingRow(int width) : right(static_cast<std::size_t>(width)), down(static_cast<std::size_t>(width)) {}
+
+    // Most samples have none.
+    void clear() {
+        for (const int column : columns) right[static_cast<std::size_t>(column)].types = 0;
+        for (const int column : columns) down[static_cast<std::size_t>(column)].types = 0;
+        columns.clear();
+    }
+
     std::vector<Crossing> right;
     std::vector<Crossing> down;
+    std::vector<int> columns;  // where there are some, ascending
 };
 
+// Calls visit(x) where a row of marks is not 0. Most are: skips them by eights.
+template <class Visit>
+void forEachMarked(const Image<std::uint8_t>& marks, int y, int begin, int end, Visit visit) {
+    const std::uint8_t* const row = &marks.at(0, y);
+    constexpr int step = sizeof(std::uint64_t);
+    for (int x = begin; x < end;) {
+        std::uint64_t next = 1;
+        if (x + step <= end) std::memcpy(&next, row + x, sizeof next);
+        if (next == 0) {
+            x += step;
+            continue;
+        }
+        for (const int stop = std::min(x + step, end); x < stop; ++x) {
+            if (row[x] != 0) visit(x);
+        }
+    }
+}
+
+// Counted in the tile.
 struct Sample {
     int x;
     int y;
 };
 
+// What a tile keeps and the samples around it: crossings up to there have a part in its lines and maps.
+Rectangle aroundKept(const Tile& tile) {
+    const auto [x, y, size] = tile.keptInDrawn();
+    const int left = std::max(x - 1, 0);
+    const int top = std::max(y - 1, 0);
+    return {left,
+            top,
+            {std::min(x + size.width + 1, tile.drawn.size.width) - left,
+             std::min(y + size.height + 1, tile.drawn.size.height) - top}};
+}
+
 class Tracer {
 public:
-    Tracer(const LineBuffers& buffers, const ScreenTriangles& triangles, const Camera& camera, double unit)
+    Tracer(const LineBuffers& buffers, const ScreenTriangles& triangles, const Camera& camera)
         : buffers_{buffers},
           triangles_{triangles},
           orthographic_{camera.orthographic()},
-          focalLength_{camera.focalLength(buffers.marks.size) * (camera.orthographic() ? unit : 1.0)},
+          focalLength_{camera.focalLength(buffers.tile.whole)},
+          columns_{aroundKept(buffers.tile)},
           types_{buffers.marks.size, 1} {}
 
-    CrossingRow row(int y) {
-        const Size size = buffers_.marks.size;
-        CrossingRow crossings{std::vector<Crossing>(static_cast<std::size_t>(size.width)),
-                              std::vector<Crossing>(static_cast<std::size_t>(size.width))};
-        for (int x = 0; x < size.width; ++x) {
+    void traceRow(int y, CrossingRow& crossings) {
+        crossings.clear();
+        forEachMarked(buffers_.marks, y, columns_.x, columns_.x + columns_.size.width, [&](int x) {
             const unsigned marks = buffers_.marks.at(x, y);
-            if (marks == 0) continue;
             const auto column = static_cast<std::size_t>(x);
             if ((marks & 15U) != 0) crossings.right[column] = crossing({x, y}, {x + 1, y}, marks & 15U);
             if ((marks >> 4U) != 0) crossings.down[column] = crossing({x, y}, {x, y + 1}, marks >> 4U);
-        }
-        return crossings;
+            crossings.columns.push_back(x);
+        });
     }
 
     // LineType bits at the nearer sample of each crossing traced so far.
@@ -72,33 +110,50 @@ private:
     [[nodiscard]] SceneTriangle triangle(Sample s) const {
         return triangles_.locate(buffers_.triangles.at(s.x, s.y) - 1);
     }
+    // In the whole picture.
+    [[nodiscard]] glm::dvec2 centre(Sample s) const {
+        const Rectangle& drawn = buffers_.tile.drawn;
+        return {s.x + drawn.x + 0.5, s.y + drawn.y + 0.5};
+    }
     [[nodiscard]] Walk walk(Sample from, Sample to) const {
-        return triangles_.walk(triangle(from), {from.x + 0.5, from.y + 0.5}, {to.x + 0.5, to.y + 0.5});
+        return triangles_.walk(triangle(from), centre(from), centre(to));
     }
 
     // Where coplanar layers overlap a pixel holds the sum of their patches' numbers: one more on one side names the
     // layer.
     [[nodiscard]] std::optional<double> layerBorder(Sample from, Sample to) const {
         const float difference = buffers_.planes.at(from.x, from.y, 3) - buffers_.planes.at(to.x, to.y, 3);
-        return triangles_.layerBorder(static_cast<std::uint32_t>(std::abs(difference)), {from.x + 0.5, from.y + 0.5},
-                                      {to.x + 0.5, to.y + 0.5});
+        return triangles_.layerBorder(static_cast<std::uint32_t>(std::abs(difference)), centre(from), centre(to));
+    }
+
+    // The planes that were drawn have rounding of their own in each tile; these are the same in all.
+    [[nodiscard]] ScreenTriangles::Plane plane(Sample s) const { return triangles_.plane(triangle(s), centre(s)); }
+
+    [[nodiscard]] bool isNearer(Sample q, Sample p) const {
+        constexpr double rounding = 1e-5;  // of drawn planes: some steps of a float
+        const double wp = static_cast<double>(buffers_.planes.at(p.x, p.y));
+        const double wq = static_cast<double>(buffers_.planes.at(q.x, q.y));
+        if (std::abs(wp - wq) > rounding * std::max(std::abs(wp), std::abs(wq))) return wq > wp;
+        constexpr double equal = 1e-9;  // faces that lie as deep as each other stay so, however numbers are rounded
+        const double atP = plane(p).w;
+        const double atQ = plane(q).w;
+        return atQ - atP > equal * std::max(std::abs(atP), std::abs(atQ));
     }
 
     // Where the planes of p and q meet on the step from p to q, if they do and it can be told.
     [[nodiscard]] std::optional<double> planesMeet(Sample p, Sample q) const {
-        const int axis = p.x == q.x ? 2 : 1;
-        const double wp = static_cast<double>(buffers_.planes.at(p.x, p.y));
-        const double wq = static_cast<double>(buffers_.planes.at(q.x, q.y));
-        const double rp = wq - (wp + static_cast<double>(buffers_.planes.at(p.x, p.y, axis)));
-        const double rq = wp - (wq - static_cast<double>(buffers_.planes.at(q.x, q.y, axis)));
-        const double footprints = orthographic_ ? focalLength_ : focalLength_ / std::max(wp, wq);
-        if (rp * rq < 0.0 || std::abs(rp + rq) * footprints <= leastBend) return {};
+        const ScreenTriangles::Plane atP = plane(p);
+        const ScreenTriangles::Plane atQ = plane(q);
+        const double rp = atQ.w - (atP.w + (p.x == q.x ? atP.dy : atP.dx));
+        const double rq = atP.w - (atQ.w - (p.x == q.x ? atQ.dy : atQ.dx));
+        const double footprints = orthographic_ ? focalLength_ : focalLength_ / std::max(atP.w, atQ.w);
+        const double bend = std::abs(rp + rq) * footprints;
+        if (rp * rq < 0.0 || !(bend > leastBend) || !std::isfinite(bend)) return {};  // faces on edge have no plane
         return rq / (rp + rq);
     }
 
     Crossing crossing(Sample p, Sample q, unsigned marks) {
-        const bool swap =
-            isBackground(p) || (!isBackground(q) && buffers_.planes.at(q.x, q.y) > buffers_.planes.at(p.x, p.y));
+        const bool swap = isBackground(p) || (!isBackground(q) && isNearer(q, p));
         const Sample near = swap ? q : p;
         const Sample far = swap ? p : q;
         const bool jumps = (marks & (PairMark::background | PairMark::jump)) != 0;
@@ -121,8 +176,8 @@ private:
         }
         const std::uint8_t types = classify(near, far, marks, way.exit);
         types_.at(near.x, near.y) |= types;
-        const glm::dvec2 from{near.x + 0.5, near.y + 0.5};
-        const glm::dvec2 to{far.x + 0.5, far.y + 0.5};
+        const glm::dvec2 from = centre(near);
+        const glm::dvec2 to = centre(far);
         return {glm::vec2{from + t * (to - from)}, types};
     }
 
@@ -151,6 +206,7 @@ private:
     const ScreenTriangles& triangles_;
     bool orthographic_;
     double focalLength_;
+    Rectangle columns_;
     Image<std::uint8_t> types_;
 };
 
@@ -162,17 +218,17 @@ public:
     PinholeFilter(LineBuffers& buffers, const Camera& camera, double unit)
         : buffers_{buffers},
           orthographic_{camera.orthographic()},
-          focalLength_{camera.focalLength(buffers.marks.size) * (camera.orthographic() ? unit : 1.0)} {}
+          focalLength_{camera.focalLength(buffers.tile.whole) * (camera.orthographic() ? unit : 1.0)} {}
 
     void apply() {
         const Size size = buffers_.marks.size;
         for (int y = 1; y + 1 < size.height; ++y) {
-            for (int x = 1; x + 1 < size.width; ++x) {
-                if (!standsAlone(x, y) || !isPinhole(x, y)) continue;
+            forEachMarked(buffers_.marks, y, 1, size.width - 1, [&](int x) {
+                if (!standsAlone(x, y) || !isPinhole(x, y)) return;
                 buffers_.marks.at(x, y) = 0;
                 buffers_.marks.at(x - 1, y) &= belowMarks;
                 buffers_.marks.at(x, y - 1) &= rightMarks;
-            }
+            });
         }
     }
 
@@ -216,26 +272,42 @@ private:
 // Joins the crossings around each cell of 2 x 2 samples.
 class CellJoiner {
 public:
-    CellJoiner(DrawnTypes types, int samplesPerPixel, Size samples, std::vector<Stroke>& strokes)
-        : types_{types}, scale_{1.0F / static_cast<float>(samplesPerPixel)}, samples_{samples}, strokes_{strokes} {}
+    CellJoiner(DrawnTypes types, int samplesPerPixel, const Tile& tile, std::vector<Stroke>& strokes)
+        : types_{types}, scale_{1.0F / static_cast<float>(samplesPerPixel)}, tile_{tile}, strokes_{strokes} {}
 
     //        top
     //   (x, y) --- (x + 1, y)
     //  left |         | right
     //       |         |
     //        --------- bottom
+    // @param y  of the whole picture
     void join(int y, const CrossingRow& above, const CrossingRow& below) {
-        for (int x = 0; x + 1 < samples_.width; ++x) {
+        const Rectangle kept = tile_.keptInDrawn();
+        const int end = std::min(kept.x + kept.size.width, tile_.drawn.size.width - 1);
+        findCells(above.columns, below.columns);
+        for (const int x : cells_) {
+            if (x < kept.x || x >= end) continue;
             const auto column = static_cast<std::size_t>(x);
             const Crossing* sides[4]{&above.right[column], &below.right[column], &above.down[column],
                                      &above.down[column + 1]};
             const auto drawnEnd =
                 std::remove_if(sides, sides + 4, [&](const Crossing* c) { return (c->types & types_.drawn) == 0; });
-            joinCell({sides, static_cast<std::size_t>(drawnEnd - sides)}, x, y);
+            joinCell({sides, static_cast<std::size_t>(drawnEnd - sides)}, x + tile_.drawn.x, y);
         }
     }
 
 private:
+    // The cells that crossings lie on, counted by their left column in the tile; -1 and the last column among them.
+    void findCells(const std::vector<int>& above, const std::vector<int>& below) {
+        upper_.clear();
+        for (const int column : above) {
+            if (upper_.empty() || upper_.back() < column - 1) upper_.push_back(column - 1);
+            upper_.push_back(column);
+        }
+        cells_.clear();
+        std::ranges::set_union(upper_, below, std::back_inserter(cells_));
+    }
+
     [[nodiscard]] std::uint8_t styleOf(const Crossing& c) const {
         const auto drawn = static_cast<unsigned>(c.types & types_.drawn);
         const unsigned styled = drawn & types_.styled;
@@ -269,12 +341,12 @@ private:
                 further < longestReach ? farBeyond / scale_ * glm::normalize(along) : glm::vec2{0.0F};
             return end.place + std::min(further, longestReach) * along + overshoot;
         };
-        const auto width = static_cast<float>(samples_.width);
-        const auto height = static_cast<float>(samples_.height);
+        const auto width = static_cast<float>(tile_.whole.width);
+        const auto height = static_cast<float>(tile_.whole.height);
         if (y == 0 && end.place.y == 0.5F) return beyond(end.place.y, along.y, 0.0F);
         if (x == 0 && end.place.x == 0.5F) return beyond(end.place.x, along.x, 0.0F);
-        if (y + 2 == samples_.height && end.place.y == height - 0.5F) return beyond(end.place.y, along.y, height);
-        if (x + 2 == samples_.width && end.place.x == width - 0.5F) return beyond(end.place.x, along.x, width);
+        if (y + 2 == tile_.whole.height && end.place.y == height - 0.5F) return beyond(end.place.y, along.y, height);
+        if (x + 2 == tile_.whole.width && end.place.x == width - 0.5F) return beyond(end.place.x, along.x, width);
         return end.place;
     }
 
@@ -283,8 +355,10 @@ private:
 
     DrawnTypes types_;
     float scale_;
-    Size samples_;
+    const Tile& tile_;
     std::vector<Stroke>& strokes_;
+    std::vector<int> upper_;  // cells that touch a crossing of the row above, ascending
+    std::vector<int> cells_;  // those of either row
 };
 
 // The patch, the patch across, the node and the material of each sample.
@@ -295,8 +369,9 @@ Image<std::uint32_t> traceIds(const LineBuffers& buffers, const Scene& scene, co
         const std::uint32_t number = buffers.triangles.at(x, y);
         return number == 0 ? 0U : triangles.patchOf(triangles.locate(number - 1));
     };
-    for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) {
+    const Rectangle part = aroundKept(buffers.tile);
+    for (int y = part.y; y < part.y + part.size.height; ++y) {
+        for (int x = part.x; x < part.x + part.size.width; ++x) {
             if (const std::uint32_t number = buffers.triangles.at(x, y); number != 0) {
                 const SceneTriangle t = triangles.locate(number - 1);
                 const Instance& instance = scene.instances()[t.instance];
@@ -327,7 +402,7 @@ Image<std::uint8_t> typesOfPixels(const Image<std::uint8_t>& samples, int sample
     return types;
 }
 
-// A pixel's ids are those of its first sample on a line, or of its middle one.
+// A pixel's ids are those of its first sample beside a line, or of its middle one.
 Image<std::uint32_t> idsOfPixels(const TracedLines& traced, int samplesPerPixel) {
     const Size size{traced.ids.size.width / samplesPerPixel, traced.ids.size.height / samplesPerPixel};
     Image<std::uint32_t> ids{size, traced.ids.channels};
@@ -338,7 +413,7 @@ Image<std::uint32_t> idsOfPixels(const TracedLines& traced, int samplesPerPixel)
             for (int i = samplesPerPixel * samplesPerPixel - 1; i >= 0; --i) {
                 const int sampleX = x * samplesPerPixel + i % samplesPerPixel;
                 const int sampleY = y * samplesPerPixel + i / samplesPerPixel;
-                if (traced.types.at(sampleX, sampleY) == 0) continue;
+                if (traced.types.at(sampleX, sampleY) == 0 && traced.ids.at(sampleX, sampleY, 1) == 0) continue;
                 fromX = sampleX;
                 fromY = sampleY;
             }
@@ -358,21 +433,24 @@ DrawnTypes drawnTypes(const PictureSettings& settings) {
     return types;
 }
 
-TracedLines traceLines(LineBuffers buffers, const Scene& scene, const std::vector<std::uint32_t>& firstTriangles,
-                       const Camera& camera, double unit, DrawnTypes types, int samplesPerPixel, TraceIds ids) {
+TracedLines traceLines(LineBuffers buffers, const Scene& scene, const ScreenTriangles& triangles, const Camera& camera,
+                       double unit, DrawnTypes types, int samplesPerPixel, TraceIds ids) {
     TracedLines traced;
     PinholeFilter{buffers, camera, unit}.apply();
-    const ScreenTriangles triangles{scene, firstTriangles, camera, buffers.marks.size};
-    Tracer tracer{buffers, triangles, camera, unit};
-    CellJoiner joiner{types, samplesPerPixel, buffers.marks.size, traced.strokes};
-    CrossingRow above = tracer.row(0);
-    for (int y = 1; y < buffers.marks.size.height; ++y) {
-        CrossingRow below = tracer.row(y);
-        joiner.join(y - 1, above, below);
-        above = std::move(below);
+    Tracer tracer{buffers, triangles, camera};
+    const Tile& tile = buffers.tile;
+    const Rectangle rows = aroundKept(tile);
+    CellJoiner joiner{types, samplesPerPixel, tile, traced.strokes};
+    CrossingRow above{tile.drawn.size.width};
+    CrossingRow below{tile.drawn.size.width};
+    tracer.traceRow(rows.y, above);
+    for (int y = rows.y + 1; y < rows.y + rows.size.height; ++y) {
+        tracer.traceRow(y, below);
+        if (const int cells = y - 1 + tile.drawn.y; cells >= tile.kept.y) joiner.join(cells, above, below);
+        std::swap(above, below);
     }
-    traced.types = tracer.takeTypes();
-    if (ids == TraceIds::Keep) traced.ids = traceIds(buffers, scene, triangles);
+    traced.types = cropped(tracer.takeTypes(), tile.keptInDrawn());
+    if (ids == TraceIds::Keep) traced.ids = cropped(traceIds(buffers, scene, triangles), tile.keptInDrawn());
     if (samplesPerPixel > 1) {
         if (ids == TraceIds::Keep) traced.ids = idsOfPixels(traced, samplesPerPixel);
         traced.types = typesOfPixels(traced.types, samplesPerPixel);

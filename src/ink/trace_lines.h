@@ -9,20 +9,24 @@
 #include <inkedge/settings.h>
 
 #include "ink/paint_strokes.h"
+#include "ink/screen_triangles.h"
+#include "samples.h"
+#include "tiles.h"
 
 namespace inkedge {
 
-/// What the detector left for the ink, in samples: one a pixel, or 2 x 2 or 4 x 4. Row 0 is the top row.
+/// What the detector left for the ink, in samples: one a pixel, or 2 x 2 or 4 x 4. Row 0 is the tile's top row.
 struct LineBuffers {
-    Image<float> planes;             ///< as PlaneBuffers::planes
-    Image<std::uint32_t> triangles;  ///< as PlaneBuffers::triangles
-    Image<std::uint8_t> marks;       ///< as detectLines() returns them
+    Tile tile;                         ///< what they show
+    Samples<float> planes;             ///< as PlaneBuffers::planes; needed where regionsAround() the marks are
+    Samples<std::uint32_t> triangles;  ///< as PlaneBuffers::triangles; likewise, everywhere for TraceIds::Keep
+    Image<std::uint8_t> marks;         ///< as detectLines() returns them
 };
 
 struct TracedLines {
-    std::vector<Stroke> strokes;  ///< in output pixels
-    Image<std::uint8_t> types;    ///< as Maps::types
-    Image<std::uint32_t> ids;     ///< as Maps::ids; empty unless asked for
+    std::vector<Stroke> strokes;  ///< in output pixels of the whole picture: those of cells that the tile keeps
+    Image<std::uint8_t> types;    ///< as Maps::types, of what the tile keeps
+    Image<std::uint32_t> ids;     ///< as Maps::ids, likewise; empty unless asked for
 };
 
 enum class TraceIds { Drop, Keep };
@@ -37,10 +41,10 @@ struct DrawnTypes {
 
 /// Places each crossing between two neighbouring samples exactly where the planes meet or the nearer surface ends,
 /// finds out what it is, and joins the crossings around each cell of 2 x 2 samples by strokes.
-/// @param firstTriangles  for each instance the number of its first triangle in the scene
+/// @param triangles       as the camera projects them onto the whole picture's samples
 /// @param unit            scene units in a unit length of the planes
 /// @param types           what becomes strokes; the maps hold all
-[[nodiscard]] TracedLines traceLines(LineBuffers, const Scene&, const std::vector<std::uint32_t>& firstTriangles,
-                                     const Camera&, double unit, DrawnTypes types, int samplesPerPixel, TraceIds);
+[[nodiscard]] TracedLines traceLines(LineBuffers, const Scene&, const ScreenTriangles& triangles, const Camera&,
+                                     double unit, DrawnTypes types, int samplesPerPixel, TraceIds);
 
 }  // namespace inkedge

@@ -28,22 +28,23 @@ public:
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
 
-    /// Draws one view: the picture and the maps that settings.maps names. settings.load, .camera and .backend are not
+    /// Draws one view: the picture and the maps that settings.maps names. What is larger than settings.picture.tileSize
+    /// is drawn in parts, so that graphics memory does not limit the size; the picture and the maps themselves are held
+    /// in memory. settings.load, .camera and .backend are not
     /// looked at. The last scene's upload is kept for the next call.
-    /// @throws Error  (Kind::Usage) if the size is 0 or over the context's limit, or the camera is unusable;
-    ///                (Kind::Runtime) if the context runs out of memory, or is lost: then make a new Renderer
+    /// @throws Error  (Kind::Usage) if a setting of the picture is out of range, or the camera is unusable;
+    ///                (Kind::Runtime) if there is less memory than the picture and its maps take, or the context runs
+    ///                out of memory, or is lost: then make a new Renderer
     [[nodiscard]] Maps render(const Scene&, const Camera&, const Settings& = {});
 
     /// The lines of one view from object space, as settings.lines says: visible polylines in the picture and in the
-    /// world, hidden ones too if settings.lines.hidden keeps them. What a scene needs for it (edge tables, bounding volume
-    /// hierarchies) is kept for the next call. Of settings.picture, size and lines are looked at.
+    /// world, hidden ones too if settings.lines.hidden keeps them. What a scene needs for it (edge tables, bounding
+    /// volume hierarchies) is kept for the next call. Of settings.picture, size and lines are looked at.
     /// @throws Error  (Kind::Usage) if the size or the camera is unusable; (Kind::Runtime) if Embree is not there or
     ///                memory runs out
     [[nodiscard]] Lines lines(const Scene&, const Camera&, const Settings& = {});
 
     [[nodiscard]] const BackendInfo& backend() const noexcept;
-    /// The largest width and height of a picture, pixels.
-    [[nodiscard]] int maximumSize() const noexcept;
 
 private:
     struct State;

@@ -130,13 +130,18 @@ struct LineStyle {
 };
 
 struct PictureSettings {
-    Size size{1024, 1024};
+    static constexpr int mostSide = 32768;     ///< of size
+    static constexpr int leastTileSize = 256;  ///< of tileSize
+    static constexpr int mostTileSize = 8192;
+
+    Size size{1024, 1024};                                   ///< pixels, 1 to mostSide along each axis
     Color lineColor{0, 0, 0};
     std::optional<Color> background = Color{255, 255, 255};  ///< none: transparent
     PictureLength lineWidth{1.5, false};                     ///< 0.5 to 32 pixels
     double dpi = 96.0;                                       ///< pixels an inch, for widths in millimetres
     std::optional<PageSize> page;                            ///< the sheet that vectors are for; none: the size at dpi
     int supersampling = 1;                                   ///< samples a pixel along each axis: 1, 2 or 4
+    int tileSize = 4096;  ///< the largest side of what is drawn at once, samples: trades memory for time
     std::uint8_t lines = allLineTypes;                       ///< which types are drawn
     std::array<LineStyle, lineTypeCount> lineStyles;         ///< in the order of LineType's bits
 };

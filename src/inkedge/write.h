@@ -15,7 +15,8 @@
 
 namespace inkedge {
 
-/// A picture as a PNG file's bytes: 1 channel grey, 3 RGB, 4 RGBA; 8 bits each.
+/// A picture as a PNG file's bytes: 1 channel grey, 3 RGB, 4 RGBA, 8 bits each; 3 and 4 by a
+/// palette if the picture has few colours.
 [[nodiscard]] INKEDGE_API std::vector<std::uint8_t> encodePng(const Image<std::uint8_t>&);
 
 /// What a render was asked for and what it did, as one JSON object: camera (view and projection as row-major 4 x 4 for

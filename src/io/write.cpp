@@ -12,6 +12,7 @@
 #include "io/file.h"
 #include "io/image_module.h"
 #include "io/picture.h"
+#include "memory.h"
 
 namespace fs = std::filesystem;
 
@@ -170,6 +171,7 @@ Image<std::uint32_t> widened(const Image<std::uint8_t>& bytes) {
 }
 
 std::vector<std::uint8_t> encodeLayers(const Maps& maps, std::span<const Map> wanted, const fs::path& target) {
+    expectMemory(maps.picture.size, sizeof(float) * static_cast<std::uint64_t>(maps.picture.channels));
     const Image<float> picture = io::linearPicture(maps.picture);
     std::vector<io::Layer> layers{{&picture, io::channelNames(picture.channels), io::SampleType::Half}};
     const Image<std::uint32_t> typeBits = widened(maps.types);  // bits, not shares of 255

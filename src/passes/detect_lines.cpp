@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include <glm/trigonometric.hpp>
 
@@ -26,23 +27,69 @@ Image<std::uint8_t> unpack(const Image<std::uint8_t>& blocks, Size size) {
     return marks;
 }
 
+constexpr int regionRows = 64;  // few parts: drivers need microseconds for each
+constexpr int step = sizeof(std::uint64_t);
+
+bool anyMarked(const Image<std::uint8_t>& marks, int y, int x) {
+    std::uint64_t some = 0;
+    std::memcpy(&some, &marks.at(x, y), static_cast<std::size_t>(std::min(step, marks.size.width - x)));
+    return some != 0;
+}
+
+struct Columns {
+    int begin;
+    int end;
+};
+
+// The columns, in whole steps, between the outermost marks of some rows; none if begin is not less than end.
+Columns markedColumns(const Image<std::uint8_t>& marks, int firstRow, int endRow) {
+    const int steps = (marks.size.width + step - 1) / step;
+    int begin = steps;
+    int end = 0;
+    for (int y = firstRow; y < endRow; ++y) {
+        for (int i = 0; i < begin; ++i) {
+            if (anyMarked(marks, y, i * step)) begin = i;
+        }
+        for (int i = steps; i > end; --i) {
+            if (anyMarked(marks, y, (i - 1) * step)) end = i;
+        }
+    }
+    return {begin * step, end * step};
+}
+
 }  // namespace
 
-Image<std::uint8_t> detectLines(gl::Gpu& gpu, const gl::Texture& planes, const Camera& camera, double unit,
-                                double creaseAngle) {
+Image<std::uint8_t> detectLines(gl::Gpu& gpu, const gl::Texture& planes, const Tile& tile, const Camera& camera,
+                                double unit, double creaseAngle) {
     constexpr auto program = gl::Program::DetectLines;
     const Size size = planes.size();
     const double creaseCosine = std::cos(glm::radians(creaseAngle));
-    const double focal = camera.focalLength(size) * (camera.orthographic() ? unit : 1.0);
+    const double focal = camera.focalLength(tile.whole) * (camera.orthographic() ? unit : 1.0);
     const GLuint id = gpu.programs.id(program);
     gpu.api.ProgramUniform1f(id, 0, static_cast<float>(focal));
     gpu.api.ProgramUniform1i(id, 1, camera.orthographic() ? 1 : 0);
     gpu.api.ProgramUniform1f(id, 2, static_cast<float>(creaseCosine * std::abs(creaseCosine)));
 
+    gpu.api.ProgramUniform2f(id, 3, 0.5F * static_cast<float>(tile.whole.width) - static_cast<float>(tile.drawn.x),
+                             0.5F * static_cast<float>(tile.whole.height) - static_cast<float>(tile.drawn.y));
+
     const Size blocks{(size.width + blockSide - 1) / blockSide, (size.height + blockSide - 1) / blockSide};
     const gl::Texture marks = gpu.textures.acquire(blocks, GL_RGBA32UI);
     gl::drawFullscreen(gpu, program, gl::Framebuffer{gpu.api, {&marks}}, {&planes});
     return unpack(gl::readPacked(gpu.api, marks), size);
+}
+
+std::vector<Rectangle> regionsAround(const Image<std::uint8_t>& marks) {
+    const auto [width, height] = marks.size;
+    std::vector<Rectangle> regions;
+    for (int y = 0; y < height; y += regionRows) {
+        const int rows = std::min(regionRows, height - y);
+        const Columns columns = markedColumns(marks, std::max(y - 1, 0), std::min(y + rows + 1, height));
+        if (columns.begin >= columns.end) continue;
+        const int left = std::max(columns.begin - 1, 0);
+        regions.push_back({left, y, {std::min(columns.end + 1, width) - left, rows}});
+    }
+    return regions;
 }
 
 }  // namespace inkedge

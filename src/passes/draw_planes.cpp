@@ -6,6 +6,7 @@
 
 #include "gl/draw.h"
 #include "passes/placement.h"
+#include "passes/show_tile.h"
 
 namespace inkedge {
 namespace {
@@ -43,11 +44,12 @@ void drawScene(gl::Gpu& gpu, gl::Program program, const gl::UploadedScene& uploa
 
 // Adds the numbers of coplanar layers to the planes that are drawn.
 void drawLayers(gl::Gpu& gpu, const gl::UploadedScene& upload, const gl::Texture& planes, const gl::Texture& depth,
-                const glm::dmat4& projection, const Camera& camera, double unit,
+                const glm::dmat4& projection, const Tile& tile, const Camera& camera, double unit,
                 gl::UploadedScene::HiddenBacks backs) {
     if (!upload.hasLayers()) return;
     const gl::Framebuffer target{gpu.api, {&planes}, &depth};
     gl::prepareDrawing(gpu, gl::Program::DrawLayers, target);
+    showTile(gpu, gl::Program::DrawLayers, tile);
     gpu.api.DepthFunc(GL_GEQUAL);
     gpu.api.DepthMask(GL_FALSE);
     gpu.api.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
@@ -55,43 +57,48 @@ void drawLayers(gl::Gpu& gpu, const gl::UploadedScene& upload, const gl::Texture
     gpu.api.BlendEquation(GL_FUNC_ADD);
     gpu.api.BlendFunc(GL_ONE, GL_ONE);
     setUniforms(gpu, gl::Program::DrawLayers, glm::mat4{projection},
-                liftInClipSpace(projection, camera, planes.size(), unit), camera.orthographic());
+                liftInClipSpace(projection, camera, tile.whole, unit), camera.orthographic());
     upload.draw(gl::UploadedScene::Part::Layers, backs);
 }
 
 }  // namespace
 
 PlaneBuffers drawPlanes(gl::Gpu& gpu, const gl::UploadedScene& upload, const Scene& scene, const Camera& camera,
-                        Size size) {
+                        const Tile& tile) {
+    const Size size = tile.drawn.size;
     const double unit = unitLength(scene);
-    const glm::dmat4 projection = reversedProjection(camera, size, unit);
+    const glm::dmat4 projection = reversedProjection(camera, tile.whole, unit);
     upload.place(placeInstances(scene, upload, camera, LightSpace::Camera));
 
     PlaneBuffers buffers{gpu.textures.acquire(size, GL_RGBA32F), gpu.textures.acquire(size, GL_R32UI)};
     const gl::Texture depth = gpu.textures.acquire(size, GL_DEPTH_COMPONENT32F);
     const gl::Framebuffer target{gpu.api, {&buffers.planes, &buffers.triangles}, &depth};
     gl::prepareDrawing(gpu, gl::Program::DrawPlanes, target);
+    showTile(gpu, gl::Program::DrawPlanes, tile);
     drawScene(gpu, gl::Program::DrawPlanes, upload, target, projection, camera, hiddenBacks(scene, camera));
-    drawLayers(gpu, upload, buffers.planes, depth, projection, camera, unit, hiddenBacks(scene, camera));
+    drawLayers(gpu, upload, buffers.planes, depth, projection, tile, camera, unit, hiddenBacks(scene, camera));
     return buffers;
 }
 
 PlanesAndSurface drawPlanesAndSurface(gl::Gpu& gpu, const gl::UploadedScene& upload, const Scene& scene,
-                                      const Camera& camera, LightSpace lightSpace, Size size) {
+                                      const Camera& camera, LightSpace lightSpace, const Tile& tile) {
+    const Size size = tile.drawn.size;
     const double unit = unitLength(scene);
-    const glm::dmat4 projection = reversedProjection(camera, size, unit);
+    const glm::dmat4 projection = reversedProjection(camera, tile.whole, unit);
     upload.place(placeInstances(scene, upload, camera, lightSpace));
 
-    PlanesAndSurface buffers{{gpu.textures.acquire(size, GL_RGBA32F), gpu.textures.acquire(size, GL_R32UI)},
-                             {gpu.textures.acquire(size, GL_RGBA32F), gpu.textures.acquire(size, GL_DEPTH_COMPONENT32F)}};
+    PlanesAndSurface buffers{
+        {gpu.textures.acquire(size, GL_RGBA32F), gpu.textures.acquire(size, GL_R32UI)},
+        {gpu.textures.acquire(size, GL_RGBA32F), gpu.textures.acquire(size, GL_DEPTH_COMPONENT32F)}};
     auto& [planes, surface] = buffers;
     const gl::Framebuffer target{gpu.api, {&planes.planes, &planes.triangles, &surface.surface}, &surface.depth};
     gl::prepareDrawing(gpu, gl::Program::DrawPlanesAndSurface, target);
+    showTile(gpu, gl::Program::DrawPlanesAndSurface, tile);
     const std::array background{0.0F, 0.0F, 0.0F, static_cast<float>(camera.far)};
     gpu.api.ClearNamedFramebufferfv(target.id(), GL_COLOR, 2, background.data());
     gpu.api.ProgramUniform1f(gpu.programs.id(gl::Program::DrawPlanesAndSurface), 3, static_cast<float>(unit));
     drawScene(gpu, gl::Program::DrawPlanesAndSurface, upload, target, projection, camera, hiddenBacks(scene, camera));
-    drawLayers(gpu, upload, planes.planes, surface.depth, projection, camera, unit, hiddenBacks(scene, camera));
+    drawLayers(gpu, upload, planes.planes, surface.depth, projection, tile, camera, unit, hiddenBacks(scene, camera));
     return buffers;
 }
 

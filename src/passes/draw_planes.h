@@ -5,10 +5,11 @@
 #include "gl/gpu.h"
 #include "gl/upload.h"
 #include "passes/draw_surface.h"
+#include "tiles.h"
 
 namespace inkedge {
 
-/// The plane and the patch that each pixel sees. Row 0 is the picture's top row.
+/// The plane and the patch that each pixel sees. Row 0 is the tile's top row.
 struct PlaneBuffers {
     gl::Texture
         planes;  ///< RGBA32F: w, dw/dx, dw/dy (a pixel), the patch's number; w = 1 / eye-space depth, orthographic
@@ -18,7 +19,7 @@ struct PlaneBuffers {
 };
 
 /// Draws the scene once, and its coplanar layers once more. Shaders: draw_planes.vert, draw_planes.frag.
-[[nodiscard]] PlaneBuffers drawPlanes(gl::Gpu&, const gl::UploadedScene&, const Scene&, const Camera&, Size);
+[[nodiscard]] PlaneBuffers drawPlanes(gl::Gpu&, const gl::UploadedScene&, const Scene&, const Camera&, const Tile&);
 
 /// What drawPlanes() and drawSurface() with NormalLights::Single give, from one pass over the triangles.
 struct PlanesAndSurface {
@@ -26,6 +27,6 @@ struct PlanesAndSurface {
     SurfaceBuffers surface;
 };
 [[nodiscard]] PlanesAndSurface drawPlanesAndSurface(gl::Gpu&, const gl::UploadedScene&, const Scene&, const Camera&,
-                                                    LightSpace, Size);
+                                                    LightSpace, const Tile&);
 
 }  // namespace inkedge

@@ -7,6 +7,7 @@
 #include "gl/draw.h"
 #include "passes/combine_lights.h"
 #include "passes/placement.h"
+#include "passes/show_tile.h"
 
 namespace inkedge {
 namespace {
@@ -23,9 +24,10 @@ void setUniforms(gl::Gpu& gpu, gl::Program program, const glm::mat4& projection,
 }  // namespace
 
 SurfaceBuffers drawSurface(gl::Gpu& gpu, const gl::UploadedScene& upload, const Scene& scene, const Camera& camera,
-                           const DetectorSettings& settings, Size size) {
+                           const DetectorSettings& settings, const Tile& tile) {
+    const Size size = tile.drawn.size;
     const double unit = unitLength(scene);
-    const glm::mat4 projection{reversedProjection(camera, size, unit)};
+    const glm::mat4 projection{reversedProjection(camera, tile.whole, unit)};
     upload.place(placeInstances(scene, upload, camera, settings.lightSpace));
     gl::Texture depth = gpu.textures.acquire(size, GL_DEPTH_COMPONENT32F);
 
@@ -33,6 +35,7 @@ SurfaceBuffers drawSurface(gl::Gpu& gpu, const gl::UploadedScene& upload, const 
         gl::Texture color = gpu.textures.acquire(size, format);
         const gl::Framebuffer target{gpu.api, {&color}, &depth};
         gl::prepareDrawing(gpu, program, target);
+        showTile(gpu, program, tile);
         constexpr float farthest = 0.0F;
         gpu.api.ClearNamedFramebufferfv(target.id(), GL_COLOR, 0, background.data());
         gpu.api.ClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &farthest);

@@ -4,10 +4,11 @@
 
 #include "gl/gpu.h"
 #include "gl/upload.h"
+#include "tiles.h"
 
 namespace inkedge {
 
-/// What later passes know of the visible surface. Row 0 is the picture's top row.
+/// What later passes know of the visible surface. Row 0 is the tile's top row.
 struct SurfaceBuffers {
     gl::Texture surface;  ///< RGBA32F: unit normal in the lights' space, turned to the side that is seen; eye-space
                           ///< depth in scene units. Background: 0, 0, 0, camera.far
@@ -17,6 +18,6 @@ struct SurfaceBuffers {
 /// Depth map and normal map in one pass over the triangles, or in the paper's two (sections 2.1.1 and 2.1.2).
 /// Shaders: draw_surface.vert, draw_surface.frag, combine_lights.frag.
 [[nodiscard]] SurfaceBuffers drawSurface(gl::Gpu&, const gl::UploadedScene&, const Scene&, const Camera&,
-                                         const DetectorSettings&, Size);
+                                         const DetectorSettings&, const Tile&);
 
 }  // namespace inkedge

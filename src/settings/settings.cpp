@@ -54,6 +54,12 @@ int parseLevels(std::string_view text) {
     return value;
 }
 
+int parseCount(std::string_view text, int low, int high) {
+    const int value = parseCount(text);
+    if (value < low || value > high) throw Expected{fmt::format("a whole number from {} to {}", low, high)};
+    return value;
+}
+
 // A whole number; k, M and G stand for thousands, millions and thousands of millions.
 std::uint64_t parseAmount(std::string_view text, std::uint64_t most = std::uint64_t{1} << 40U) {
     const Expected expected{fmt::format("a whole number from 1 to {}, k, M or G after it if wished", most)};
@@ -88,7 +94,10 @@ Size parseSize(std::string_view text) {
     const auto parts = split(text, 'x');
     if (parts.size() != 2) throw Expected{"WIDTHxHEIGHT in pixels, for example 1024x768"};
     const Size size{parseCount(parts[0]), parseCount(parts[1])};
-    if (size.width == 0 || size.height == 0) throw Expected{"a width and a height of at least 1 pixel"};
+    constexpr int most = PictureSettings::mostSide;
+    if (std::min(size.width, size.height) < 1 || std::max(size.width, size.height) > most) {
+        throw Expected{fmt::format("1x1 to {0}x{0} pixels", most)};
+    }
     return size;
 }
 
@@ -319,7 +328,7 @@ constexpr std::array table{
                        "", "maps to write beside the picture; layers of one file if it is an EXR",
                        [](S& s, Text t) { s.maps = parseMaps(t); }, [](const S& s) { return text(s.maps); }},
 
-    SettingDescription{"size", "", "picture", "WIDTHxHEIGHT", "1x1 to the context's limit", "1024x1024",
+    SettingDescription{"size", "", "picture", "WIDTHxHEIGHT", "1x1 to 32768x32768", "1024x1024",
                        "picture size in pixels", [](S& s, Text t) { s.picture.size = parseSize(t); },
                        [](const S& s) { return fmt::format("{}x{}", s.picture.size.width, s.picture.size.height); }},
     SettingDescription{"line-color", "", "picture", "COLOR", "#RGB, #RRGGBB or a name", "black", "colour of the lines",
@@ -351,6 +360,13 @@ constexpr std::array table{
                            s.picture.supersampling = samples;
                        },
                        [](const S& s) { return text(s.picture.supersampling); }},
+    SettingDescription{"tile-size", "", "picture", "SAMPLES", "256 to 8192", "4096",
+                       "larger pictures are drawn in parts of at most this side: less needs less memory",
+                       [](S& s, Text t) {
+                           s.picture.tileSize =
+                               parseCount(t, PictureSettings::leastTileSize, PictureSettings::mostTileSize);
+                       },
+                       [](const S& s) { return text(s.picture.tileSize); }},
     SettingDescription{"lines", "", "picture", "TYPE,...",
                        "outline, occlusion, boundary, crease, intersection, object, isoparametric, marked; or all, none",
                        "all",

@@ -138,14 +138,15 @@ public:
     }
 
     TracedLines trace(LineBuffers lines, Size size) {
-        return traceLines(std::move(lines), scene(usualModel), upload(usualModel).firstTriangles(),
-                          camera(usualModel, size), unitLength(scene(usualModel)), drawnTypes(pictureSettings(size)), 1,
-                          TraceIds::Drop);
+        const ScreenTriangles triangles{scene(usualModel), upload(usualModel).firstTriangles(),
+                                        camera(usualModel, size), size};
+        return traceLines(std::move(lines), scene(usualModel), triangles, camera(usualModel, size),
+                          unitLength(scene(usualModel)), drawnTypes(pictureSettings(size)), 1, TraceIds::Drop);
     }
 
     Image<std::uint8_t> findLines(const PlaneBuffers& planes, Size size) {
         const Scene& model = scene(usualModel);
-        return detectLines(gpu_, planes.planes, camera(usualModel, size), unitLength(model), model.creaseAngle());
+        return detectLines(gpu_, planes.planes, size, camera(usualModel, size), unitLength(model), model.creaseAngle());
     }
 
 private:
@@ -156,9 +157,11 @@ private:
         SurfaceBuffers surface = drawSurface(gpu_, upload(usualModel), model, view, {}, size);
         EdgeMarks edges = readMarks(api(), detectEdges(gpu_, surface.surface, view, {}, Magnitudes::Drop));
         LineBuffers lines;
+        lines.tile = size;
         lines.marks = findLines(planes, size);
-        lines.planes = gl::readFloats(api(), planes.planes, 4);
-        lines.triangles = gl::readIntegers(api(), planes.triangles);
+        const std::vector<Rectangle> regions = regionsAround(lines.marks);
+        lines.planes = gl::readFloats(api(), planes.planes, 4, regions);
+        lines.triangles = gl::readIntegers(api(), planes.triangles, regions);
         TracedLines traced = trace(lines, size);
         Image<std::uint8_t> picture = paintStrokes(traced.strokes, pictureSettings(size));
         return {std::move(planes), std::move(surface), std::move(edges),
@@ -385,9 +388,11 @@ void addOutput(Equipment& equipment, Size size) {
     });
     add("read-back/" + nameOf(size), [&equipment, size](benchmark::State& state) {
         const PlaneBuffers& planes = equipment.buffers(size).planes;
+        const Image<std::uint8_t>& marks = equipment.buffers(size).lines.marks;
         repeat(state, [&] {
-            benchmark::DoNotOptimize(gl::readFloats(equipment.api(), planes.planes, 4).pixels.data());
-            benchmark::DoNotOptimize(gl::readIntegers(equipment.api(), planes.triangles).pixels.data());
+            const std::vector<Rectangle> regions = regionsAround(marks);
+            benchmark::DoNotOptimize(gl::readFloats(equipment.api(), planes.planes, 4, regions).values.get());
+            benchmark::DoNotOptimize(gl::readIntegers(equipment.api(), planes.triangles, regions).values.get());
         });
     });
     add("encode/" + nameOf(size), [&equipment, size](benchmark::State& state) {

@@ -42,6 +42,7 @@ const std::map<std::string_view, Example>& examples() {
           .wrong = "0",
           .shows = "picture.png",
           .beside = {"--detector", "planes", "--line-width", "0.4mm"}}},
+        {"tile-size", {.value = "256", .wrong = "255", .shows = "/settings/tile-size", .becomes = "\"256\""}},
         {"supersampling", {.value = "2", .wrong = "3", .shows = "picture.png", .beside = {"--detector", "planes"}}},
         {"lines",
          {.value = "outline,boundary",

@@ -89,14 +89,15 @@ TEST_P(GlErrors, sayThatTheContextIsLostAndWhy) {
 }
 
 // llvmpipe's largest texture has more bytes than it gives to one.
-TEST_P(GlErrors, areSurvivedByTheRenderer) {
+TEST_P(GlErrors, areSurvivedByThePoolOfTextures) {
     if (!renderer().backend().software) GTEST_SKIP() << "a graphics card may have the memory";
-    const Scene scene = scenes::sceneOf(scenes::cube());
-    const Size most{renderer().maximumSize(), renderer().maximumSize()};
-    const Size small{32, 32};
-    expectError(Error::Kind::Runtime, HasSubstr("expected graphics memory for a picture of "),
-                [&] { (void)renderer().render(scene, frameCamera(scene, {}, most), gl_test::classic(most)); });
-    EXPECT_NO_THROW((void)renderer().render(scene, frameCamera(scene, {}, small), gl_test::classic(small)));
+    const gl::Current current{context()};
+    GLint most = 0;
+    context().api().GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    expectError(Error::Kind::Runtime, HasSubstr("expected graphics memory for a picture of "), [&] {
+        (void)gpu().textures.acquire({most, most}, GL_RGBA32F);
+    });
+    EXPECT_NO_THROW((void)gpu().textures.acquire({32, 32}, GL_RGBA32F));
 }
 
 // What the current context's display can do; nothing where EGL is missing or another library made the context.

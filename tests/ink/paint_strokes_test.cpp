@@ -213,5 +213,22 @@ TEST(PaintStrokes, beyondThePictureDoNoHarm) {
     EXPECT_THAT(paintStrokes({}, pictureOf({5, 3}, 1.0)).pixels, Each(255));
 }
 
+// Large pictures are painted some rows at a time.
+TEST(PaintStrokes, isTheSameAtAnyPlaceOfALargePicture) {
+    constexpr Size large{8192, 1100};
+    constexpr Size small{8192, 60};
+    for (const int down : {0, 482, 500, 512, 994, 1010, 1040}) {  // whole pixels
+        const auto y = static_cast<float>(down);
+        const std::vector<Stroke> strokes{{{10.25F, y + 20.5F}, {8000.5F, y + 40.75F}, 0},
+                                          {{4000.0F, y + 5.0F}, {4016.0F, y + 55.0F}, 1}};
+        const std::vector<Stroke> here{{{10.25F, 20.5F}, {8000.5F, 40.75F}, 0}, {{4000.0F, 5.0F}, {4016.0F, 55.0F}, 1}};
+        const Image<std::uint8_t> all = paintStrokes(strokes, pictureOf(large, 7.0));
+        const Image<std::uint8_t> part = paintStrokes(here, pictureOf(small, 7.0));
+        EXPECT_TRUE(std::equal(part.pixels.begin(), part.pixels.end(),
+                               all.pixels.begin() + static_cast<std::ptrdiff_t>(down) * large.width))
+            << down;
+    }
+}
+
 }  // namespace
 }  // namespace inkedge

@@ -49,6 +49,7 @@ DecodedPng decodePng(const std::string& bytes) {
     if (png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()) == 0) {
         throw std::runtime_error{header.message};
     }
+    header.format &= ~static_cast<png_uint_32>(PNG_FORMAT_FLAG_COLORMAP);
     result.image = Image<std::uint8_t>{{static_cast<int>(header.width), static_cast<int>(header.height)},
                                        static_cast<int>(PNG_IMAGE_SAMPLE_CHANNELS(header.format))};
     if (png_image_finish_read(&header, nullptr, result.image.pixels.data(), 0, nullptr) == 0) {
@@ -174,6 +175,21 @@ TEST(EncodePng, keepsEveryValueOfColourAndAlpha) {
         EXPECT_EQ(decoded.colorType, channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA);
         EXPECT_EQ(decoded.image.size, picture.size);
         EXPECT_EQ(decoded.image.pixels, picture.pixels);
+    }
+}
+
+TEST(EncodePng, keepsEveryValueOfUpTo256ColoursInAPalette) {
+    for (const int channels : {3, 4}) {
+        for (const std::size_t colors : {1U, 255U, 256U, 257U}) {
+            const Image<std::uint8_t> some = noise({static_cast<int>(colors), 1}, channels);
+            Image<std::uint8_t> picture{{93, 71}, channels};
+            for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+                picture.pixels[i] = some.pixels[i % some.pixels.size()];
+            const DecodedPng decoded = decodePng(encodePng(picture));
+            EXPECT_EQ(decoded.colorType == PNG_COLOR_TYPE_PALETTE, colors <= 256) << colors;
+            EXPECT_EQ(decoded.image.channels, channels);
+            EXPECT_EQ(decoded.image.pixels, picture.pixels) << channels << " channels, " << colors << " colours";
+        }
     }
 }
 

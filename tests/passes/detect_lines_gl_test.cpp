@@ -1,5 +1,6 @@
 #include "passes/detect_lines.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <fstream>
@@ -71,7 +72,7 @@ public:
     Comparison compare(const Camera& camera, Size size, double creaseAngle) {
         const double unit = unitLength(scene_);
         const PlaneBuffers buffers = drawPlanes(gpu_, upload_, scene_, camera, size);
-        const Image<std::uint8_t> marks = detectLines(gpu_, buffers.planes, camera, unit, creaseAngle);
+        const Image<std::uint8_t> marks = detectLines(gpu_, buffers.planes, size, camera, unit, creaseAngle);
         const Image<float> planes = gl::readFloats(gpu_.api, buffers.planes, 4);
         const double focal = 0.5 * size.height * camera.projection(size)[1][1] * (camera.orthographic() ? unit : 1.0);
         const Image<std::uint8_t> expected = reference::detectLines(planes, focal, camera.orthographic(), creaseAngle);
@@ -179,10 +180,66 @@ TEST_P(DetectLines, takeTheCreaseAngleTheyAreGiven) {
         camera.near = -20.0;
         const PlaneBuffers buffers = drawPlanes(gpu(), upload, scene, camera, size);
         for (const double angle : {bend - 0.5, bend + 0.5}) {
-            const Image<std::uint8_t> marks = detectLines(gpu(), buffers.planes, camera, unitLength(scene), angle);
+            const Image<std::uint8_t> marks =
+                detectLines(gpu(), buffers.planes, size, camera, unitLength(scene), angle);
             for (int y = 0; y < size.height; ++y) {
                 EXPECT_EQ(marks.at(15, y), angle < bend ? PairMark::bend : 0U) << bend << ", " << angle;
                 EXPECT_EQ(marks.at(14, y), 0U);
+            }
+        }
+    }
+}
+
+// How many regions hold a pixel.
+int holding(const std::vector<Rectangle>& regions, int x, int y) {
+    return static_cast<int>(std::ranges::count_if(regions, [&](const Rectangle& r) {
+        return x >= r.x && x < r.x + r.size.width && y >= r.y && y < r.y + r.size.height;
+    }));
+}
+
+TEST(RegionsAround, holdMarkedPixelsAndTheirNeighboursOnce) {
+    for (const Size size : {Size{1, 1}, Size{5, 130}, Size{203, 129}, Size{64, 64}}) {
+        std::mt19937 random{7};
+        for (int count = 0; count < 6; ++count) {
+            Image<std::uint8_t> marks{size, 1};
+            for (int i = 0; i < count; ++i) marks.pixels[random() % marks.pixels.size()] = 16;
+            const std::vector<Rectangle> regions = regionsAround(marks);
+            for (int y = 0; y < size.height; ++y) {
+                for (int x = 0; x < size.width; ++x) {
+                    EXPECT_LE(holding(regions, x, y), 1);
+                    if (marks.at(x, y) == 0) continue;
+                    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, size.height - 1); ++v) {
+                        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, size.width - 1); ++u) {
+                            EXPECT_EQ(holding(regions, u, v), 1) << u << ", " << v << " beside " << x << ", " << y;
+                        }
+                    }
+                }
+            }
+            for (const Rectangle& r : regions) {
+                EXPECT_GE(r.x, 0);
+                EXPECT_LE(r.x + r.size.width, size.width);
+                EXPECT_LE(r.y + r.size.height, size.height);
+            }
+        }
+    }
+}
+
+TEST_P(DetectLines, whatIsReadOfRegionsIsWhatIsReadOfThePicture) {
+    const gl::Current current{context()};
+    const Scene scene = randomScene(4);
+    const Size size{93, 71};
+    const gl::UploadedScene upload{gpu().api, scene};
+    const PlaneBuffers buffers = drawPlanes(gpu(), upload, scene, frameCamera(scene, {}, size), size);
+    const Image<float> planes = gl::readFloats(gpu().api, buffers.planes, 4);
+    const Image<std::uint32_t> triangles = gl::readIntegers(gpu().api, buffers.triangles);
+    const std::vector<Rectangle> regions{{3, 2, {40, 30}}, {0, 40, {93, 31}}};
+    const Samples<float> somePlanes = gl::readFloats(gpu().api, buffers.planes, 4, regions);
+    const Samples<std::uint32_t> someTriangles = gl::readIntegers(gpu().api, buffers.triangles, regions);
+    for (const Rectangle& r : regions) {
+        for (int y = r.y; y < r.y + r.size.height; ++y) {
+            for (int x = r.x; x < r.x + r.size.width; ++x) {
+                for (int k = 0; k < 4; ++k) ASSERT_EQ(somePlanes.at(x, y, k), planes.at(x, y, k)) << x << ", " << y;
+                ASSERT_EQ(someTriangles.at(x, y), triangles.at(x, y)) << x << ", " << y;
             }
         }
     }

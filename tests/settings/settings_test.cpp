@@ -52,6 +52,7 @@ std::vector<std::string> samples(const SettingDescription& row) {
     if (row.values == "TYPE,...") return {"none", "crease", "outline,object"};
     if (row.values == "TYPE:width=W,color=C;...") return {"crease:width=1", "outline:width=0.5mm,color=#123456"};
     if (row.values == "NAME|N") return {"Run", "2"};
+    if (row.values == "SAMPLES") return {"256", "1000"};
     if (row.values == "SECONDS") return {"0", "2.5"};
     if (row.group == "limits") return {"1", "123456"};
     if (row.range == "0 to 6") return {"0", "6"};
@@ -290,7 +291,7 @@ TEST(Set, refusesWhatIsNoSize) {
         expectRefusal("size", text, "--flag: expected a whole number from 0, found '" + text + "'");
     }
     for (const std::string text : {"0x0", "0x5", "5x0"}) {
-        expectRefusal("size", text, "--flag: expected a width and a height of at least 1 pixel, found '" + text + "'");
+        expectRefusal("size", text, "--flag: expected 1x1 to 32768x32768 pixels, found '" + text + "'");
     }
 }
 
