@@ -1,4 +1,4 @@
-#include <chrono>
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -38,18 +38,31 @@ struct View {
     const Settings& settings;
 };
 
-bool drawsClassic(const Settings& settings) { return settings.detector.detector == Detector::Classic; }
+// Where the picture's lines come from.
+enum class Source { Planes, Classic, Object };
+Source sourceOf(const Settings& settings) {
+    if (settings.lines.from == LinesFrom::Object) return Source::Object;
+    return settings.detector.detector == Detector::Classic ? Source::Classic : Source::Planes;
+}
+
+bool findsPlaneLines(const Settings& settings) { return settings.detector.detector == Detector::Planes; }
 
 bool needsPlanes(const Settings& settings) {
-    return !drawsClassic(settings) || wantsAny(settings, {Map::Types, Map::Ids});
+    return sourceOf(settings) == Source::Planes || wantsAny(settings, {Map::Types, Map::Ids}) ||
+           (findsPlaneLines(settings) && wants(settings, Map::Edges));
 }
 
 bool needsSurface(const Settings& settings) {
-    return drawsClassic(settings) || wantsAny(settings, {Map::Depth, Map::Normal, Map::DepthEdges, Map::NormalEdges});
+    return sourceOf(settings) == Source::Classic || (!findsPlaneLines(settings) && wants(settings, Map::Edges)) ||
+           wantsAny(settings, {Map::Depth, Map::Normal, Map::DepthEdges, Map::NormalEdges});
 }
 
 Size samplesOf(const PictureSettings& picture) {
     return {picture.size.width * picture.supersampling, picture.size.height * picture.supersampling};
+}
+
+bool isOneTile(const PictureSettings& picture) {
+    return std::max(picture.size.width, picture.size.height) <= picture.tileSize;
 }
 
 // What the triangles are drawn into.
@@ -86,11 +99,11 @@ void renderSurface(const View& view, const SurfaceBuffers& surface, gl::StageClo
     const auto& [gpu, upload, scene, camera, settings] = view;
     const bool keepMagnitudes = wantsAny(settings, {Map::DepthEdges, Map::NormalEdges});
     readSurface(gpu.api, surface, settings, maps);
-    if (drawsClassic(settings) || keepMagnitudes) {
+    if (!findsPlaneLines(settings) || keepMagnitudes) {
         const EdgeBuffers edges = detectEdges(gpu, surface.surface, camera, settings.detector,
                                               keepMagnitudes ? Magnitudes::Keep : Magnitudes::Drop);
         clock.finish("edges");
-        if (drawsClassic(settings)) {
+        if (sourceOf(settings) == Source::Classic) {
             maps.picture = composite(readMarks(gpu.api, edges), settings.picture);
             clock.finish("composite");
         }
@@ -99,7 +112,7 @@ void renderSurface(const View& view, const SurfaceBuffers& surface, gl::StageClo
     clock.finish("read-back");
 }
 
-// Lines of the planes detector: their types, ids and, unless the classic detector draws the picture, the strokes.
+// Lines of the planes detector: their types, ids and strokes.
 std::vector<Stroke> renderPlanes(const View& view, const Tile& tile, const PlaneBuffers& buffers,
                                  const ScreenTriangles& triangles, gl::StageClock& clock, Maps& maps) {
     const auto& [gpu, upload, scene, camera, settings] = view;
@@ -118,15 +131,27 @@ std::vector<Stroke> renderPlanes(const View& view, const Tile& tile, const Plane
     clock.finish("read-back");
     TracedLines traced = traceLines(std::move(lines), scene, triangles, camera, unit, drawnTypes(picture),
                                     picture.supersampling, keepIds ? TraceIds::Keep : TraceIds::Drop);
-    if (!drawsClassic(settings) && wants(settings, Map::Edges)) maps.edges = mask(traced.types, picture.lines);
+    if (findsPlaneLines(settings) && wants(settings, Map::Edges)) maps.edges = mask(traced.types, picture.lines);
     maps.ids = std::move(traced.ids);
     if (wants(settings, Map::Types)) maps.types = std::move(traced.types);
     clock.finish("trace");
     return std::move(traced.strokes);
 }
 
-// Draws a picture tile by tile. Strokes reach over tiles' borders: they are painted when all are there.
-void renderTiles(const View& view, gl::StageClock& clock, Maps& maps) {
+// What the camera sees, in one piece.
+lines::ViewBuffers drawViewBuffers(const View& view) {
+    const auto& [gpu, upload, scene, camera, settings] = view;
+    const Size size = settings.picture.size;
+    const PlaneBuffers drawn = drawPlanes(gpu, upload, scene, camera, Tile{size});
+    const Rectangle whole{0, 0, size};
+    return {gl::readFloats(gpu.api, drawn.planes, 4, std::vector{whole}),
+            gl::readIntegers(gpu.api, drawn.triangles, std::vector{whole}), upload.firstTriangles(),
+            unitLength(scene)};
+}
+
+// Draws tile by tile. Strokes reach over tiles' borders: they are painted when all are there.
+// @return  those of the planes detector
+std::vector<Stroke> renderTiles(const View& view, gl::StageClock& clock, Maps& maps) {
     const auto& [gpu, upload, scene, camera, settings] = view;
     const PictureSettings& picture = settings.picture;
     const Size samples = samplesOf(picture);
@@ -143,9 +168,7 @@ void renderTiles(const View& view, gl::StageClock& clock, Maps& maps) {
         if (geometry.surface) renderSurface(view, *geometry.surface, clock, part);
         keep(std::move(part), inPixels(tile, picture.supersampling), maps);
     }
-    if (drawsClassic(settings)) return;
-    maps.picture = paintStrokes(strokes, picture);
-    clock.finish("paint");
+    return strokes;
 }
 
 }  // namespace
@@ -193,13 +216,25 @@ Renderer::~Renderer() = default;
 const BackendInfo& Renderer::backend() const noexcept { return state_->context->info(); }
 
 Lines Renderer::lines(const Scene& scene, const Camera& camera, const Settings& settings) {
+    expectUsable(settings.picture);
     expectUsable(camera);
-    const auto begin = std::chrono::steady_clock::now();
-    const lines::ObjectLines& prepared = state_->prepared(scene);
-    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
-    Lines found = prepared.find(camera, settings);
+    Lines found;
+    std::vector<StageTime> before;
+    {
+        const gl::Current current{*state_->context};
+        gl::StageClock clock{state_->gpu->api, before};
+        const lines::ObjectLines& prepared = state_->prepared(scene);
+        clock.finish("prepare lines");
+        std::optional<lines::ViewBuffers> buffers;
+        if (settings.lines.visibility == Visibility::Fast && isOneTile(settings.picture)) {
+            buffers = drawViewBuffers({*state_->gpu, state_->uploaded(scene), scene, camera, settings});
+            state_->gpu->textures.trim();
+            clock.finish("buffers");
+        }
+        found = prepared.find(camera, settings, buffers ? &*buffers : nullptr);
+    }
     found.backend = backend();
-    found.times.insert(found.times.begin(), {"prepare lines", time.count()});
+    found.times.insert(found.times.begin(), before.begin(), before.end());
     return found;
 }
 
@@ -207,23 +242,28 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     expectUsable(settings.picture);
     expectUsable(camera);
     expectMemory(settings);
-    const gl::Current current{*state_->context};
     Maps maps;
     maps.camera = camera;
     maps.backend = backend();
-    if (settings.lines.from == LinesFrom::Object) {
+    std::vector<Stroke> strokes;
+    if (sourceOf(settings) == Source::Object) {
         const Lines found = lines(scene, camera, settings);
         maps.times = found.times;
-        gl::StageClock clock{state_->gpu->api, maps.times};
-        maps.picture = paintStrokes(strokesOf(found, settings.picture, settings.lines), settings.picture);
-        clock.finish("paint");
-        return maps;
+        strokes = strokesOf(found, settings.picture, settings.lines);
     }
+    const gl::Current current{*state_->context};
     gl::StageClock clock{state_->gpu->api, maps.times};
-    const View view{*state_->gpu, state_->uploaded(scene), scene, camera, settings};
-    clock.finish("upload");
-    renderTiles(view, clock, maps);
-    state_->gpu->textures.trim();
+    if (needsPlanes(settings) || needsSurface(settings)) {
+        const View view{*state_->gpu, state_->uploaded(scene), scene, camera, settings};
+        clock.finish("upload");
+        std::vector<Stroke> found = renderTiles(view, clock, maps);
+        if (sourceOf(settings) == Source::Planes) strokes = std::move(found);
+        state_->gpu->textures.trim();
+    }
+    if (sourceOf(settings) != Source::Classic) {
+        maps.picture = paintStrokes(strokes, settings.picture);
+        clock.finish("paint");
+    }
     return maps;
 }
 

@@ -161,7 +161,8 @@ enum class Contour {
 /// How seen lines are told from hidden ones, section 3.4.
 enum class Visibility {
     Exact,  ///< by rays
-    Fast,   ///< by the buffers that the image-space passes draw; by rays only where those leave a doubt
+    Fast,   ///< by the buffers that the image-space passes draw; by rays where those leave a doubt, and in
+           ///< pictures over PictureSettings::tileSize
 };
 /// What becomes of hidden lines.
 enum class HiddenLines { None, Dashed, Solid };
