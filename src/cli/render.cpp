@@ -235,7 +235,7 @@ int render(const RenderArguments& arguments) {
     for (const View& view : views) checkOutputs(arguments, settings, view);
 
     auto begin = Clock::now();
-    const Scene scene = loadScene(arguments.model, settings.load);
+    const Scene scene = loadScene(arguments.model, loadSettings(settings));
     const double loading = millisecondsSince(begin);
     std::vector<StageTime> before{{"load", loading - scene.preparationMilliseconds()},
                                   {"prepare", scene.preparationMilliseconds()}};
