@@ -101,9 +101,7 @@ enum class LineType : std::uint8_t {
     Intersection = 16,  ///< surfaces that run into each other, and borders of surfaces that touch
     Object = 32,        ///< between two nodes of the scene
     Isoparametric = 64,  ///< where a texture coordinate passes a step; only of lines from object space
-    /// An edge that the file marks, where it is no outline, occlusion or boundary that is drawn; rather than a crease,
-    /// unless marked lines are not drawn. Only of lines from object space.
-    Marked = 128,
+    Marked = 128,        ///< edges that the file marks, but those drawn as one of the first three; object space only
 };
 inline constexpr int lineTypeCount = 8;
 inline constexpr std::uint8_t allLineTypes = 255;
