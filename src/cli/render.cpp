@@ -220,8 +220,11 @@ std::size_t workersFor(const RenderArguments& arguments, std::size_t views) {
     return std::clamp<std::size_t>(views / viewsWorthAContext, 1, most);
 }
 
-void warn(const RenderArguments& arguments, const Scene& scene) {
+void warn(const RenderArguments& arguments, const LoadSettings& asked, const Scene& scene) {
     if (arguments.quiet) return;
+    const auto hasNone = [](const Mesh& mesh) { return mesh.textureCoordinates.empty(); };
+    if (asked.textureCoordinates && std::ranges::all_of(scene.meshes(), hasNone))
+        tell("warning: ", fmt::format("{}: has no texture coordinates: no isolines are drawn", arguments.model));
     for (const std::string& warning : scene.warnings()) {
         tell("warning: ", fmt::format("{}: {}", arguments.model, warning));
     }
@@ -235,11 +238,12 @@ int render(const RenderArguments& arguments) {
     for (const View& view : views) checkOutputs(arguments, settings, view);
 
     auto begin = Clock::now();
-    const Scene scene = loadScene(arguments.model, settings.load);
+    const LoadSettings load = loadSettings(settings);
+    const Scene scene = loadScene(arguments.model, load);
     const double loading = millisecondsSince(begin);
     std::vector<StageTime> before{{"load", loading - scene.preparationMilliseconds()},
                                   {"prepare", scene.preparationMilliseconds()}};
-    warn(arguments, scene);
+    warn(arguments, load, scene);
     begin = Clock::now();
     Renderer renderer{settings.backend};
     before.push_back({"context", millisecondsSince(begin)});

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <inkedge/export.h>
@@ -28,6 +29,12 @@ struct Mesh {
     /// One an index: whether the edge from this corner to its triangle's next is a crease, however little its faces
     /// bend. Empty: by their angle and normals alone.
     std::vector<bool> sharpEdges;
+    /// One a position, v = 0 at the top of the picture as in glTF; empty: none, or not asked for
+    /// (LoadSettings::textureCoordinates). Of a mesh of several parts those without have (0, 0).
+    std::vector<glm::vec2> textureCoordinates;
+    /// One an index: whether the file marks the edge from this corner to its triangle's next, or the same edge of
+    /// another triangle, as a line (LineType::Marked). Empty: none is.
+    std::vector<bool> markedEdges;
 };
 
 /// What a model's file is, and what it offers to choose from.

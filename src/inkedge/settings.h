@@ -63,6 +63,7 @@ struct LoadSettings {
     AlphaMask alphaMask = AlphaMask::Cut;
     BackFaces backFaces = BackFaces::Draw;
     int subdivide = 0;  ///< levels of refinement into a smooth surface, 0 to 6; 0: none
+    bool textureCoordinates = false;  ///< Mesh::textureCoordinates is filled in: for isoparametric lines
     LoadLimits limits = {};
 };
 
@@ -100,7 +101,7 @@ enum class LineType : std::uint8_t {
     Intersection = 16,  ///< surfaces that run into each other, and borders of surfaces that touch
     Object = 32,        ///< between two nodes of the scene
     Isoparametric = 64,  ///< where a texture coordinate passes a step; only of lines from object space
-    Marked = 128,        ///< an edge that the file marks; only of lines from object space
+    Marked = 128,        ///< edges that the file marks, but those drawn as one of the first three; object space only
 };
 inline constexpr int lineTypeCount = 8;
 inline constexpr std::uint8_t allLineTypes = 255;
@@ -173,6 +174,13 @@ enum class StrokeWidth {
     Curvature,  ///< wider where it is straighter in the picture
 };
 
+/// Lines where a texture coordinate passes a multiple of 1 / steps; 0: none.
+struct Isolines {
+    int u = 0;  ///< 0 to 1000
+    int v = 0;
+    friend bool operator==(const Isolines&, const Isolines&) = default;
+};
+
 /// Lines from object space.
 struct LineSettings {
     LinesFrom from = LinesFrom::Auto;
@@ -184,6 +192,7 @@ struct LineSettings {
     double strokeTaper = 0.0;  ///< pixels over which the ends of open lines run out to nothing
     double fitCurves = 0.0;   ///< pixels that cubic Bezier curves may stray from the lines; 0: polylines; SVG only
     int subdivideAdaptive = 0;  ///< levels of refinement near contours, section 3.3, 0 to 6; 0: none
+    Isolines isolines = {};
 };
 
 enum class Detector {
@@ -245,6 +254,9 @@ struct Settings {
     std::vector<Map> maps;
     BackendSettings backend;
 };
+
+/// How a model is to be loaded for pictures with these settings: Settings::load, and what their lines need besides.
+[[nodiscard]] INKEDGE_API LoadSettings loadSettings(const Settings&);
 
 /// One setting: what flags, environment variables, configuration files, metadata and the manual derive from.
 struct SettingDescription {

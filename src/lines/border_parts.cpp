@@ -41,11 +41,19 @@ std::vector<std::vector<Cover>> findCovers(const Scene& scene, Borders& borders)
     return covers;
 }
 
+bool isMarkedBorder(const Scene& scene, const BorderEdge& edge) {
+    const Mesh& mesh = scene.meshes()[scene.instances()[edge.instance].mesh];
+    return !mesh.markedEdges.empty() && mesh.markedEdges[edge.halfEdge];
+}
+
 // Those of faces too thin to say where a surface would go on.
 void addThinBorders(const Scene& scene, std::span<const MeshEdges> meshes, std::vector<BorderPart>& parts) {
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
         const std::uint32_t mesh = scene.instances()[i].mesh;
-        for (const std::uint32_t h : meshes[mesh].thinBorders) parts.push_back({i, h, 0.0, 1.0});
+        for (const std::uint32_t h : meshes[mesh].thinBorders) {
+            parts.push_back({i, h, 0.0, 1.0});
+            parts.back().marked = isMarked(scene.meshes()[mesh], scene.topology(mesh), h);
+        }
     }
 }
 
@@ -57,20 +65,26 @@ std::vector<BorderPart> findBorderParts(const Scene& scene, std::span<const Mesh
     std::vector<BorderPart> parts;
     for (std::uint32_t i = 0; i < covers.size(); ++i) {
         const BorderEdge& edge = borders.edges()[i];
+        const bool marked = isMarkedBorder(scene, edge);
+        const auto add = [&](double from, double to) {
+            parts.push_back({edge.instance, edge.halfEdge, from, to});
+            parts.back().marked = marked;
+        };
         const double least = borders.tolerance() / glm::length(edge.b - edge.a);  // shorter gaps between covers are none
         std::vector<Cover> own = covers[i];
         std::ranges::sort(own, [](const Cover& a, const Cover& b) { return a.from < b.from; });
         double reached = 0.0;
         for (const Cover& cover : own) {
-            if (cover.from > reached + least) parts.push_back({edge.instance, edge.halfEdge, reached, cover.from});
+            if (cover.from > reached + least) add(reached, cover.from);
             const double from = std::max(cover.from, reached);
             reached = std::max(reached, cover.to);
             if (cover.to <= from || cover.other == noBorder) continue;
             const BorderEdge& other = borders.edges()[cover.other];
             parts.push_back({edge.instance, edge.halfEdge, from, cover.to, {other.instance, other.halfEdge / 3},
-                             0.5 * (other.a + other.b) + other.into * glm::length(other.b - other.a), cover.bends});
+                             0.5 * (other.a + other.b) + other.into * glm::length(other.b - other.a), cover.bends,
+                             marked || isMarkedBorder(scene, other)});
         }
-        if (reached < 1.0 - least) parts.push_back({edge.instance, edge.halfEdge, reached, 1.0});
+        if (reached < 1.0 - least) add(reached, 1.0);
     }
     addThinBorders(scene, meshes, parts);
     std::ranges::stable_sort(parts, [](const BorderPart& a, const BorderPart& b) {

@@ -17,16 +17,17 @@ namespace {
 // An instance and the eye in its mesh's space, where facing needs no care for mirrors.
 class InstanceCurves {
 public:
-    InstanceCurves(const Scene& scene, std::uint32_t instance, const MeshEdges& edges, const Screen& screen,
-                   const CurveChoice& choice, std::span<const BorderPart> borders, std::vector<Segment>& to)
+    InstanceCurves(const Scene& scene, std::uint32_t instance, const InstanceEdges& edges, const Screen& screen,
+                   const CurveChoice& choice, std::vector<Segment>& to)
         : scene_{scene},
           instance_{instance},
           mesh_{scene.meshes()[scene.instances()[instance].mesh]},
           topology_{scene.topology(scene.instances()[instance].mesh)},
-          edges_{edges},
+          edges_{edges.mesh},
           screen_{screen},
           choice_{choice},
-          borders_{borders},
+          borders_{edges.borders},
+          isolines_{edges.isolines},
           to_{to},
           place_{scene.instances()[instance].transform} {
         place_[3] += place_ * glm::dvec4{mesh_.origin, 0.0} - glm::dvec4{scene.bounds().centre, 0.0};
@@ -44,6 +45,7 @@ public:
         addCreases();
         addBorders();
         addMany();
+        addIsolines();
         if (std::ranges::find(smooth_, true) != smooth_.end()) addSmoothContours();
     }
 
@@ -126,13 +128,28 @@ private:
         return glm::dot(edges_.faceNormals[t], opposite - position(h)) * edges_.closed[t] > 0.0;
     }
 
+    // Whether a smooth contour stands for the contour edge.
+    [[nodiscard]] bool isReplaced(std::uint32_t e) const {
+        return smooth_[topology_.patches[edges_.shared.halfEdges[e] / 3]] && mayBeSmooth(e);
+    }
+
+    [[nodiscard]] bool draws(LineType type) const { return (choice_.lines & static_cast<std::uint8_t>(type)) != 0; }
+    [[nodiscard]] bool isMarked(std::uint32_t halfEdge) const {
+        return draws(LineType::Marked) && lines::isMarked(mesh_, topology_, halfEdge);
+    }
+    // Where all these types are drawn no contour or boundary becomes a marked line: chains need not be parted.
+    [[nodiscard]] bool marksOutlines() const {
+        return !draws(LineType::Outline) || !draws(LineType::Occlusion) || !draws(LineType::Boundary);
+    }
+
     void addContourEdges() {
         for (const std::uint32_t e : contourEdges_) {
             if (isHiddenFold(e)) continue;
             const std::uint32_t h = edges_.shared.halfEdges[e];
             Segment& segment = add(Curve::Contour, h, face(edges_.shared.faces[2 * e + 1]));
             segment.faces[0] = face(edges_.shared.faces[2 * e]);
-            segment.drawn = !(smooth_[topology_.patches[h / 3]] && mayBeSmooth(e));
+            segment.drawn = !isReplaced(e);
+            segment.marked = marksOutlines() && isMarked(h);
         }
     }
 
@@ -141,22 +158,31 @@ private:
     }
 
     void addCreases() {
+        addUnlessContours(edges_.creases);
+        if (draws(LineType::Marked)) addUnlessContours(edges_.marked);
+    }
+
+    void addUnlessContours(const std::vector<std::uint32_t>& edges) {
         std::size_t nextContour = 0;
-        for (const std::uint32_t e : edges_.creases) {  // both lists are in order
+        for (const std::uint32_t e : edges) {  // both lists are in order
             while (nextContour < contourEdges_.size() && contourEdges_[nextContour] < e) ++nextContour;
-            if (nextContour < contourEdges_.size() && contourEdges_[nextContour] == e) continue;
+            if (nextContour < contourEdges_.size() && contourEdges_[nextContour] == e && !isReplaced(e)) continue;
             const std::uint32_t other = edges_.shared.faces[2 * e + 1];
             if (isBack(other) && isBack(edges_.shared.faces[2 * e])) continue;
-            add(Curve::Crease, edges_.shared.halfEdges[e], face(other));
+            const std::uint32_t h = edges_.shared.halfEdges[e];
+            add(isMarked(h) ? Curve::Marked : Curve::Crease, h, face(other));
         }
     }
 
     void addBorders() {
         for (const BorderPart& part : borders_) {
             Curve curve = Curve::Boundary;
+            const bool marked = part.marked && draws(LineType::Marked);
             if (part.other != noFace) {
                 if (bothToOneSide(part)) {
                     curve = Curve::Contour;
+                } else if (marked) {
+                    curve = Curve::Marked;
                 } else if (part.bends) {
                     curve = Curve::Crease;
                 } else {
@@ -164,6 +190,7 @@ private:
                 }
             }
             Segment& segment = add(curve, part.halfEdge, part.other);
+            segment.marked = segment.occludes && marked && marksOutlines();
             const std::array<glm::dvec3, 2> whole = segment.ends;
             const auto cut = [&](std::size_t end, double at) {
                 segment.ends[end] = whole[0] + at * (whole[1] - whole[0]);
@@ -193,14 +220,43 @@ private:
             const glm::dvec3 side = glm::cross(position(nextHalfEdge(first)) - from, view(from));
             bool left = false;
             bool right = false;
+            bool marked = false;
             for (std::uint32_t k = begin; k < end; ++k) {
                 const std::uint32_t h = edges_.many[k];
                 const double distance = glm::dot(side, position(nextHalfEdge(nextHalfEdge(h))) - from);
                 left = left || distance > 0.0;
                 right = right || distance < 0.0;
+                marked = marked || isMarked(h);
             }
-            add(left != right ? Curve::Contour : Curve::Crease, first, face(edges_.many[begin + 1] / 3));
+            const Curve inside = marked ? Curve::Marked : Curve::Crease;
+            Segment& segment = add(left != right ? Curve::Contour : inside, first, face(edges_.many[begin + 1] / 3));
+            segment.marked = segment.occludes && marked && marksOutlines();
         }
+    }
+
+    void addIsolines() {
+        for (const IsolineSegment& line : isolines_) {
+            const SceneFace other = faceBeside(line);
+            if (isBack(line.triangle) && (other == noFace || isBack(other.triangle))) continue;
+            Segment& segment = to_.emplace_back();
+            segment.curve = Curve::Isoparametric;
+            segment.occludes = false;
+            segment.faces = {face(line.triangle), other};
+            for (std::size_t k = 0; k < 2; ++k) {
+                segment.ends[k] = toWorld(line.ends[k]);
+                segment.keys[k] = isolineKey(instance_, line.nodes[k]);
+            }
+        }
+    }
+
+    // Of a line that follows an edge, the other face there.
+    [[nodiscard]] SceneFace faceBeside(const IsolineSegment& line) const {
+        for (int k = 0; k < 3; ++k) {
+            if (line.weights[0][k] != 0.0 || line.weights[1][k] != 0.0) continue;
+            const std::uint32_t twin = topology_.twins[nextHalfEdge(3 * line.triangle + static_cast<std::uint32_t>(k))];
+            if (isHalfEdge(twin)) return face(twin / 3);
+        }
+        return noFace;
     }
 
     // Equation 2 at each corner: n . (x - C).
@@ -313,6 +369,7 @@ private:
     const Screen& screen_;
     const CurveChoice& choice_;
     std::span<const BorderPart> borders_;
+    std::span<const IsolineSegment> isolines_;
     std::vector<Segment>& to_;
     glm::dmat4 place_;
     glm::dvec3 eye_{};
@@ -325,9 +382,9 @@ private:
 
 }  // namespace
 
-void collectInstanceCurves(const Scene& scene, std::uint32_t instance, const MeshEdges& edges, const Screen& screen,
-                           const CurveChoice& choice, std::span<const BorderPart> borders, std::vector<Segment>& to) {
-    InstanceCurves{scene, instance, edges, screen, choice, borders, to}.collect();
+void collectInstanceCurves(const Scene& scene, std::uint32_t instance, const InstanceEdges& edges, const Screen& screen,
+                           const CurveChoice& choice, std::vector<Segment>& to) {
+    InstanceCurves{scene, instance, edges, screen, choice, to}.collect();
 }
 
 }  // namespace inkedge::lines

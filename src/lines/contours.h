@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include <inkedge/settings.h>
 
 #include "lines/border_parts.h"
+#include "lines/isolines.h"
 #include "lines/mesh_edges.h"
 #include "lines/screen.h"
 #include "scene/control_mesh.h"
@@ -20,9 +22,17 @@ struct CurveChoice {
     int refinement = 0;           ///< levels of subdivision near smooth contours
     const ControlMesh* control = nullptr;  ///< of the mesh; with a refinement
     bool eyeOutside = true;  ///< the eye and the near plane are outside the scene: closed parts hide their backs
+    std::uint8_t lines = allLineTypes;  ///< PictureSettings::lines: whether marked edges are drawn, and as what
 };
 
-/// The contours, boundaries and creases of one instance that a camera may see.
+/// What one instance's mesh has of its own, whatever the view.
+struct InstanceEdges {
+    const MeshEdges& mesh;
+    std::span<const BorderPart> borders;       ///< the instance's, of findBorderParts()
+    std::span<const IsolineSegment> isolines;  ///< the mesh's that are wanted
+};
+
+/// The contours, boundaries, creases, marked edges and isoparametric lines of one instance that a camera may see.
 ///
 /// A mesh contour is an edge between a front-facing and a back-facing face (Hertzmann 1999, section 3.2), found by one
 /// facing byte a face and an exclusive or an edge. A smooth contour crosses faces where n . (x - C), interpolated between
@@ -34,10 +44,9 @@ struct CurveChoice {
 /// refineNear(); all else stays on the mesh as it is.
 ///
 /// Of closed, consistently wound parts the contours that the part itself hides are left out: concave edges, and smooth
-/// contours where the surface turns towards the eye; also creases between back-facing faces.
-/// @param borders  the instance's, of findBorderParts()
-void collectInstanceCurves(const Scene&, std::uint32_t instance, const MeshEdges&, const Screen&, const CurveChoice&,
-                           std::span<const BorderPart> borders, std::vector<Segment>& to);
+/// contours where the surface turns towards the eye; also what lies within or between back-facing faces.
+void collectInstanceCurves(const Scene&, std::uint32_t instance, const InstanceEdges&, const Screen&, const CurveChoice&,
+                           std::vector<Segment>& to);
 
 /// Pixels.
 inline constexpr double smoothEdge = 3.0;

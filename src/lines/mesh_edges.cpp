@@ -9,6 +9,13 @@
 #include "scene/union_find.h"
 
 namespace inkedge::lines {
+
+bool isMarked(const Mesh& mesh, const MeshTopology& topology, std::uint32_t halfEdge) {
+    if (mesh.markedEdges.empty()) return false;
+    const std::uint32_t twin = topology.twins[halfEdge];
+    return mesh.markedEdges[halfEdge] || (isHalfEdge(twin) && mesh.markedEdges[twin]);
+}
+
 namespace {
 
 bool takesPart(const MeshTopology& topology, std::uint32_t t) {
@@ -128,7 +135,11 @@ void addShared(const Mesh& mesh, const MeshTopology& topology, std::uint32_t h, 
         crease = !isThin(first) && !isThin(second) && (against ? -cosine : cosine) < creaseCosine;
     }
     MeshEdges::Shared& shared = edges.shared;
-    if (crease) edges.creases.push_back(static_cast<std::uint32_t>(shared.halfEdges.size()));
+    const auto number = static_cast<std::uint32_t>(shared.halfEdges.size());
+    if (crease)
+        edges.creases.push_back(number);
+    else if (isMarked(mesh, topology, h))
+        edges.marked.push_back(number);
     shared.faces.push_back(first);
     shared.faces.push_back(second);
     shared.halfEdges.push_back(h);

@@ -21,7 +21,8 @@ struct MeshEdges {
         std::vector<std::uint8_t> against;  ///< one an edge: 1 if the faces are wound against each other, else 0
         std::vector<std::uint8_t> split;    ///< one an edge: 1 if it is a crease or the faces are shaded with different normals
     } shared;
-    std::vector<std::uint32_t> creases;      ///< into shared
+    std::vector<std::uint32_t> creases;  ///< into shared, ascending
+    std::vector<std::uint32_t> marked;   ///< likewise: those that the file marks and that are no creases
     std::vector<std::uint32_t> thinBorders;  ///< half-edges: borders of faces without a normal
     /// Half-edges of edges that three or more faces share: those of one edge follow each other.
     std::vector<std::uint32_t> many;
@@ -33,6 +34,9 @@ struct MeshEdges {
     /// else 0.
     std::vector<std::int8_t> closed;
 };
+
+/// Whether the file marks a half-edge, or its twin.
+[[nodiscard]] bool isMarked(const Mesh&, const MeshTopology&, std::uint32_t halfEdge);
 
 /// @param creaseAngle  degrees
 /// O(n).

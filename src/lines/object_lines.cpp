@@ -15,6 +15,7 @@
 #include "lines/contours.h"
 #include "lines/crossings.h"
 #include "lines/intersections.h"
+#include "lines/isolines.h"
 #include "lines/mesh_edges.h"
 #include "lines/ray_caster.h"
 #include "lines/screen.h"
@@ -123,6 +124,7 @@ struct View {
     }
 };
 
+// What a line is, whether or not it is drawn.
 LineType typeOf(Curve curve, Seen seen) {
     switch (curve) {
         case Curve::Contour: return seen == Seen::Outline ? LineType::Outline : LineType::Occlusion;
@@ -133,6 +135,11 @@ LineType typeOf(Curve curve, Seen seen) {
         case Curve::Marked: return LineType::Marked;
     }
     return LineType::Crease;
+}
+
+Isolines drawnIsolines(const Settings& settings) {
+    const bool drawn = (settings.picture.lines & static_cast<std::uint8_t>(LineType::Isoparametric)) != 0;
+    return drawn ? settings.lines.isolines : Isolines{};
 }
 
 void addIntersections(const std::vector<IntersectionSegment>& found, std::vector<Segment>& to) {
@@ -153,12 +160,19 @@ void addIntersections(const std::vector<IntersectionSegment>& found, std::vector
     }
 }
 
-Line makeLine(const View& view, const Chain& chain, const Part& part) {
+// @param drawn  PictureSettings::lines
+LineType typeOf(const Segment& segment, Seen seen, std::uint8_t drawn) {
+    const LineType type = typeOf(segment.curve, seen);
+    return segment.marked && (drawn & static_cast<std::uint8_t>(type)) == 0 ? LineType::Marked : type;
+}
+
+// @param drawn  PictureSettings::lines
+Line makeLine(const View& view, const Chain& chain, const Part& part, std::uint8_t drawn) {
     const Segment& first = view.segments[chain.links[static_cast<std::size_t>(part.begin)].segment];
     const PatchNumbers& patches = view.scene.patchNumbers();
     const std::uint32_t mesh = view.scene.instances()[first.faces[0].instance].mesh;
     Line line;
-    line.type = typeOf(first.curve, part.seen);
+    line.type = typeOf(first, part.seen, drawn);
     line.visible = isSeen(part.seen);
     line.object = first.faces[0].instance + 1;
     line.patch = patches.number[patches.base[first.faces[0].instance] +
@@ -210,6 +224,20 @@ struct ObjectLines::State {
         return *intersections_;
     }
 
+    /// One a mesh. Those for the last steps asked for are kept.
+    std::shared_ptr<const std::vector<std::vector<IsolineSegment>>> isolines(Isolines steps) const {
+        const std::scoped_lock lock{mutex_};
+        if (isolines_ && isolineSteps_ == steps) return isolines_;
+        std::vector<std::vector<IsolineSegment>> found(scene.meshes().size());
+        if (steps != Isolines{}) {
+            for (std::size_t i = 0; i < found.size(); ++i)
+                found[i] = findIsolines(scene.meshes()[i], scene.topology(i), steps);
+        }
+        isolines_ = std::make_shared<const std::vector<std::vector<IsolineSegment>>>(std::move(found));
+        isolineSteps_ = steps;
+        return isolines_;
+    }
+
     Scene scene;
     RayCaster rays;
     std::vector<MeshEdges> edges;
@@ -219,6 +247,8 @@ private:
     mutable std::mutex mutex_;
     mutable std::optional<std::vector<IntersectionSegment>> intersections_;
     mutable std::vector<std::optional<ControlMesh>> controls_;
+    mutable std::shared_ptr<const std::vector<std::vector<IsolineSegment>>> isolines_;
+    mutable Isolines isolineSteps_;
 };
 
 ObjectLines::ObjectLines(const Scene& scene) : state_{std::make_unique<State>(scene)} {}
@@ -237,10 +267,13 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings, const Vi
 
     const Screen screen{camera, scene.bounds().centre, settings.picture.size};
     View view{scene, state_->rays, screen, buffers, {}, {}};
-    CurveChoice choice{settings.lines.contour, settings.lines.subdivideAdaptive, nullptr, standsOutside(scene, screen)};
+    CurveChoice choice{settings.lines.contour, settings.lines.subdivideAdaptive, nullptr, standsOutside(scene, screen),
+                       settings.picture.lines};
+    const auto isolines = state_->isolines(drawnIsolines(settings));
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
-        if (choice.refinement > 0) choice.control = &state_->controlOf(scene.instances()[i].mesh);
-        collectInstanceCurves(scene, i, state_->edges[scene.instances()[i].mesh], screen, choice, state_->bordersOf(i),
+        const std::uint32_t mesh = scene.instances()[i].mesh;
+        if (choice.refinement > 0) choice.control = &state_->controlOf(mesh);
+        collectInstanceCurves(scene, i, {state_->edges[mesh], state_->bordersOf(i), (*isolines)[mesh]}, screen, choice,
                               view.segments);
     }
     watch.finish("curves");
@@ -267,7 +300,8 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings, const Vi
     const bool keepHidden = settings.lines.hidden != HiddenLines::None;
     for (std::size_t c = 0; c < chains.size(); ++c) {
         for (const Part& part : parts[c])
-            if (isSeen(part.seen) || (part.seen == Seen::Hidden && keepHidden)) result.lines.push_back(makeLine(view, chains[c], part));
+            if (isSeen(part.seen) || (part.seen == Seen::Hidden && keepHidden))
+                result.lines.push_back(makeLine(view, chains[c], part, settings.picture.lines));
     }
     result.lines = bridgeGaps(std::move(result.lines), screen, scene.bounds().centre);
     watch.finish("lines");

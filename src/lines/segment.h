@@ -33,10 +33,16 @@ inline constexpr Key noKey = ~Key{0};
 /// An end of an IntersectionSegment.
 [[nodiscard]] constexpr Key intersectionKey(std::uint32_t node) noexcept { return (Key{1} << 63U) | node; }
 
+/// An end of an IsolineSegment.
+[[nodiscard]] constexpr Key isolineKey(std::uint32_t instance, std::uint32_t node) noexcept {
+    return (Key{3} << 62U) | (Key{instance} << 32U) | node;
+}
+
 /// A straight piece of a line on the surface. Positions are world space less the centre of Scene::bounds().
 struct Segment {
     Curve curve = Curve::Contour;
     bool drawn = true;     ///< else it only hides what lies behind
+    bool marked = false;   ///< whether it is drawn as LineType::Marked where it has another type that is not drawn
     bool occludes = true;  ///< whether the surface ends or turns away here, so that it may hide what lies behind
     std::array<SceneFace, 2> faces{noFace, noFace};  ///< that it lies on: they do not hide it
     std::array<glm::dvec3, 2> ends{};

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -65,35 +66,42 @@ Vertices connectedCorners(const MeshTopology& topology) {
     return vertices;
 }
 
-using Corners = std::vector<std::int32_t>;
+// Of a face its half-edges in the mesh.
+using Loop = std::vector<std::uint32_t>;
 
 // The outline of triangles that inner edges join: none if it is not one loop around all of them.
-std::optional<Corners> outline(const Mesh& mesh, const MeshTopology& topology, const Vertices& vertices,
+std::optional<Loop> outline(const Mesh& mesh, const MeshTopology& topology, const Vertices& vertices,
                                std::span<const std::uint32_t> triangles) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  // start, end
+    std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> edges;  // start, end, half-edge
     for (const std::uint32_t t : triangles)
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
             if (!joins(topology, h) || !isInner(mesh, h, topology.twins[h]))
-                edges.emplace_back(vertices.ofCorner[h], vertices.ofCorner[nextHalfEdge(h)]);
+                edges.emplace_back(vertices.ofCorner[h], vertices.ofCorner[nextHalfEdge(h)], h);
     if (edges.size() != triangles.size() + 2 || edges.size() >= mostAround) return {};
-    const std::uint32_t first = edges.front().first;
+    const std::uint32_t first = std::get<0>(edges.front());
     std::ranges::sort(edges);
-    Corners loop;
+    Loop loop;
     for (std::uint32_t at = first; loop.size() < edges.size();) {
-        const auto edge = std::ranges::lower_bound(edges, std::pair{at, 0U});
-        if (edge == edges.end() || edge->first != at) return {};
-        loop.push_back(static_cast<std::int32_t>(at));
-        at = edge->second;
+        const auto edge = std::ranges::lower_bound(edges, std::tuple{at, 0U, 0U});
+        if (edge == edges.end() || std::get<0>(*edge) != at) return {};
+        loop.push_back(std::get<2>(*edge));
+        at = std::get<1>(*edge);
         if (at == first) break;
     }
     if (loop.size() != edges.size()) return {};
     return loop;
 }
 
-void addFace(ControlMesh& control, std::span<const std::int32_t> corners, std::span<const std::uint32_t> triangles) {
+void addFace(ControlMesh& control, const Mesh& mesh, const Vertices& vertices, std::span<const std::uint32_t> halfEdges,
+             std::span<const std::uint32_t> triangles) {
     for (const std::uint32_t t : triangles) control.faces[t] = static_cast<std::uint32_t>(control.faceSizes.size());
-    control.faceSizes.push_back(static_cast<std::int32_t>(corners.size()));
-    control.corners.insert(control.corners.end(), corners.begin(), corners.end());
+    control.faceSizes.push_back(static_cast<std::int32_t>(halfEdges.size()));
+    for (const std::uint32_t h : halfEdges) {
+        control.corners.push_back(static_cast<std::int32_t>(vertices.ofCorner[h]));
+        if (!mesh.textureCoordinates.empty())
+            control.coordinates.push_back(mesh.textureCoordinates[mesh.indices[h]]);
+        if (!mesh.markedEdges.empty()) control.marked.push_back(mesh.markedEdges[h]);
+    }
     control.firstTriangles.push_back(triangles.front());
 }
 
@@ -113,13 +121,11 @@ void addFaces(ControlMesh& control, const Mesh& mesh, const MeshTopology& topolo
         const auto end = std::find_if(begin, order.end(), [&](std::uint32_t t) { return polygons.root(t) != root; });
         const std::span<const std::uint32_t> triangles{begin, end};
         if (const auto loop = outline(mesh, topology, vertices, triangles)) {
-            addFace(control, *loop, triangles);
+            addFace(control, mesh, vertices, *loop, triangles);
         } else {
             for (const std::uint32_t& t : triangles) {
-                std::array<std::int32_t, 3> corners{};
-                for (std::size_t k = 0; k < 3; ++k)
-                    corners[k] = static_cast<std::int32_t>(vertices.ofCorner[3 * std::size_t{t} + k]);
-                addFace(control, corners, {&t, 1});
+                const std::array halfEdges{3 * t, 3 * t + 1, 3 * t + 2};
+                addFace(control, mesh, vertices, halfEdges, {&t, 1});
             }
         }
         begin = end;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <inkedge/scene.h>
@@ -24,6 +25,8 @@ struct ControlMesh {
     std::vector<glm::dvec3> positions;        ///< one a vertex: mesh space, less the mesh's origin
     std::vector<std::int32_t> faceSizes;      ///< one a face: its corners, at least three; all three under Loop
     std::vector<std::int32_t> corners;        ///< into vertices, face after face
+    std::vector<glm::vec2> coordinates;       ///< one a corner: Mesh::textureCoordinates there; or none
+    std::vector<bool> marked;                 ///< one a corner: whether the edge from it to the next is marked; or none
     std::vector<std::int32_t> sharpEdges;     ///< two vertices each: creases. Borders are sharp anyway
     std::vector<std::int32_t> sharpVertices;  ///< corners that stay where they are
     /// One a face: the first triangle of the mesh that is part of it.
@@ -44,7 +47,7 @@ inline constexpr std::uint32_t noFace = ~0U;
 
 /// Some faces of a control mesh, with their vertices renumbered. What lay at their borders is border now.
 /// @param chosen  faces, ascending
-/// @return        without faces; firstTriangles as they were
+/// @return        without faces, coordinates and marks; firstTriangles as they were
 [[nodiscard]] ControlMesh partOf(const ControlMesh&, const std::vector<std::uint32_t>& chosen);
 
 /// Vertices and indices of the triangles that so many levels of refinement make, but for vertices that creases split.

@@ -33,22 +33,41 @@ std::vector<std::uint32_t> wholeTriangles(std::vector<std::uint32_t> corners) {
     return corners;
 }
 
+// Calls visit(number, a, b, c) for each triangle without a repeated index.
+template <class Visit>
+void forEachTriangle(Mode mode, std::span<const std::uint32_t> corners, Visit&& visit) {
+    const auto add = [&](std::size_t number, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        if (a != b && b != c && c != a) visit(static_cast<std::uint32_t>(number), a, b, c);
+    };
+    const std::size_t step = mode == Mode::Triangles ? 3 : 1;
+    for (std::size_t i = 0; i + 3 <= corners.size(); i += step) {
+        const std::size_t odd = i % 2;
+        if (mode == Mode::TriangleStrip)
+            add(i, corners[i], corners[i + 1 + odd], corners[i + 2 - odd]);
+        else if (mode == Mode::TriangleFan)
+            add(i, corners[i + 1], corners[i + 2], corners[0]);
+        else
+            add(i / 3, corners[i], corners[i + 1], corners[i + 2]);
+    }
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> triangleList(Mode mode, std::vector<std::uint32_t> corners) {
     if (mode == Mode::Triangles) return wholeTriangles(std::move(corners));
     std::vector<std::uint32_t> triangles;
-    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        if (a != b && b != c && c != a) triangles.insert(triangles.end(), {a, b, c});
-    };
-    for (std::size_t i = 0; i + 3 <= corners.size(); ++i) {
-        const std::size_t odd = i % 2;
-        if (mode == Mode::TriangleStrip)
-            add(corners[i], corners[i + 1 + odd], corners[i + 2 - odd]);
-        else
-            add(corners[i + 1], corners[i + 2], corners[0]);
-    }
+    forEachTriangle(mode, corners, [&](std::uint32_t, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        triangles.insert(triangles.end(), {a, b, c});
+    });
     return triangles;
+}
+
+std::vector<std::uint32_t> triangleNumbers(Mode mode, std::span<const std::uint32_t> corners) {
+    std::vector<std::uint32_t> numbers;
+    forEachTriangle(mode, corners, [&](std::uint32_t number, std::uint32_t, std::uint32_t, std::uint32_t) {
+        numbers.push_back(number);
+    });
+    return numbers;
 }
 
 }  // namespace inkedge::gltf

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -20,5 +22,13 @@ enum class Mode : int { Points, Lines, LineLoop, LineStrip, Triangles, TriangleS
 /// @param mode     one that draws triangles
 /// @param corners  the primitive's vertex indices in the order of the file; a rest too short for a triangle is not used
 [[nodiscard]] std::vector<std::uint32_t> triangleList(Mode mode, std::vector<std::uint32_t> corners);
+
+/// Of each of the triangles that triangleList() gives its place among all of the primitive's, those left out included.
+[[nodiscard]] std::vector<std::uint32_t> triangleNumbers(Mode mode, std::span<const std::uint32_t> corners);
+
+/// How many those are.
+[[nodiscard]] constexpr std::size_t triangleCount(Mode mode, std::size_t cornerCount) noexcept {
+    return mode == Mode::Triangles ? cornerCount / 3 : cornerCount < 3 ? 0 : cornerCount - 2;
+}
 
 }  // namespace inkedge::gltf

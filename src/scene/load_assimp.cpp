@@ -24,6 +24,7 @@
 namespace inkedge {
 namespace {
 
+using load::Coordinates;
 using load::label;
 using load::PolygonFormat;
 using load::refuse;
@@ -89,17 +90,17 @@ struct Content {
 
 // @param origin  taken off all positions
 Content readContent(const std::filesystem::path& file, PolygonFormat format, const LoadLimits& limits,
-                    const glm::dvec3& origin) {
+                    const glm::dvec3& origin, Coordinates coordinates) {
     std::uint64_t bytesLeft = limits.fileSize;
     Content content;
     content.bytes = load::readBytes(file, bytesLeft);
     if (format == PolygonFormat::Obj) {
-        load::ObjContent obj = load::checkedObj(load::textOf(content.bytes), origin);
+        load::ObjContent obj = load::checkedObj(load::textOf(content.bytes), origin, coordinates);
         return {std::move(obj.text), std::move(obj.faceMaterials), obj.points, obj.lines, true};
     }
     if (format == PolygonFormat::Stl) content.bytes = load::safeStl(std::move(content.bytes));
     if (format == PolygonFormat::Ply) {
-        load::PlyContent ply = load::safePly(load::textOf(content.bytes), origin);
+        load::PlyContent ply = load::safePly(load::textOf(content.bytes), origin, coordinates);
         content.bytes = std::move(ply.bytes);
         content.finerThanFloat = ply.finerThanFloat;
     }
@@ -187,6 +188,7 @@ private:
         for (const aiVector3D& position : positionsOf(mesh))
             mesh_.positions.emplace_back(toVector(position) - mesh_.origin);
         if (authored_) addNormals(mesh);
+        addCoordinates(mesh);
         const std::span<const aiFace> faces = facesOf(mesh);
         for (std::size_t i = 0; i < faces.size(); ++i) {
             addFace(mesh, i, first);
@@ -200,6 +202,19 @@ private:
         for (unsigned int i = 0; mesh.mNormals != nullptr && i < positionsOf(mesh).size(); ++i)
             mesh_.normals.push_back(unitOrZero(mesh.mNormals[i]));
         mesh_.normals.resize(mesh_.positions.size());
+    }
+
+    void addCoordinates(const aiMesh& mesh) {
+        const aiVector3D* const coordinates = mesh.mTextureCoords[0];
+        if (coordinates == nullptr && mesh_.textureCoordinates.empty()) return;
+        mesh_.textureCoordinates.resize(mesh_.positions.size() - positionsOf(mesh).size());
+        for (std::size_t i = 0; coordinates != nullptr && i < positionsOf(mesh).size(); ++i) {
+            if (!std::isfinite(coordinates[i].x) || !std::isfinite(coordinates[i].y))
+                refuse(fmt::format("expected finite texture coordinates, found ({}, {}) at vertex {}", coordinates[i].x,
+                                   coordinates[i].y, i));
+            mesh_.textureCoordinates.emplace_back(coordinates[i].x, 1.0F - coordinates[i].y);
+        }
+        mesh_.textureCoordinates.resize(mesh_.positions.size());
     }
 
     void addFace(const aiMesh& mesh, std::size_t number, std::uint32_t first) {
@@ -279,12 +294,13 @@ private:
 
 bool readsPolygonFormats() noexcept { return true; }
 
-Scene::Data loadAssimp(const std::filesystem::path& file, PolygonFormat format, const LoadLimits& limits) {
+Scene::Data loadAssimp(const std::filesystem::path& file, PolygonFormat format, const LoadLimits& limits,
+                       Coordinates coordinates) {
     return within(load::printable(file.string()), [&] {
         try {
             glm::dvec3 origin{0.0};
             for (;;) {
-                const Content content = readContent(file, format, limits, origin);
+                const Content content = readContent(file, format, limits, origin, coordinates);
                 if (format == PolygonFormat::Obj && content.faceMaterials.empty()) return withoutFaces(content);
                 Assimp::Importer importer;
                 Joiner joiner{import(importer, content.bytes, format), format, content, limits};

@@ -19,6 +19,8 @@ namespace inkedge {
 /// facets', gives a mesh without normals. Materials are numbered in the order in which an OBJ file first uses them,
 /// from
 /// 1. A face of an OBJ file has normals if all its corners have.
+/// Texture coordinates are read if they are of use: of OBJ those of faces all of whose corners have them, of PLY the
+/// vertices' own; v is turned over, as both have 0 at the bottom.
 /// What lies far from the origin is read once more from near by, so that no precision is lost; where the file itself has
 /// only floats, a model that suffers from that is warned of. Points and lines are left
 /// out with one warning. A file without triangles gives no meshes and no instances.
@@ -27,6 +29,7 @@ namespace inkedge {
 ///                position that is not finite or a face without its vertices, or this build does not read the format; the message starts with the path as given
 /// Thread-safe.
 [[nodiscard]] Scene::Data loadAssimp(const std::filesystem::path& file, load::PolygonFormat format,
-                                     const LoadLimits& limits = {});
+                                     const LoadLimits& limits = {},
+                                     load::Coordinates coordinates = load::Coordinates::Skip);
 
 }  // namespace inkedge

@@ -8,7 +8,8 @@ namespace inkedge {
 
 bool readsPolygonFormats() noexcept { return false; }
 
-Scene::Data loadAssimp(const std::filesystem::path& file, load::PolygonFormat format, const LoadLimits&) {
+Scene::Data loadAssimp(const std::filesystem::path& file, load::PolygonFormat format, const LoadLimits&,
+                       load::Coordinates) {
     load::refuse(fmt::format("{}: expected glTF 2.0 (.glb or .gltf), found {}, which this build does not read",
                              load::printable(file.string()), name(format)));
 }

@@ -7,6 +7,9 @@ namespace inkedge::load {
 /// The formats that loadAssimp() reads.
 enum class PolygonFormat { Obj, Stl, Ply };
 
+/// Whether texture coordinates are of use.
+enum class Coordinates { Skip, Read };
+
 [[nodiscard]] constexpr std::string_view name(PolygonFormat format) noexcept {
     switch (format) {
         case PolygonFormat::Obj:

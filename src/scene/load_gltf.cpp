@@ -19,6 +19,7 @@
 
 #include "scene/cut_out.h"
 #include "scene/gltf_animation.h"
+#include "scene/gltf_edges.h"
 #include "scene/gltf_file.h"
 #include "scene/gltf_model.h"
 #include "scene/gltf_nodes.h"
@@ -122,6 +123,9 @@ struct Shape {
     std::vector<glm::dvec3> normals;  // as many; (0, 0, 0) where the file has none
     std::vector<std::uint32_t> indices;
     std::vector<std::uint32_t> materials;  // one a triangle; 0: none
+    std::vector<glm::vec2> coordinates;    // one a position, or none
+    std::vector<bool> marked;              // one an index, or none: Mesh::markedEdges
+    std::vector<bool> inner;               // one an index, or none: Mesh::innerEdges
     bool authored = false;                 // some normals are the file's
 };
 
@@ -201,12 +205,24 @@ void normalize(std::vector<glm::dvec3>& normals) {
     }
 }
 
+// Where only one of two has values, the other's are nothing.
+template <class T>
+void appendOrFill(std::vector<T>& all, std::size_t countBefore, const std::vector<T>& more, std::size_t count) {
+    if (all.empty() && more.empty()) return;
+    all.resize(countBefore);
+    all.insert(all.end(), more.begin(), more.end());
+    all.resize(countBefore + count);
+}
+
 void append(Shape& shape, Shape part) {
     if (shape.positions.empty()) {
         shape = std::move(part);
         return;
     }
     const auto first = static_cast<std::uint32_t>(shape.positions.size());
+    appendOrFill(shape.coordinates, shape.positions.size(), part.coordinates, part.positions.size());
+    appendOrFill(shape.marked, shape.indices.size(), part.marked, part.indices.size());
+    appendOrFill(shape.inner, shape.indices.size(), part.inner, part.indices.size());
     shape.positions.insert(shape.positions.end(), part.positions.begin(), part.positions.end());
     shape.normals.insert(shape.normals.end(), part.normals.begin(), part.normals.end());
     for (const std::uint32_t index : part.indices) shape.indices.push_back(first + index);
@@ -234,6 +250,9 @@ Mesh meshOf(Shape shape, const std::string& name) {
     if (shape.authored) mesh.normals.assign(shape.normals.begin(), shape.normals.end());
     if (std::ranges::any_of(shape.materials, [](std::uint32_t material) { return material != 0; }))
         mesh.materials = std::move(shape.materials);
+    mesh.textureCoordinates = std::move(shape.coordinates);
+    mesh.markedEdges = std::move(shape.marked);
+    mesh.innerEdges = std::move(shape.inner);
     return mesh;
 }
 
@@ -318,8 +337,31 @@ private:
             rest.indices.push_back(static_cast<std::uint32_t>(rest.positions.size()));
             rest.positions.push_back(mixed(part.positions, weights));
             rest.normals.push_back(mixed(part.normals, weights));
+            if (!part.coordinates.empty()) {
+                const glm::vec3 w{weights};
+                rest.coordinates.push_back(w.x * part.coordinates[corners[0]] + w.y * part.coordinates[corners[1]] +
+                                           w.z * part.coordinates[corners[2]]);
+            }
         }
         rest.materials.push_back(part.materials[triangle]);
+        addEdges(part.marked, triangle, piece, rest.marked);
+        addEdges(part.inner, triangle, piece, rest.inner);
+    }
+
+    // What is said of an edge goes for the pieces' edges that lie on it.
+    static void addEdges(const std::vector<bool>& of, std::size_t triangle, const CutOut::Piece& piece,
+                         std::vector<bool>& rest) {
+        constexpr double nothing = 1e-9;  // what rounding leaves of a weight
+        if (of.empty()) return;
+        for (std::size_t k = 0; k < 3; ++k) {
+            bool said = false;
+            for (std::size_t edge = 0; edge < 3; ++edge) {
+                const auto opposite = static_cast<int>((edge + 2) % 3);
+                const bool liesOnIt = piece[k][opposite] <= nothing && piece[(k + 1) % 3][opposite] <= nothing;
+                said = said || (liesOnIt && of[3 * triangle + edge]);
+            }
+            rest.push_back(said);
+        }
     }
 
     // None where the picture has no alpha or the threshold is nothing.
@@ -510,8 +552,10 @@ private:
         if (mode == gltf::Mode::Triangles && corners.size() % 3 != 0 && !warnedAs.empty())
             warn(fmt::format("{}: expected a multiple of 3 corners, found {}: the last are not drawn", warnedAs,
                              corners.size()));
+        readEdges(primitive, corners, part, warnedAs);
         part.indices = gltf::triangleList(mode, std::move(corners));
         spend(part.indices.size());
+        if (settings_.textureCoordinates) readCoordinates(primitive, part);
         part.materials.assign(part.indices.size() / 3, static_cast<std::uint32_t>(primitive.material) + 1U);
         morph(model_, primitive, pose.weights, part);
         if (!pose.joints.empty()) skin(model_, primitive, pose.joints, part);
@@ -519,6 +563,28 @@ private:
         if (isCut(material)) cutOut(*material, primitive, part);
         normalize(part.normals);
         return part;
+    }
+
+    void readEdges(const tinygltf::Primitive& primitive, const std::vector<std::uint32_t>& corners, Shape& part,
+                   const std::string& warnedAs) {
+        gltf::EdgeVisibility edges = gltf::readEdgeVisibility(model_, primitive, gltf::Mode{primitive.mode}, corners,
+                                                              part.positions.size());
+        part.marked = std::move(edges.hard);
+        part.inner = std::move(edges.hidden);
+        if (edges.lost > 0 && !warnedAs.empty())
+            warn(fmt::format("{}: {} edges of its line strings belong to no triangle and are not drawn", warnedAs,
+                             edges.lost));
+    }
+
+    void readCoordinates(const tinygltf::Primitive& primitive, Shape& part) {
+        const auto coordinates = readAttribute<glm::dvec2>(model_, primitive.attributes, "TEXCOORD_0", anyCoordinates,
+                                                           part.positions.size());
+        part.coordinates.reserve(coordinates.size());
+        for (const glm::dvec2& c : coordinates) {
+            if (const glm::vec2 f{c}; !std::isfinite(f.x) || !std::isfinite(f.y))
+                refuse(fmt::format("TEXCOORD_0: expected finite numbers, found ({}, {})", c.x, c.y));
+            part.coordinates.emplace_back(c);
+        }
     }
 
     // None, too, where the file leaves it out: what is drawn does not depend on it.

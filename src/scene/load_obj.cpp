@@ -19,7 +19,7 @@ namespace {
 
 class Checker {
 public:
-    explicit Checker(const glm::dvec3& origin) : origin_{origin} {}
+    Checker(const glm::dvec3& origin, Coordinates coordinates) : origin_{origin}, coordinates_{coordinates} {}
 
     ObjContent check(std::string_view content) {
         content_.text.reserve(content.size() + 64);
@@ -29,6 +29,7 @@ public:
         }
         within(label("line", highest_.line), [&] { checkIndex(highest_.vertex, vertices_, "a vertex"); });
         within(label("line", highest_.normalLine), [&] { checkIndex(highest_.normal, normals_, "a normal"); });
+        within(label("line", highest_.textureLine), [&] { checkIndex(highest_.texture, textures_, "a vt"); });
         return std::move(content_);
     }
 
@@ -58,6 +59,7 @@ private:
         const std::string_view keyword = takeWord(line);
         if (keyword == "v") return readVector("v", line, origin_, vertices_);
         if (keyword == "vn") return readVector("vn", line, glm::dvec3{0.0}, normals_);
+        if (keyword == "vt" && coordinates_ == Coordinates::Read) return readTexture(line);
         if (keyword == "f" || keyword == "fo") return readFace(line);
         if (keyword == "usemtl") return useMaterial(line);
         if (keyword == "p") content_.points += countWords(line);
@@ -85,6 +87,22 @@ private:
         ++count;
     }
 
+    // "vt u", "vt u v" or "vt u v w".
+    void readTexture(std::string_view line) {
+        write("vt");
+        for (int i = 0; i < 2; ++i) {
+            const std::string_view word = takeWord(line);
+            const std::optional<double> number = i == 1 && word.empty() ? 0.0 : toNumber<double>(word);
+            if (!number || !(std::abs(*number) <= std::numeric_limits<float>::max()))
+                refuse(fmt::format("expected one to three finite numbers after vt, found {} and {}", i,
+                                   word.empty() ? "no more" : quote(word)));
+            write(" ");
+            write(static_cast<float>(*number));
+        }
+        write("\n");
+        ++textures_;
+    }
+
     void readFace(std::string_view line) {
         corners_.clear();
         for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line))
@@ -94,12 +112,15 @@ private:
             return;
         }
         const bool allNormals = std::ranges::all_of(corners_, [](const Corner& c) { return c.normal != 0; });
+        const bool allTextures = std::ranges::all_of(corners_, [](const Corner& c) { return c.texture != 0; });
         write("f");
         for (const Corner& c : corners_) {
             write(" ");
             write(fmt::format_int{c.vertex});
+            if (allTextures || allNormals) write("/");
+            if (allTextures) write(fmt::format_int{c.texture});
             if (!allNormals) continue;
-            write("//");
+            write("/");
             write(fmt::format_int{c.normal});
         }
         write("\n");
@@ -109,6 +130,7 @@ private:
     struct Corner {
         std::uint64_t vertex = 0;
         std::uint64_t normal = 0;  // 0: none
+        std::uint64_t texture = 0;  // 0: none, or of no use
     };
 
     // "7", "7/8", "7/8/9" or "7//9".
@@ -120,9 +142,11 @@ private:
         if (!word.empty() || (!texture.empty() && !toNumber<std::int64_t>(texture)))
             refuse("expected a corner like 7, 7/8, 7/8/9 or 7//9, found " + quote(whole));
         const Corner found{index(vertex, vertices_, "a vertex"),
-                           normal.empty() ? 0 : index(normal, normals_, "a normal")};
-        if (found.vertex > highest_.vertex) highest_ = {found.vertex, line_, highest_.normal, highest_.normalLine};
-        if (found.normal > highest_.normal) highest_ = {highest_.vertex, highest_.line, found.normal, line_};
+                           normal.empty() ? 0 : index(normal, normals_, "a normal"),
+                           texture.empty() || coordinates_ == Coordinates::Skip ? 0 : index(texture, textures_, "a vt")};
+        if (found.vertex > highest_.vertex) highest_.vertex = found.vertex, highest_.line = line_;
+        if (found.normal > highest_.normal) highest_.normal = found.normal, highest_.normalLine = line_;
+        if (found.texture > highest_.texture) highest_.texture = found.texture, highest_.textureLine = line_;
         return found;
     }
 
@@ -165,14 +189,18 @@ private:
         std::size_t line = 0;
         std::uint64_t normal = 0;
         std::size_t normalLine = 0;
+        std::uint64_t texture = 0;
+        std::size_t textureLine = 0;
     };
 
     glm::dvec3 origin_;
+    Coordinates coordinates_;
     ObjContent content_;
     std::size_t line_ = 0;
     std::string joined_;
     std::uint64_t vertices_ = 0;
     std::uint64_t normals_ = 0;
+    std::uint64_t textures_ = 0;
     Highest highest_;
     std::vector<Corner> corners_;  // of the face at hand
     std::map<std::string, std::uint32_t> materials_;
@@ -181,10 +209,10 @@ private:
 
 }  // namespace
 
-ObjContent checkedObj(std::string_view content, const glm::dvec3& origin) {
+ObjContent checkedObj(std::string_view content, const glm::dvec3& origin, Coordinates coordinates) {
     if (const std::size_t zero = content.find('\0'); zero != std::string_view::npos)
         refuse(fmt::format("expected OBJ, found a zero byte at byte {}", zero));
-    return Checker{origin}.check(content);
+    return Checker{origin, coordinates}.check(content);
 }
 
 }  // namespace inkedge::load

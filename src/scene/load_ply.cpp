@@ -147,7 +147,15 @@ bool isStrips(const Element& element) { return element.name == "tristrips"; }
 
 bool isFaces(const Element& element) { return element.name == "face" || isStrips(element); }
 
-bool isUsed(const Element& element, const Property& property) {
+bool isPosition(const Property& property) { return isOneOf(property.name, {"x", "y", "z"}); }
+
+// By the names that assimp knows; lists of a face's corners are not read.
+bool isTexture(const Property& property) {
+    return !property.length && isOneOf(property.name, {"u", "s", "texture_u", "v", "t", "texture_v"});
+}
+
+bool isUsed(const Element& element, const Property& property, Coordinates coordinates) {
+    if (element.name == "vertex" && coordinates == Coordinates::Read && isTexture(property)) return true;
     if (element.name == "vertex") return !property.length && isOneOf(property.name, {"x", "y", "z", "nx", "ny", "nz"});
     return isFaces(element) && isIndexList(property);
 }
@@ -432,14 +440,14 @@ std::uint64_t readData(const Header& header, Data data) {
 
 }  // namespace
 
-PlyContent safePly(std::string_view content, const glm::dvec3& origin) {
+PlyContent safePly(std::string_view content, const glm::dvec3& origin, Coordinates coordinates) {
     const std::size_t size = content.size();
     Header header = takeHeader(content);
     checkHeader(header);
     for (Element& element : header.elements)
         for (Property& property : element.properties) {
-            property.isUsed = isUsed(element, property);
-            if (element.name == "vertex" && property.isUsed && property.name.size() == 1)  // not nx, ny, nz
+            property.isUsed = isUsed(element, property, coordinates);
+            if (element.name == "vertex" && property.isUsed && isPosition(property))
                 property.origin = origin[property.name[0] - 'x'];
         }
     Bytes bytes;

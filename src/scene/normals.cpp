@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <unordered_map>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -98,6 +99,29 @@ void splitVertices(Mesh& mesh, Corners& groups) {
     for (std::uint32_t& group : groups) group = vertexOfGroup[group];
 }
 
+// Splits vertices once more where texture coordinates have a seam: a smoothing group may cross it.
+// @param before  a corner's vertex before splitVertices()
+void splitAtSeams(Mesh& mesh, const Corners& before) {
+    std::unordered_map<std::uint64_t, std::uint32_t> vertices;  // by the vertices now and before
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec2> coordinates;
+    for (std::size_t c = 0; c < before.size(); ++c) {
+        const std::uint32_t vertex = mesh.indices[c];
+        const auto next = static_cast<std::uint32_t>(positions.size());
+        const auto [found, isNew] = vertices.try_emplace(std::uint64_t{vertex} << 32U | before[c], next);
+        if (isNew) {
+            positions.push_back(mesh.positions[vertex]);
+            normals.push_back(mesh.normals[vertex]);
+            coordinates.push_back(mesh.textureCoordinates[before[c]]);
+        }
+        mesh.indices[c] = found->second;
+    }
+    mesh.positions = std::move(positions);
+    mesh.normals = std::move(normals);
+    mesh.textureCoordinates = std::move(coordinates);
+}
+
 std::array<double, 3> cornerAngles(const Mesh& mesh, std::size_t triangle) {
     const auto position = [&](std::size_t k) { return glm::dvec3{mesh.positions[mesh.indices[3 * triangle + k]]}; };
     const glm::dvec3 a = unitOrZero(position(1) - position(0));
@@ -160,8 +184,10 @@ void completeNormals(Mesh& mesh, const MeshTopology& topology, const LoadSetting
         groups.resize(mesh.indices.size());
         std::iota(groups.begin(), groups.end(), 0U);
     }
+    const Corners before = mesh.textureCoordinates.empty() ? Corners{} : mesh.indices;
     splitVertices(mesh, groups);
     makeNormals(mesh, topology.faceNormals, groups);
+    if (!before.empty()) splitAtSeams(mesh, before);
 }
 
 }  // namespace inkedge

@@ -62,6 +62,20 @@ void check(const Mesh& mesh, std::size_t number) {
         refuse(fmt::format("{}: expected {} sharp edges, one an index, found {}", who, mesh.indices.size(),
                            mesh.sharpEdges.size()));
     }
+    if (!mesh.markedEdges.empty() && mesh.markedEdges.size() != mesh.indices.size()) {
+        refuse(fmt::format("{}: expected {} marked edges, one an index, found {}", who, mesh.indices.size(),
+                           mesh.markedEdges.size()));
+    }
+    if (!mesh.textureCoordinates.empty() && mesh.textureCoordinates.size() != mesh.positions.size()) {
+        refuse(fmt::format("{}: expected {} texture coordinates, one a position, found {}", who, mesh.positions.size(),
+                           mesh.textureCoordinates.size()));
+    }
+    for (std::size_t i = 0; i < mesh.textureCoordinates.size(); ++i) {
+        if (!finite(glm::dvec3{mesh.textureCoordinates[i], 0.0F})) {
+            refuse(fmt::format("{}: expected finite texture coordinates, found ({}, {}) at vertex {}", who,
+                               mesh.textureCoordinates[i].x, mesh.textureCoordinates[i].y, i));
+        }
+    }
     if (!mesh.materials.empty() && mesh.materials.size() != mesh.indices.size() / 3) {
         refuse(fmt::format("{}: expected {} materials, one a triangle, found {}", who, mesh.indices.size() / 3,
                            mesh.materials.size()));
@@ -103,10 +117,12 @@ void dropUnusedVertices(Mesh& mesh) {
         if (to[i] == unused) continue;
         mesh.positions[count] = mesh.positions[i];
         if (!mesh.normals.empty()) mesh.normals[count] = mesh.normals[i];
+        if (!mesh.textureCoordinates.empty()) mesh.textureCoordinates[count] = mesh.textureCoordinates[i];
         to[i] = count++;
     }
     mesh.positions.resize(count);
     if (!mesh.normals.empty()) mesh.normals.resize(count);
+    if (!mesh.textureCoordinates.empty()) mesh.textureCoordinates.resize(count);
     for (std::uint32_t& i : mesh.indices) i = to[i];
 }
 
@@ -138,6 +154,7 @@ std::uint32_t sortBySides(Mesh& mesh, const std::vector<Material>& materials) {
             sorted.indices[3 * t + k] = mesh.indices[3 * order[t] + k];
             if (!mesh.innerEdges.empty()) sorted.innerEdges[3 * t + k] = mesh.innerEdges[3 * order[t] + k];
             if (!mesh.sharpEdges.empty()) sorted.sharpEdges[3 * t + k] = mesh.sharpEdges[3 * order[t] + k];
+            if (!mesh.markedEdges.empty()) sorted.markedEdges[3 * t + k] = mesh.markedEdges[3 * order[t] + k];
         }
         if (!mesh.materials.empty()) sorted.materials[t] = mesh.materials[order[t]];
     }

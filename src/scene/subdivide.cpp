@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -31,10 +33,35 @@ constexpr std::size_t cutBefore = 3;  // the same of the other triangle
 
 std::size_t cornersOf(SubdivisionScheme scheme) { return scheme == SubdivisionScheme::Loop ? 3 : 4; }
 
+// Makes several vertices of one where its corners differ in their texture coordinates.
+// @param ofIndices  one an index
+void setCoordinates(Mesh& mesh, const std::vector<glm::vec2>& ofIndices) {
+    std::vector<std::uint32_t> order(mesh.indices.size());
+    std::iota(order.begin(), order.end(), 0U);
+    const auto key = [&](std::uint32_t c) { return std::tuple{mesh.indices[c], ofIndices[c].x, ofIndices[c].y}; };
+    std::ranges::sort(order, {}, key);
+    Mesh split;
+    std::vector<std::uint32_t> indices(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const std::uint32_t c = order[i];
+        if (i == 0 || key(c) != key(order[i - 1])) {
+            split.positions.push_back(mesh.positions[mesh.indices[c]]);
+            split.normals.push_back(mesh.normals[mesh.indices[c]]);
+            split.textureCoordinates.push_back(ofIndices[c]);
+        }
+        indices[c] = static_cast<std::uint32_t>(split.positions.size() - 1);
+    }
+    mesh.positions = std::move(split.positions);
+    mesh.normals = std::move(split.normals);
+    mesh.textureCoordinates = std::move(split.textureCoordinates);
+    mesh.indices = std::move(indices);
+}
+
 Mesh trianglesOf(const RefinedFaces& faces, SubdivisionScheme scheme) {
     Mesh mesh;
     mesh.positions.assign(faces.positions.begin(), faces.positions.end());
     mesh.normals.assign(faces.normals.begin(), faces.normals.end());
+    std::vector<glm::vec2> coordinates;
     const std::size_t size = cornersOf(scheme);
     for (std::size_t f = 0; f < faces.parents.size(); ++f) {
         for (std::size_t i = 0; i < 3 * (size - 2); ++i) {
@@ -43,9 +70,12 @@ Mesh trianglesOf(const RefinedFaces& faces, SubdivisionScheme scheme) {
             mesh.indices.push_back(faces.corners[corner]);
             mesh.sharpEdges.push_back(!inner && faces.creases[corner]);
             if (size == 4) mesh.innerEdges.push_back(inner);
+            if (!faces.marked.empty()) mesh.markedEdges.push_back(!inner && faces.marked[corner]);
+            if (!faces.coordinates.empty()) coordinates.push_back(faces.coordinates[corner]);
         }
     }
     if (std::ranges::find(mesh.sharpEdges, true) == mesh.sharpEdges.end()) mesh.sharpEdges.clear();
+    if (!coordinates.empty()) setCoordinates(mesh, coordinates);
     return mesh;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <exception>
 #include <memory>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -44,8 +45,18 @@ Refiner makeRefiner(const ControlMesh& control) {
     descriptor.cornerVertexIndices = control.sharpVertices.data();
     descriptor.cornerWeights = sharpVertices.data();
 
+    // A value for each corner: those of faces that go on into each other are the same where their ends are.
+    std::vector<int> ofCorners(control.coordinates.size());
+    std::iota(ofCorners.begin(), ofCorners.end(), 0);
+    Far::TopologyDescriptor::FVarChannel channel;
+    channel.numValues = static_cast<int>(ofCorners.size());
+    channel.valueIndices = ofCorners.data();
+    descriptor.numFVarChannels = ofCorners.empty() ? 0 : 1;
+    descriptor.fvarChannels = &channel;
+
     const bool loop = control.scheme == SubdivisionScheme::Loop;
     Sdc::Options options;
+    options.SetFVarLinearInterpolation(Sdc::Options::FVAR_LINEAR_ALL);
     options.SetVtxBoundaryInterpolation(Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);  // corners are given
     using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
     return Refiner{Factory::Create(descriptor, {loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK, options})};
@@ -250,6 +261,55 @@ private:
     RefinedFaces result_;
 };
 
+std::vector<glm::vec2> refinedCoordinates(const Far::TopologyRefiner& refiner, const ControlMesh& control) {
+    if (control.coordinates.empty()) return {};
+    const Far::PrimvarRefinerReal<double> primvars{refiner};
+    std::vector<Point> values(control.coordinates.size());
+    std::ranges::transform(control.coordinates, values.begin(), [](glm::vec2 c) { return Point{{c, 0.0}}; });
+    for (int level = 1; level <= refiner.GetMaxLevel(); ++level) {
+        std::vector<Point> next(static_cast<std::size_t>(refiner.GetLevel(level).GetNumFVarValues()));
+        primvars.InterpolateFaceVarying(level, values, next);
+        values = std::move(next);
+    }
+    const Far::TopologyLevel& last = refiner.GetLevel(refiner.GetMaxLevel());
+    std::vector<glm::vec2> coordinates;
+    for (int f = 0; f < last.GetNumFaces(); ++f) {
+        const auto corners = last.GetFaceFVarValues(f);
+        for (int k = 0; k < corners.size(); ++k)
+            coordinates.emplace_back(values[static_cast<std::size_t>(corners[k])].v);
+    }
+    return coordinates;
+}
+
+// What a marked edge is cut into is marked.
+std::vector<bool> refinedMarks(const Far::TopologyRefiner& refiner, const ControlMesh& control) {
+    if (control.marked.empty()) return {};
+    const Far::TopologyLevel& first = refiner.GetLevel(0);
+    std::vector<bool> marked(static_cast<std::size_t>(first.GetNumEdges()));
+    std::size_t corner = 0;
+    for (int f = 0; f < first.GetNumFaces(); ++f) {
+        const auto edges = first.GetFaceEdges(f);
+        for (int k = 0; k < edges.size(); ++k)
+            if (control.marked[corner++]) marked[static_cast<std::size_t>(edges[k])] = true;
+    }
+    for (int level = 0; level < refiner.GetMaxLevel(); ++level) {
+        std::vector<bool> next(static_cast<std::size_t>(refiner.GetLevel(level + 1).GetNumEdges()));
+        for (int e = 0; e < refiner.GetLevel(level).GetNumEdges(); ++e) {
+            if (!marked[static_cast<std::size_t>(e)]) continue;
+            const auto children = refiner.GetLevel(level).GetEdgeChildEdges(e);
+            for (int k = 0; k < children.size(); ++k) next[static_cast<std::size_t>(children[k])] = true;
+        }
+        marked = std::move(next);
+    }
+    const Far::TopologyLevel& last = refiner.GetLevel(refiner.GetMaxLevel());
+    std::vector<bool> ofCorners;
+    for (int f = 0; f < last.GetNumFaces(); ++f) {
+        const auto edges = last.GetFaceEdges(f);
+        for (int k = 0; k < edges.size(); ++k) ofCorners.push_back(marked[static_cast<std::size_t>(edges[k])]);
+    }
+    return ofCorners;
+}
+
 std::vector<std::uint32_t> controlFaces(const Far::TopologyRefiner& refiner) {
     std::vector<std::uint32_t> faces(static_cast<std::size_t>(refiner.GetLevel(refiner.GetMaxLevel()).GetNumFaces()));
     for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -276,6 +336,8 @@ RefinedFaces refine(const ControlMesh& control, int levels) {
         refiner->RefineUniform(options);
         RefinedFaces faces = LimitSurface{*refiner, control}.faces();
         faces.parents = controlFaces(*refiner);
+        faces.coordinates = refinedCoordinates(*refiner, control);
+        faces.marked = refinedMarks(*refiner, control);
         return faces;
     } catch (const std::exception& error) {
         return failed(error.what());
@@ -286,6 +348,6 @@ constexpr Subdivision functions{refine};
 
 }  // namespace
 
-const Subdivision* inkedge_subdivision_1() noexcept { return &functions; }
+const Subdivision* inkedge_subdivision_2() noexcept { return &functions; }
 
 }  // namespace inkedge

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <inkedge/export.h>
@@ -22,6 +23,10 @@ struct RefinedFaces {
     std::vector<std::uint32_t> corners;     ///< into vertices, face after face
     std::vector<std::uint32_t> parents;     ///< one a face: the control face that it comes from; ascends
     std::vector<bool> creases;              ///< one a corner: whether the edge from it to the next is sharp
+    /// One a corner, if the control mesh has any: linear across its faces, so that seams stay where they are.
+    std::vector<glm::vec2> coordinates;
+    /// One a corner, if the control mesh has any: whether the edge from it to the next is part of a marked one.
+    std::vector<bool> marked;
     std::string failure;
 };
 
@@ -33,8 +38,8 @@ struct Subdivision {
 
 /// The module's one symbol. Its number rises with every change in this file or in ControlMesh, so that a module of
 /// another build is refused instead of misread.
-extern "C" INKEDGE_API const Subdivision* inkedge_subdivision_1() noexcept;
-inline constexpr char subdivisionSymbol[] = "inkedge_subdivision_1";
+extern "C" INKEDGE_API const Subdivision* inkedge_subdivision_2() noexcept;
+inline constexpr char subdivisionSymbol[] = "inkedge_subdivision_2";
 inline constexpr char subdivisionFile[] = "inkedge_subdivision.so";
 
 /// Opens the module on first use.

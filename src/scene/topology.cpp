@@ -163,7 +163,7 @@ void joinAcrossThinFace(const MeshTopology& topology, std::uint32_t t, double cr
 
 void turnOver(Mesh& mesh, std::size_t first) {
     std::swap(mesh.indices[first + 1], mesh.indices[first + 2]);
-    for (std::vector<bool>* const edges : {&mesh.innerEdges, &mesh.sharpEdges}) {
+    for (std::vector<bool>* const edges : {&mesh.innerEdges, &mesh.sharpEdges, &mesh.markedEdges}) {
         if (edges->empty()) continue;
         const bool edge = (*edges)[first];
         (*edges)[first] = (*edges)[first + 2];

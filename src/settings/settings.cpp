@@ -282,6 +282,35 @@ std::string lineTypesText(std::uint8_t types) {
     return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ","));
 }
 
+// N, or u:N,v:M with one or both.
+Isolines parseIsolines(std::string_view text) {
+    static constexpr int most = 1000;
+    const auto steps = [](std::string_view number) {
+        const int count = parseCount(number);
+        if (count > most) throw Expected{fmt::format("whole numbers from 0 to {}", most)};
+        return count;
+    };
+    if (text.find(':') == std::string_view::npos) {
+        const int both = steps(text);
+        return {both, both};
+    }
+    Isolines isolines;
+    for (const std::string_view part : split(text, ',')) {
+        if (part.starts_with("u:"))
+            isolines.u = steps(part.substr(2));
+        else if (part.starts_with("v:"))
+            isolines.v = steps(part.substr(2));
+        else
+            throw Expected{"a whole number, or u:N,v:N with one or both"};
+    }
+    return isolines;
+}
+
+std::string text(const Isolines& isolines) {
+    return isolines.u == isolines.v ? fmt::format("{}", isolines.u)
+                                    : fmt::format("u:{},v:{}", isolines.u, isolines.v);
+}
+
 // TYPE:width=W,color=C;TYPE:...
 std::array<LineStyle, lineTypeCount> parseLineStyles(std::string_view text) {
     std::array<LineStyle, lineTypeCount> styles;
@@ -418,6 +447,10 @@ constexpr std::array table{
                        "refine N times, but only the faces that the contour may cross; lines from object",
                        [](S& s, Text t) { s.lines.subdivideAdaptive = parseLevels(t); },
                        [](const S& s) { return text(s.lines.subdivideAdaptive); }},
+    SettingDescription{"isolines", "", "lines", "N|u:N,v:N", "0 to 1000", "0",
+                       "lines at N steps of each texture coordinate's unit; lines from object",
+                       [](S& s, Text t) { s.lines.isolines = parseIsolines(t); },
+                       [](const S& s) { return text(s.lines.isolines); }},
 
     SettingDescription{"camera-position", "eye", "camera", "X,Y,Z", "any point", "frames the model",
                        "where the camera stands, world space", [](S& s, Text t) { s.camera.position = parseVector(t); },
@@ -563,6 +596,13 @@ constexpr std::array table{
 };
 
 }  // namespace
+
+LoadSettings loadSettings(const Settings& settings) {
+    LoadSettings load = settings.load;
+    const bool drawsIsolines = (settings.picture.lines & static_cast<std::uint8_t>(LineType::Isoparametric)) != 0;
+    load.textureCoordinates = load.textureCoordinates || (drawsIsolines && settings.lines.isolines != Isolines{});
+    return load;
+}
 
 Thresholds thresholds(const DetectorSettings& detector) noexcept {
     const float scale = detector.kernel == Kernel::Sobel ? 1.0F : faridStep / sobelStep;

@@ -64,6 +64,7 @@ const std::map<std::string_view, Example>& examples() {
         {"stroke-taper", {.value = "20", .wrong = "-1", .shows = "/settings/stroke-taper", .becomes = "\"20\""}},
         {"simplify", {.value = "0.5", .wrong = "-1", .shows = "/settings/simplify", .becomes = "\"0.5\""}},
         {"fit-curves", {.value = "0.3", .wrong = "0.001", .shows = "/settings/fit-curves", .becomes = "\"0.3\""}},
+        {"isolines", {.value = "u:8,v:4", .wrong = "8.5", .shows = "/settings/isolines", .becomes = "\"u:8,v:4\""}},
         {"camera-position", {.value = "-4,3,2", .wrong = "-4,3", .shows = "/camera/eye", .becomes = "[-4.0,3.0,2.0]"}},
         {"camera-focal-point", {.value = "0.5,0,0", .wrong = "0.5,0,x", .shows = "/camera/view"}},
         {"camera-view-up", {.value = "1,0,0", .wrong = "up", .shows = "/camera/view"}},

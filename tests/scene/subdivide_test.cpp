@@ -427,6 +427,58 @@ double offTorus(glm::dvec3 p) {
 
 // The control mesh is within O(h^2) of the surface that its vertices lie on, and so is its limit: halving h quarters the
 // error. From 3.5 to 4.5 is what terms of higher order leave at these sizes.
+// A cube whose faces each are the whole texture, with a vertex for each corner of each triangle.
+Mesh texturedCube() {
+    const Mesh whole = quadCube();
+    Mesh mesh;
+    mesh.innerEdges = whole.innerEdges;
+    for (std::uint32_t i = 0; i < whole.indices.size(); ++i) {
+        mesh.positions.push_back(whole.positions[whole.indices[i]]);
+        mesh.indices.push_back(i);
+    }
+    for (int face = 0; face < 6; ++face)
+        mesh.textureCoordinates.insert(mesh.textureCoordinates.end(), {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}});
+    return mesh;
+}
+
+double textureArea(const Mesh& mesh, std::size_t t) {
+    const auto at = [&](std::size_t k) { return glm::dvec2{mesh.textureCoordinates[mesh.indices[3 * t + k]]}; };
+    const glm::dvec2 a = at(1) - at(0);
+    const glm::dvec2 b = at(2) - at(0);
+    return 0.5 * (a.x * b.y - a.y * b.x);
+}
+
+TEST(Subdivide, cutsTextureCoordinatesEvenlyAndLeavesSeamsWhereTheyAre) {
+    for (const Mesh& cube : {texturedCube(), asTriangles(texturedCube())}) {
+        for (const double creaseAngle : {30.0, smoothAngle}) {
+            const Scene scene = refined(cube, levels(2, creaseAngle));
+            const Mesh& mesh = scene.meshes()[0];
+            ASSERT_EQ(mesh.textureCoordinates.size(), mesh.positions.size());
+            // Of each face's one, 16 squares of two triangles, or 2 triangles of 16: all of one size, in exact binary.
+            for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) EXPECT_EQ(textureArea(mesh, t), 1.0 / 32);
+        }
+    }
+}
+
+TEST(Subdivide, marksWhatMarkedEdgesAreCutInto) {
+    for (const Mesh& plain : {quadCube(), asTriangles(quadCube())}) {
+        Mesh cube = plain;
+        cube.markedEdges.assign(cube.indices.size(), false);
+        cube.markedEdges[0] = true;  // on one of its faces only
+        const glm::dvec3 from{cube.positions[cube.indices[0]]};
+        const glm::dvec3 to{cube.positions[cube.indices[1]]};
+        const Scene scene = refined(cube, levels(2));
+        const Mesh& mesh = scene.meshes()[0];
+        ASSERT_EQ(mesh.markedEdges.size(), mesh.indices.size());
+        EXPECT_EQ(std::ranges::count(mesh.markedEdges, true), 8) << "four parts, each on two faces";
+        for (std::uint32_t h = 0; h < mesh.indices.size(); ++h) {
+            if (!mesh.markedEdges[h]) continue;
+            const glm::dvec3 at{mesh.positions[mesh.indices[h]]};
+            EXPECT_NEAR(glm::length(glm::cross(at - from, to - from)), 0.0, 1e-6) << "a cube's edges are sharp";
+        }
+    }
+}
+
 TEST(Subdivide, convergesToTheAnalyticContourAtSecondOrder) {
     std::vector<double> sphere;
     std::vector<double> loop;

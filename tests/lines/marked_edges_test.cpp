@@ -1,0 +1,125 @@
+#include "lines/object_lines.h"
+
+#include <numbers>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <glm/geometric.hpp>
+
+#include "scenes.h"
+
+namespace inkedge {
+namespace {
+
+using testing::IsEmpty;
+
+constexpr std::uint8_t bit(LineType type) { return static_cast<std::uint8_t>(type); }
+
+Settings drawing(std::uint8_t types) {
+    Settings settings;
+    settings.picture.size = {400, 400};
+    settings.picture.lines = types;
+    settings.camera.direction = glm::dvec3{0.0, 0.0, -1.0};
+    settings.camera.orthographicHeight = 0.0;
+    return settings;
+}
+
+double length(const Line& line) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
+        sum += glm::distance(line.points[i].point, line.points[i + 1].point);
+    if (line.closed) sum += glm::distance(line.points.back().point, line.points.front().point);
+    return sum;
+}
+
+// World length of the lines of one type that are seen.
+double seen(const Mesh& mesh, LineType type, const Settings& settings) {
+    const Scene scene = scenes::sceneOf(mesh);
+    const Camera camera = frameCamera(scene, settings.camera, settings.picture.size);
+    double sum = 0.0;
+    for (const Line& line : lines::ObjectLines{scene}.find(camera, settings).lines)
+        if (line.type == type && line.visible) sum += length(line);
+    return sum;
+}
+
+// Two by two about the origin, in z = 0: triangles (0, 1, 2) and (0, 2, 3).
+Mesh sheet() {
+    Mesh mesh = scenes::quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
+    mesh.markedEdges.assign(mesh.indices.size(), false);
+    return mesh;
+}
+
+// A roof over the sheet whose ridge is 45 degrees on both sides.
+Mesh roof() {
+    Mesh mesh;
+    mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 0, 1}, {-1, 0, 1}, {1, 1, 0}, {-1, 1, 0}};
+    mesh.indices = {0, 1, 2, 0, 2, 3, 3, 2, 4, 3, 4, 5};
+    mesh.markedEdges.assign(mesh.indices.size(), false);
+    return mesh;
+}
+
+constexpr std::size_t roofsRidge = 4;  // from 2 to 3, in the second triangle
+constexpr double rounding = 1e-6;
+
+TEST(MarkedEdges, AreLinesWhereNothingElseIs) {
+    Mesh mesh = sheet();
+    EXPECT_EQ(seen(mesh, LineType::Marked, drawing(allLineTypes)), 0.0);
+    mesh.markedEdges[2] = true;  // the diagonal, on one of its faces
+    EXPECT_NEAR(seen(mesh, LineType::Marked, drawing(allLineTypes)), 2.0 * std::numbers::sqrt2, rounding);
+    EXPECT_EQ(seen(mesh, LineType::Marked, drawing(allLineTypes & ~bit(LineType::Marked))), 0.0);
+}
+
+TEST(MarkedEdges, AreCreasesOnlyWhereMarkedLinesAreNotDrawn) {
+    Mesh mesh = roof();
+    EXPECT_NEAR(seen(mesh, LineType::Crease, drawing(allLineTypes)), 2.0, rounding);
+    mesh.markedEdges[roofsRidge] = true;
+    EXPECT_NEAR(seen(mesh, LineType::Marked, drawing(allLineTypes)), 2.0, rounding);
+    EXPECT_EQ(seen(mesh, LineType::Crease, drawing(allLineTypes)), 0.0);
+    EXPECT_NEAR(seen(mesh, LineType::Crease, drawing(bit(LineType::Crease))), 2.0, rounding);
+}
+
+TEST(MarkedEdges, AreOutlinesUnlessThoseAreNotDrawn) {
+    Mesh mesh = sheet();
+    mesh.markedEdges[0] = true;  // from (-1, -1) to (1, -1)
+    EXPECT_NEAR(seen(mesh, LineType::Outline, drawing(allLineTypes)), 8.0, rounding);
+    EXPECT_EQ(seen(mesh, LineType::Marked, drawing(allLineTypes)), 0.0);
+    EXPECT_NEAR(seen(mesh, LineType::Marked, drawing(bit(LineType::Marked))), 2.0, rounding);
+}
+
+TEST(Isolines, AreLinesOfTheirOwnWhoseStepsMayChange) {
+    Mesh mesh = sheet();
+    mesh.markedEdges.clear();
+    for (const glm::vec3 p : mesh.positions) mesh.textureCoordinates.emplace_back(0.5F * p.x + 0.4F, 0.5F * p.y + 0.4F);
+    const Scene scene = scenes::sceneOf(mesh);
+    const lines::ObjectLines lines{scene};
+    Settings settings = drawing(allLineTypes);
+    const Camera camera = frameCamera(scene, settings.camera, settings.picture.size);
+    const auto isolines = [&](Isolines steps) {
+        settings.lines.isolines = steps;
+        std::vector<double> lengths;
+        for (const Line& line : lines.find(camera, settings).lines)
+            if (line.type == LineType::Isoparametric) lengths.push_back(length(line));
+        return lengths;
+    };
+    // From -0.1 to 0.9: 0, 1/4, 1/2 and 3/4; 0 and 1/2. Each goes across both faces in one.
+    EXPECT_THAT(isolines({4, 0}), testing::ElementsAreArray(std::vector(4, testing::DoubleNear(2.0, rounding))));
+    EXPECT_THAT(isolines({4, 2}), testing::SizeIs(6));
+    EXPECT_THAT(isolines({0, 2}), testing::SizeIs(2));
+    settings.picture.lines = allLineTypes & ~bit(LineType::Isoparametric);
+    EXPECT_THAT(isolines({4, 4}), IsEmpty());
+}
+
+TEST(Isolines, OnTheBackOfASolidAreNotSeen) {
+    Mesh mesh = scenes::sphere();
+    for (const glm::vec3 p : mesh.positions) mesh.textureCoordinates.emplace_back(0.5F * p.y + 0.25F, 0.0F);
+    Settings settings = drawing(allLineTypes);
+    settings.lines.isolines = {1, 0};  // at y = -0.5: a circle, seen from its level
+    // Half a circle of radius sqrt(3) / 2; facets are shorter than arcs by (pi / 64)^2 / 6, and the eye sees a little less.
+    const double half = std::numbers::pi * 0.5 * std::numbers::sqrt3;
+    const double length = seen(mesh, LineType::Isoparametric, settings);
+    EXPECT_GT(length, 0.85 * half);
+    EXPECT_LT(length, 1.05 * half);
+}
+
+}  // namespace
+}  // namespace inkedge
