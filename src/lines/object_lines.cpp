@@ -10,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "lines/chains.h"
+#include "lines/contour_finders.h"
 #include "lines/contours.h"
 #include "lines/crossings.h"
 #include "lines/intersections.h"
@@ -165,6 +166,9 @@ struct ObjectLines::State {
     explicit State(const Scene& whole) : scene{whole}, rays{scene} {
         for (std::size_t i = 0; i < scene.meshes().size(); ++i)
             edges.push_back(findEdges(scene.meshes()[i], scene.topology(i), scene.creaseAngle()));
+        for (std::size_t i = 0; i < scene.meshes().size(); ++i)
+            searches.push_back(std::make_unique<ContourSearch>(scene.meshes()[i], scene.topology(i), edges[i]));
+        memories_.resize(scene.instances().size());
         borders = findBorderParts(scene, edges);
     }
 
@@ -180,13 +184,38 @@ struct ObjectLines::State {
         return *intersections_;
     }
 
+    // The curves of all instances. Views at the same time each go on from those that were done before.
+    [[nodiscard]] std::vector<Segment> curves(const Screen& screen, const CurveChoice& choice) const {
+        std::vector<Segment> segments;
+        for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
+            ContourMemory memory = recall(i, choice.finder);
+            collectInstanceCurves(scene, i, *searches[scene.instances()[i].mesh], memory, screen, choice, bordersOf(i),
+                                  segments);
+            remember(i, std::move(memory));
+        }
+        return segments;
+    }
+
     Scene scene;
     RayCaster rays;
     std::vector<MeshEdges> edges;
+    std::vector<std::unique_ptr<ContourSearch>> searches;  // one a mesh
     std::vector<BorderPart> borders;
 
 private:
+    [[nodiscard]] ContourMemory recall(std::uint32_t instance, ContourFinder finder) const {
+        if (finder != ContourFinder::Random) return {};
+        const std::scoped_lock lock{mutex_};
+        return memories_[instance];
+    }
+    void remember(std::uint32_t instance, ContourMemory memory) const {
+        if (memory.last.empty()) return;
+        const std::scoped_lock lock{mutex_};
+        memories_[instance] = std::move(memory);
+    }
+
     mutable std::mutex mutex_;
+    mutable std::vector<ContourMemory> memories_;  // one an instance
     mutable std::optional<std::vector<IntersectionSegment>> intersections_;
 };
 
@@ -206,10 +235,8 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings) const {
 
     const Screen screen{camera, scene.bounds().centre, settings.picture.size};
     View view{scene, state_->rays, screen, {}, {}};
-    const CurveChoice choice{settings.lines.contour, standsOutside(scene, screen)};
-    for (std::uint32_t i = 0; i < scene.instances().size(); ++i)
-        collectInstanceCurves(scene, i, state_->edges[scene.instances()[i].mesh], screen, choice, state_->bordersOf(i),
-                              view.segments);
+    view.segments = state_->curves(screen,
+                                   {settings.lines.contour, settings.lines.contourFinder, standsOutside(scene, screen)});
     watch.finish("curves");
     if ((settings.picture.lines & static_cast<std::uint8_t>(LineType::Intersection)) != 0)
         addIntersections(state_->intersections(), view.segments);
