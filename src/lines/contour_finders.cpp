@@ -273,9 +273,9 @@ private:
 };
 
 std::vector<std::uint32_t> ContourSearch::searchAtRandom(const MeshEye& eye, ContourMemory& memory) const {
-    constexpr double samplesARoot = 8.0;         // tests a view: this times the root of the number of edges
-    constexpr std::size_t firstView = 4;         // times as many
-    constexpr std::size_t descentsOneIn = 8;  // of the last view's edges that are none now: their neighbours lead the same way
+    constexpr double samplesARoot = 16.0;  // tests a view: this times the root of the number of edges
+    constexpr std::size_t firstView = 4;  // times as many
+    constexpr std::size_t descentsOneIn = 16;  // of the last view's edges that are none now: their neighbours lead the same way
     const std::vector<std::uint32_t>& order = samples().order;
     Walk walk{*this, eye};
     std::size_t lost = 0;
