@@ -159,6 +159,12 @@ enum class Contour {
     Mesh,    ///< edges between a front-facing and a back-facing face, section 3.2
     Smooth,  ///< curves across faces where the interpolated normal is at right angles to the view, section 3.3
 };
+/// How the contour edges of a mesh are searched for, section 3.2.
+enum class ContourFinder {
+    Every,   ///< every edge is looked at
+    Random,  ///< some edges, and what hangs together with those found: quick on large meshes, and may miss small contours
+    Gauss,   ///< a map of the edges' normals, made once, tells those near the contour; orthographic views only
+};
 /// How seen lines are told from hidden ones, section 3.4.
 enum class Visibility {
     Exact,  ///< by rays
@@ -185,6 +191,7 @@ struct Isolines {
 struct LineSettings {
     LinesFrom from = LinesFrom::Auto;
     Contour contour = Contour::Auto;
+    ContourFinder contourFinder = ContourFinder::Every;
     Visibility visibility = Visibility::Exact;
     HiddenLines hidden = HiddenLines::None;
     double simplify = 0.25;   ///< pixels that polylines in files may stray from those found; 0: every point is kept

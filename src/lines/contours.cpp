@@ -23,7 +23,8 @@ public:
           instance_{instance},
           mesh_{scene.meshes()[scene.instances()[instance].mesh]},
           topology_{scene.topology(scene.instances()[instance].mesh)},
-          edges_{edges.mesh},
+          search_{edges.search},
+          edges_{edges.search.edges()},
           screen_{screen},
           choice_{choice},
           borders_{edges.borders},
@@ -32,14 +33,13 @@ public:
           place_{scene.instances()[instance].transform} {
         place_[3] += place_ * glm::dvec4{mesh_.origin, 0.0} - glm::dvec4{scene.bounds().centre, 0.0};
         const glm::dmat4 back = glm::inverse(place_);
-        eye_ = glm::dvec3{back * glm::dvec4{screen.eye(), 1.0}};
-        direction_ = glm::dmat3{back} * screen.direction();
+        eye_ = {screen.orthographic(), glm::dvec3{back * glm::dvec4{screen.eye(), 1.0}},
+                glm::dmat3{back} * screen.direction()};
     }
 
-    void collect() {
+    void collect(ContourMemory& memory) {
         if (glm::determinant(glm::dmat3{place_}) == 0.0) return;  // scaled to a point
-        findFacing();
-        findContourEdges();
+        contours_ = search_.find(eye_, choice_.finder, memory);
         chooseSmoothPatches();
         addContourEdges();
         addCreases();
@@ -55,30 +55,9 @@ private:
     }
     [[nodiscard]] glm::dvec3 toWorld(glm::dvec3 p) const { return glm::dvec3{place_ * glm::dvec4{p, 1.0}}; }
     // From the eye to a point: x - C.
-    [[nodiscard]] glm::dvec3 view(glm::dvec3 p) const { return screen_.orthographic() ? direction_ : p - eye_; }
+    [[nodiscard]] glm::dvec3 view(glm::dvec3 p) const { return eye_.view(p); }
     [[nodiscard]] SceneFace face(std::uint32_t t) const { return {instance_, t}; }
     [[nodiscard]] bool hidesItsBack(std::uint32_t t) const { return choice_.eyeOutside && edges_.closed[t] != 0; }
-
-    void findFacing() {
-        const std::size_t count = edges_.faceNormals.size();
-        facing_.resize(count);
-        inRanges(count, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t t = begin; t < end; ++t) {
-                const glm::dvec3 corner = position(static_cast<std::uint32_t>(3 * t));
-                facing_[t] = glm::dot(edges_.faceNormals[t], view(corner)) < 0.0 ? 1 : 0;
-            }
-        });
-    }
-
-    // The edge table's pass: an exclusive or an edge.
-    void findContourEdges() {
-        const MeshEdges::Shared& shared = edges_.shared;
-        for (std::uint32_t e = 0; e < shared.halfEdges.size(); ++e) {
-            const unsigned differ =
-                facing_[shared.faces[2 * e]] ^ facing_[shared.faces[2 * e + 1]] ^ shared.against[e];
-            if (differ != 0) contourEdges_.push_back(e);
-        }
-    }
 
     [[nodiscard]] bool mayBeSmooth(std::uint32_t e) const { return edges_.shared.split[e] == 0; }
 
@@ -91,7 +70,7 @@ private:
             int count = 0;
         };
         std::vector<Mean> means(topology_.patchCount);
-        for (const std::uint32_t e : contourEdges_) {
+        for (const std::uint32_t e : contours_.edges) {
             if (!mayBeSmooth(e)) continue;
             const std::uint32_t h = edges_.shared.halfEdges[e];
             const glm::dvec3 from = toWorld(position(h));
@@ -143,7 +122,7 @@ private:
     }
 
     void addContourEdges() {
-        for (const std::uint32_t e : contourEdges_) {
+        for (const std::uint32_t e : contours_.edges) {
             if (isHiddenFold(e)) continue;
             const std::uint32_t h = edges_.shared.halfEdges[e];
             Segment& segment = add(Curve::Contour, h, face(edges_.shared.faces[2 * e + 1]));
@@ -154,7 +133,9 @@ private:
     }
 
     [[nodiscard]] bool isBack(std::uint32_t t) const {
-        return hidesItsBack(t) && (facing_[t] != 0) != (edges_.closed[t] > 0);
+        if (!hidesItsBack(t)) return false;
+        const bool front = contours_.facing.empty() ? search_.isFront(eye_, t) : contours_.facing[t] != 0;
+        return front != (edges_.closed[t] > 0);
     }
 
     void addCreases() {
@@ -165,8 +146,8 @@ private:
     void addUnlessContours(const std::vector<std::uint32_t>& edges) {
         std::size_t nextContour = 0;
         for (const std::uint32_t e : edges) {  // both lists are in order
-            while (nextContour < contourEdges_.size() && contourEdges_[nextContour] < e) ++nextContour;
-            if (nextContour < contourEdges_.size() && contourEdges_[nextContour] == e && !isReplaced(e)) continue;
+            while (nextContour < contours_.edges.size() && contours_.edges[nextContour] < e) ++nextContour;
+            if (nextContour < contours_.edges.size() && contours_.edges[nextContour] == e && !isReplaced(e)) continue;
             const std::uint32_t other = edges_.shared.faces[2 * e + 1];
             if (isBack(other) && isBack(edges_.shared.faces[2 * e])) continue;
             const std::uint32_t h = edges_.shared.halfEdges[e];
@@ -280,7 +261,7 @@ private:
 
     void addRefinedContours() {
         const auto projection = screen_.orthographic() ? Projection::Orthographic : Projection::Perspective;
-        const glm::dvec3 eye = screen_.orthographic() ? direction_ : eye_ + mesh_.origin;
+        const glm::dvec3 eye = eye_.orthographic ? eye_.direction : eye_.place + mesh_.origin;
         const std::size_t number = scene_.instances()[instance_].mesh;
         const RefinedContourMesh refined =
             refineNear(scene_, number, *choice_.control, eye, projection, choice_.refinement);
@@ -365,6 +346,7 @@ private:
     std::uint32_t instance_;
     const Mesh& mesh_;
     const MeshTopology& topology_;
+    const ContourSearch& search_;
     const MeshEdges& edges_;
     const Screen& screen_;
     const CurveChoice& choice_;
@@ -372,19 +354,17 @@ private:
     std::span<const IsolineSegment> isolines_;
     std::vector<Segment>& to_;
     glm::dmat4 place_;
-    glm::dvec3 eye_{};
-    glm::dvec3 direction_{};
-    std::vector<std::uint8_t> facing_;        // one a face: 1 if the eye is on the side that its normal points to
-    std::vector<std::uint32_t> contourEdges_;  // into MeshEdges::shared
+    MeshEye eye_;
+    FoundContours contours_;
     std::vector<bool> smooth_;                 // one a patch
     std::vector<double> slants_;               // one a position
 };
 
 }  // namespace
 
-void collectInstanceCurves(const Scene& scene, std::uint32_t instance, const InstanceEdges& edges, const Screen& screen,
-                           const CurveChoice& choice, std::vector<Segment>& to) {
-    InstanceCurves{scene, instance, edges, screen, choice, to}.collect();
+void collectInstanceCurves(const Scene& scene, std::uint32_t instance, const InstanceEdges& edges, ContourMemory& memory,
+                           const Screen& screen, const CurveChoice& choice, std::vector<Segment>& to) {
+    InstanceCurves{scene, instance, edges, screen, choice, to}.collect(memory);
 }
 
 }  // namespace inkedge::lines

@@ -8,8 +8,8 @@
 #include <inkedge/settings.h>
 
 #include "lines/border_parts.h"
+#include "lines/contour_finders.h"
 #include "lines/isolines.h"
-#include "lines/mesh_edges.h"
 #include "lines/screen.h"
 #include "scene/control_mesh.h"
 #include "lines/segment.h"
@@ -19,6 +19,7 @@ namespace inkedge::lines {
 /// Which lines of instances are wanted.
 struct CurveChoice {
     Contour contour = Contour::Auto;
+    ContourFinder finder = ContourFinder::Every;
     int refinement = 0;           ///< levels of subdivision near smooth contours
     const ControlMesh* control = nullptr;  ///< of the mesh; with a refinement
     bool eyeOutside = true;  ///< the eye and the near plane are outside the scene: closed parts hide their backs
@@ -27,15 +28,14 @@ struct CurveChoice {
 
 /// What one instance's mesh has of its own, whatever the view.
 struct InstanceEdges {
-    const MeshEdges& mesh;
+    const ContourSearch& search;  ///< the mesh's
     std::span<const BorderPart> borders;       ///< the instance's, of findBorderParts()
     std::span<const IsolineSegment> isolines;  ///< the mesh's that are wanted
 };
 
 /// The contours, boundaries, creases, marked edges and isoparametric lines of one instance that a camera may see.
 ///
-/// A mesh contour is an edge between a front-facing and a back-facing face (Hertzmann 1999, section 3.2), found by one
-/// facing byte a face and an exclusive or an edge. A smooth contour crosses faces where n . (x - C), interpolated between
+/// A mesh contour is an edge between a front-facing and a back-facing face (Hertzmann 1999, section 3.2). A smooth contour crosses faces where n . (x - C), interpolated between
 /// their corners, is zero (equations 2 to 4), zeros counted as plus. With Contour::Auto a patch has smooth contours if its
 /// mesh contour has edges of under smoothEdge pixels in the mean: there they are within a pixel or so of the mesh's,
 /// without its zigzag; larger faces are seen for what they are.
@@ -45,7 +45,9 @@ struct InstanceEdges {
 ///
 /// Of closed, consistently wound parts the contours that the part itself hides are left out: concave edges, and smooth
 /// contours where the surface turns towards the eye; also what lies within or between back-facing faces.
-void collectInstanceCurves(const Scene&, std::uint32_t instance, const InstanceEdges&, const Screen&, const CurveChoice&,
+/// @param memory  of the instance, for ContourFinder::Random
+void collectInstanceCurves(const Scene&, std::uint32_t instance, const InstanceEdges&, ContourMemory& memory,
+                           const Screen&, const CurveChoice&,
                            std::vector<Segment>& to);
 
 /// Pixels.

@@ -12,6 +12,7 @@
 
 #include "lines/bridge_gaps.h"
 #include "lines/chains.h"
+#include "lines/contour_finders.h"
 #include "lines/contours.h"
 #include "lines/crossings.h"
 #include "lines/intersections.h"
@@ -202,6 +203,9 @@ struct ObjectLines::State {
     explicit State(const Scene& whole) : scene{whole}, rays{scene} {
         for (std::size_t i = 0; i < scene.meshes().size(); ++i)
             edges.push_back(findEdges(scene.meshes()[i], scene.topology(i), scene.creaseAngle()));
+        for (std::size_t i = 0; i < scene.meshes().size(); ++i)
+            searches.push_back(std::make_unique<ContourSearch>(scene.meshes()[i], scene.topology(i), edges[i]));
+        memories_.resize(scene.instances().size());
         borders = findBorderParts(scene, edges);
     }
 
@@ -238,13 +242,41 @@ struct ObjectLines::State {
         return isolines_;
     }
 
+    // The curves of all instances. Views at the same time each go on from those that were done before.
+    [[nodiscard]] std::vector<Segment> curves(const Screen& screen, CurveChoice choice, Isolines steps) const {
+        std::vector<Segment> segments;
+        const auto isolinesOfMeshes = isolines(steps);
+        for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
+            const std::uint32_t mesh = scene.instances()[i].mesh;
+            if (choice.refinement > 0) choice.control = &controlOf(mesh);
+            ContourMemory memory = recall(i, choice.finder);
+            collectInstanceCurves(scene, i, {*searches[mesh], bordersOf(i), (*isolinesOfMeshes)[mesh]}, memory, screen, choice,
+                                  segments);
+            remember(i, std::move(memory));
+        }
+        return segments;
+    }
+
     Scene scene;
     RayCaster rays;
     std::vector<MeshEdges> edges;
+    std::vector<std::unique_ptr<ContourSearch>> searches;  // one a mesh
     std::vector<BorderPart> borders;
 
 private:
+    [[nodiscard]] ContourMemory recall(std::uint32_t instance, ContourFinder finder) const {
+        if (finder != ContourFinder::Random) return {};
+        const std::scoped_lock lock{mutex_};
+        return memories_[instance];
+    }
+    void remember(std::uint32_t instance, ContourMemory memory) const {
+        if (memory.last.empty()) return;
+        const std::scoped_lock lock{mutex_};
+        memories_[instance] = std::move(memory);
+    }
+
     mutable std::mutex mutex_;
+    mutable std::vector<ContourMemory> memories_;  // one an instance
     mutable std::optional<std::vector<IntersectionSegment>> intersections_;
     mutable std::vector<std::optional<ControlMesh>> controls_;
     mutable std::shared_ptr<const std::vector<std::vector<IsolineSegment>>> isolines_;
@@ -267,15 +299,10 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings, const Vi
 
     const Screen screen{camera, scene.bounds().centre, settings.picture.size};
     View view{scene, state_->rays, screen, buffers, {}, {}};
-    CurveChoice choice{settings.lines.contour, settings.lines.subdivideAdaptive, nullptr, standsOutside(scene, screen),
-                       settings.picture.lines};
-    const auto isolines = state_->isolines(drawnIsolines(settings));
-    for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
-        const std::uint32_t mesh = scene.instances()[i].mesh;
-        if (choice.refinement > 0) choice.control = &state_->controlOf(mesh);
-        collectInstanceCurves(scene, i, {state_->edges[mesh], state_->bordersOf(i), (*isolines)[mesh]}, screen, choice,
-                              view.segments);
-    }
+    view.segments = state_->curves(screen,
+                                   {settings.lines.contour, settings.lines.contourFinder, settings.lines.subdivideAdaptive,
+                                    nullptr, standsOutside(scene, screen), settings.picture.lines},
+                                   drawnIsolines(settings));
     watch.finish("curves");
     if ((settings.picture.lines & static_cast<std::uint8_t>(LineType::Intersection)) != 0)
         addIntersections(state_->intersections(), view.segments);

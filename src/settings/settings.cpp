@@ -175,6 +175,8 @@ constexpr std::array linesFromChoices{Choice{"auto", LinesFrom::Auto}, Choice{"i
                                       Choice{"object", LinesFrom::Object}};
 constexpr std::array contourChoices{Choice{"auto", Contour::Auto}, Choice{"mesh", Contour::Mesh},
                                     Choice{"smooth", Contour::Smooth}};
+constexpr std::array contourFinderChoices{Choice{"every", ContourFinder::Every}, Choice{"random", ContourFinder::Random},
+                                          Choice{"gauss", ContourFinder::Gauss}};
 constexpr std::array visibilityChoices{Choice{"exact", Visibility::Exact}, Choice{"fast", Visibility::Fast}};
 constexpr std::array hiddenChoices{Choice{"none", HiddenLines::None}, Choice{"dashed", HiddenLines::Dashed},
                                    Choice{"solid", HiddenLines::Solid}};
@@ -415,6 +417,10 @@ constexpr std::array table{
                        "contours: edges of the mesh, or curves where the shading normal turns away; lines from object",
                        [](S& s, Text t) { s.lines.contour = parseChoice(contourChoices, t); },
                        [](const S& s) { return choiceName(contourChoices, s.lines.contour); }},
+    SettingDescription{"contour-finder", "", "lines", "every|random|gauss", "one of these", "every",
+                       "every edge, a random search that may miss some, or a map for orthographic views; lines from object",
+                       [](S& s, Text t) { s.lines.contourFinder = parseChoice(contourFinderChoices, t); },
+                       [](const S& s) { return choiceName(contourFinderChoices, s.lines.contourFinder); }},
     SettingDescription{"visibility", "", "lines", "exact|fast", "one of these", "exact",
                        "hidden lines found by rays, or by drawn buffers with rays in doubt; lines from object",
                        [](S& s, Text t) { s.lines.visibility = parseChoice(visibilityChoices, t); },

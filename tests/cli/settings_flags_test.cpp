@@ -59,6 +59,8 @@ const std::map<std::string_view, Example>& examples() {
           .wrong = "210x297",
           .shows = "/settings/page-size",
           .becomes = "\"297mmx210mm\""}},
+        {"contour-finder",
+         {.value = "random", .wrong = "all", .shows = "/settings/contour-finder", .becomes = "\"random\""}},
         {"stroke-width",
          {.value = "depth", .wrong = "thick", .shows = "/settings/stroke-width", .becomes = "\"depth\""}},
         {"stroke-taper", {.value = "20", .wrong = "-1", .shows = "/settings/stroke-taper", .becomes = "\"20\""}},
