@@ -126,12 +126,23 @@ private:
         return glm::dot(edges_.faceNormals[t], opposite - position(h)) * edges_.closed[t] > 0.0;
     }
 
+    // The third point of one of an edge's two faces: of the one that is seen less edge-on.
+    [[nodiscard]] glm::dvec3 innerOf(std::uint32_t h) const {
+        const glm::dvec3 from = position(h);
+        const glm::dvec3 side = glm::cross(position(nextHalfEdge(h)) - from, view(from));
+        const glm::dvec3 one = position(nextHalfEdge(nextHalfEdge(h)));
+        const glm::dvec3 other = position(nextHalfEdge(nextHalfEdge(topology_.twins[h])));
+        const bool first = std::abs(glm::dot(side, one - from)) >= std::abs(glm::dot(side, other - from));
+        return toWorld(first ? one : other);
+    }
+
     void addContourEdges() {
         for (const std::uint32_t e : contourEdges_) {
             if (isHiddenFold(e)) continue;
             const std::uint32_t h = edges_.shared.halfEdges[e];
             Segment& segment = add(Curve::Contour, h, face(edges_.shared.faces[2 * e + 1]));
             segment.faces[0] = face(edges_.shared.faces[2 * e]);
+            segment.inner = innerOf(h);
             segment.drawn = !(smooth_[topology_.patches[h / 3]] && mayBeSmooth(e));
         }
     }
