@@ -121,12 +121,23 @@ private:
         return !draws(LineType::Outline) || !draws(LineType::Occlusion) || !draws(LineType::Boundary);
     }
 
+    // The third point of one of an edge's two faces: of the one that is seen less edge-on.
+    [[nodiscard]] glm::dvec3 innerOf(std::uint32_t h) const {
+        const glm::dvec3 from = position(h);
+        const glm::dvec3 side = glm::cross(position(nextHalfEdge(h)) - from, view(from));
+        const glm::dvec3 one = position(nextHalfEdge(nextHalfEdge(h)));
+        const glm::dvec3 other = position(nextHalfEdge(nextHalfEdge(topology_.twins[h])));
+        const bool first = std::abs(glm::dot(side, one - from)) >= std::abs(glm::dot(side, other - from));
+        return toWorld(first ? one : other);
+    }
+
     void addContourEdges() {
         for (const std::uint32_t e : contours_.edges) {
             if (isHiddenFold(e)) continue;
             const std::uint32_t h = edges_.shared.halfEdges[e];
             Segment& segment = add(Curve::Contour, h, face(edges_.shared.faces[2 * e + 1]));
             segment.faces[0] = face(edges_.shared.faces[2 * e]);
+            segment.inner = innerOf(h);
             segment.drawn = !isReplaced(e);
             segment.marked = marksOutlines() && isMarked(h);
         }
@@ -255,6 +266,7 @@ private:
         std::uint32_t face;  // that it is, or lies on
         glm::dvec3 corners[3];
         double slants[3];
+        double slant;  // of its plane, by the side that the corners' normals point to
         Key edges[3];
         double size;  // mesh units: how far off the mesh it may lie
     };
@@ -267,16 +279,19 @@ private:
             refineNear(scene_, number, *choice_.control, eye, projection, choice_.refinement);
         std::unordered_map<std::uint64_t, std::uint32_t> edges;
         for (std::size_t t = 0; t < refined.controlTriangles.size(); ++t) {
-            Facet facet{refined.controlTriangles[t], {}, {}, {}, longestEdge(refined.controlTriangles[t])};
+            Facet facet{refined.controlTriangles[t], {}, {}, 0.0, {}, longestEdge(refined.controlTriangles[t])};
+            glm::dvec3 normals{0.0};
             const std::uint32_t* const corners = &refined.indices[3 * t];
             for (std::size_t k = 0; k < 3; ++k) {
                 facet.corners[k] = refined.positions[corners[k]];
                 facet.slants[k] = glm::dot(refined.normals[corners[k]], view(facet.corners[k]));
+                normals += glm::dvec3{refined.normals[corners[k]]};
                 const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
                 const auto next = static_cast<std::uint32_t>(edges.size());
                 facet.edges[k] = refinedKey(
                     instance_, edges.try_emplace((std::uint64_t{low} << 32U) | high, next).first->second);
             }
+            facet.slant = planeSlant(facet.corners, normals);
             addSmoothContour(facet);
         }
     }
@@ -296,20 +311,28 @@ private:
             const bool plus[3]{slants_[corners[0]] >= 0.0, slants_[corners[1]] >= 0.0, slants_[corners[2]] >= 0.0};
             if (plus[0] == plus[1] && plus[1] == plus[2]) continue;
             if (!smooth_[topology_.patches[t]] || topology_.originals[t] != t) continue;
-            Facet facet{t, {}, {}, {}, longestEdge(t)};
+            Facet facet{t, {}, {}, 0.0, {}, longestEdge(t)};
+            glm::dvec3 normals{0.0};
             for (std::uint32_t k = 0; k < 3; ++k) {
                 const std::uint32_t h = 3 * t + k;
                 const std::uint32_t twin = topology_.twins[h];
                 facet.corners[k] = position(h);
                 facet.slants[k] = slants_[corners[k]];
+                normals += glm::dvec3{mesh_.normals[corners[k]]};
                 facet.edges[k] = edgeKey(instance_, isHalfEdge(twin) ? std::min(h, twin) : h);
             }
+            facet.slant = planeSlant(facet.corners, normals);
             addSmoothContour(facet);
         }
     }
 
+    [[nodiscard]] double planeSlant(const glm::dvec3 (&corners)[3], glm::dvec3 normals) const {
+        const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+        return glm::dot(normal, view(corners[0])) * (glm::dot(normal, normals) < 0.0 ? -1.0 : 1.0);
+    }
+
     void addSmoothContour(const Facet& facet) {
-        const auto& [face, corners, slants, edges, size] = facet;
+        const auto& [face, corners, slants, slant, edges, size] = facet;
         const bool plus[3]{slants[0] >= 0.0, slants[1] >= 0.0, slants[2] >= 0.0};
         if (plus[0] == plus[1] && plus[1] == plus[2]) return;
         if (hidesItsBack(face) && turnsTowardsEye(corners, slants, edges_.closed[face])) return;
@@ -320,7 +343,8 @@ private:
         std::uint32_t inner = 0;
         for (std::uint32_t k = 0; k < 3; ++k) {
             const std::uint32_t next = (k + 1) % 3;
-            if (std::abs(slants[k]) > std::abs(slants[inner])) inner = k;
+            // In the picture the surface lies to the side where it is turned as the facet is.
+            if (slants[k] * slant > slants[inner] * slant) inner = k;
             if (plus[k] == plus[next]) continue;
             const double a = std::abs(slants[k]);
             const double b = std::abs(slants[next]);

@@ -179,7 +179,7 @@ Line makeLine(const View& view, const Chain& chain, const Part& part, std::uint8
     line.patch = patches.number[patches.base[first.faces[0].instance] +
                                 view.scene.topology(mesh).patches[first.faces[0].triangle]];
     const auto add = [&](std::size_t link, double at) {
-        const Chain::Link l = chain.links[link];
+        const Chain::Link l = chain.links[link % chain.links.size()];
         const double own = l.reversed ? 1.0 - at : at;
         const auto& ends = view.projected[l.segment].ends;
         const glm::dvec2 place = ends[0].place + own * (ends[1].place - ends[0].place);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -52,6 +53,8 @@ public:
 
 private:
     [[nodiscard]] double lengthAt(double place) const {
+        const auto count = static_cast<double>(chain_.links.size());
+        if (place > count) return lengths_.back() + lengthAt(place - count);
         const auto i = std::min(static_cast<std::size_t>(place), chain_.links.size() - 1);
         return lengths_[i] + (place - static_cast<double>(i)) * (lengths_[i + 1] - lengths_[i]);
     }
@@ -143,18 +146,36 @@ private:
             }
         }
         parts_ = std::move(merged);
+        if (chain_.closed) joinAtStart();
+    }
+
+    // A closed chain begins anywhere: no part of it ends there.
+    void joinAtStart() {
+        const auto count = static_cast<double>(chain_.links.size());
+        if (parts_.size() == 1) parts_[0] = {0.0, count, parts_[0].seen};
+        if (parts_.size() < 2 || parts_.front().seen != parts_.back().seen) return;
+        parts_.back().end = count + parts_.front().end;
+        parts_.erase(parts_.begin());
     }
 
     [[nodiscard]] double length(const Part& part) const { return lengthAt(part.end) - lengthAt(part.begin); }
 
+    // What is seen before part i, at -1, or after it, at 1; none: the chain ends there.
+    [[nodiscard]] std::optional<Seen> beside(std::size_t i, int step) const {
+        const std::size_t count = parts_.size();
+        const bool atEnd = step < 0 ? i == 0 : i + 1 == count;
+        if (count == 1 || (atEnd && !chain_.closed)) return {};
+        return parts_[(step < 0 ? i + count - 1 : i + 1) % count].seen;
+    }
+
     void clean() {
-        for (std::size_t i = 1; i + 1 < parts_.size(); ++i) {
-            if (parts_[i].seen == Seen::Hidden && length(parts_[i]) < longestGap) parts_[i].seen = parts_[i - 1].seen;
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            const bool isShort = parts_[i].seen == Seen::Hidden && length(parts_[i]) < longestGap;
+            if (isShort && beside(i, -1) && beside(i, 1)) parts_[i].seen = *beside(i, -1);
         }
         merge();
         for (std::size_t i = 0; i < parts_.size(); ++i) {
-            const bool alone = (i == 0 || !isSeen(parts_[i - 1].seen)) &&
-                               (i + 1 == parts_.size() || !isSeen(parts_[i + 1].seen));
+            const bool alone = !isSeen(beside(i, -1).value_or(Seen::Hidden)) && !isSeen(beside(i, 1).value_or(Seen::Hidden));
             if (isSeen(parts_[i].seen) && alone && parts_.size() > 1 && length(parts_[i]) < leastPart)
                 parts_[i].seen = Seen::Hidden;
         }

@@ -19,7 +19,7 @@ enum class Seen : std::uint8_t {
 };
 
 /// A part of a chain that looks the same throughout. Places count segments: 2.25 is a quarter along the third in the
-/// picture.
+/// picture. In a closed chain the last part may go on over the chain's start: it then ends beyond the number of segments.
 struct Part {
     double begin;
     double end;

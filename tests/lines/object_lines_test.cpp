@@ -1,0 +1,552 @@
+#include "lines/object_lines.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include <glm/trigonometric.hpp>
+#include <gmock/gmock.h>
+
+#ifdef __linux__
+#include <sched.h>
+#endif
+
+#include "lines/views.h"
+
+namespace inkedge::lines {
+namespace {
+
+using namespace scenes;
+using namespace views;
+using testing::Each;
+using testing::Field;
+using testing::IsEmpty;
+using testing::Pair;
+using testing::SizeIs;
+
+constexpr std::array bothContours{Contour::Mesh, Contour::Smooth};
+
+// How many pieces of a line each edge between two corners of box() is, seen and hidden; nothing else may be drawn.
+struct EdgeCounts {
+    std::map<std::pair<int, int>, LineType> seen;
+    std::map<std::pair<int, int>, LineType> hidden;
+};
+
+EdgeCounts edgesOfBox(const std::vector<Line>& lines, glm::dvec3 sides, const Camera& camera, Size size) {
+    constexpr double exact = 1e-9;  // pixels and units: doubles all the way, box corners are floats without rounding
+    EdgeCounts counts;
+    const auto cornerOf = [&](const LinePoint& p) {
+        int corner = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_NEAR(std::abs(p.point[axis]), 0.5 * sides[axis], exact);
+            corner |= p.point[axis] > 0.0 ? 1 << axis : 0;
+        }
+        EXPECT_LT(glm::distance(p.place, pixel(camera, size, p.point)), exact);
+        return corner;
+    };
+    for (const Line& line : lines) {
+        forEachPiece(line, [&](const LinePoint& p, const LinePoint& q) {
+            const auto [low, high] = std::minmax({cornerOf(p), cornerOf(q)});
+            const int difference = low ^ high;
+            EXPECT_TRUE(difference == 1 || difference == 2 || difference == 4) << low << " to " << high;
+            auto& those = line.visible ? counts.seen : counts.hidden;
+            EXPECT_TRUE(those.emplace(std::pair{low, high}, line.type).second) << "drawn twice: " << low << " to " << high;
+        });
+    }
+    return counts;
+}
+
+long countOf(const std::map<std::pair<int, int>, LineType>& edges, LineType type) {
+    return std::ranges::count(edges, type, [](const auto& edge) { return edge.second; });
+}
+
+TEST(ObjectLines, OfACubeAreItsNineSeenEdgesFromCornerToCorner) {
+    const Scene scene = sceneOf(cube(2.0));
+    for (const Camera& camera : {perspective({5, 4, 7}), orthographic({5, 4, 7}, 5.0), perspective({-2, -3, 2.5})}) {
+        for (const HiddenLines hidden : {HiddenLines::None, HiddenLines::Dashed}) {
+            const Wish wish{.hidden = hidden};
+            const auto edges = edgesOfBox(linesOf(scene, camera, wish), glm::dvec3{2.0}, camera, wish.size);
+            EXPECT_EQ(countOf(edges.seen, LineType::Outline), 6);
+            EXPECT_EQ(countOf(edges.seen, LineType::Crease), 3);
+            EXPECT_EQ(edges.seen.size(), 9U);
+            EXPECT_EQ(edges.hidden.size(), hidden == HiddenLines::None ? 0U : 3U);
+            EXPECT_EQ(countOf(edges.hidden, LineType::Crease), static_cast<long>(edges.hidden.size()));
+        }
+    }
+}
+
+TEST(ObjectLines, OfACubeSeenFaceOnAreOneSquare) {
+    const Scene scene = sceneOf(cube(2.0));
+    for (const Camera& camera : {perspective({0, 0, 7}), orthographic({0, 0, 7}, 5.0)}) {
+        const auto lines = linesOf(scene, camera);
+        ASSERT_THAT(lines, SizeIs(1));
+        EXPECT_TRUE(lines[0].closed);
+        EXPECT_EQ(lines[0].type, LineType::Outline);
+        EXPECT_THAT(lines[0].points, SizeIs(4));
+        const double side = camera.orthographic() ? 2.0 * 300.0 / 5.0 : 2.0 * 150.0 / std::tan(glm::radians(17.5)) / 6.0;
+        EXPECT_NEAR(length(lines), 4.0 * side, 1e-9);
+    }
+}
+
+TEST(ObjectLines, OfACubeKnowWhatTheyLieOn) {
+    const Scene scene = sceneOf({{cube(1.0), glm::dmat4{1.0}}, {cube(1.0), translation({3, 0, 0})}});
+    const auto lines = linesOf(scene, perspective({6, 4, 7}, {1.5, 0, 0}));
+    std::set<std::uint32_t> objects;
+    for (const Line& line : lines) {
+        objects.insert(line.object);
+        for (const LinePoint& p : line.points) EXPECT_EQ(line.object, p.point.x < 1.5 ? 1U : 2U);
+    }
+    EXPECT_EQ(objects, (std::set<std::uint32_t>{1, 2}));
+}
+
+// Distances of all points from the picture's middle.
+std::pair<double, double> radii(const Line& line, Size size) {
+    std::pair range{std::numeric_limits<double>::max(), 0.0};
+    for (const LinePoint& p : line.points) {
+        const double r = glm::distance(p.place, glm::dvec2{0.5 * size.width, 0.5 * size.height});
+        range = {std::min(range.first, r), std::max(range.second, r)};
+    }
+    return range;
+}
+
+TEST(ObjectLines, OfASphereAreTheCircleWhereItTurnsAway) {
+    // The cone around a unit sphere from d away opens by asin(1 / d): a circle of radius f / sqrt(d^2 - 1).
+    const Wish wish{.size = {600, 600}};
+    const double d = 5.0;
+    const double f = 300.0 / std::tan(glm::radians(17.5));
+    double before = 0.0;
+    for (const std::uint32_t segments : {24U, 48U, 96U}) {
+        const Scene scene = sceneOf(sphere(1.0, segments));
+        for (const bool parallel : {false, true}) {
+            const Camera camera = parallel ? orthographic(d * glm::normalize(glm::dvec3{1, 2, 3}), 4.0)
+                                           : perspective(d * glm::normalize(glm::dvec3{1, 2, 3}));
+            const double expected = parallel ? 150.0 : f / std::sqrt(d * d - 1.0);
+            const double facet = 2.0 * std::numbers::pi / segments;  // angle that an edge covers
+            for (const Contour contour : bothContours) {
+                Wish own = wish;
+                own.contour = contour;
+                const auto lines = linesOf(scene, camera, own);
+                ASSERT_THAT(lines, SizeIs(1)) << segments;
+                EXPECT_TRUE(lines[0].closed);
+                EXPECT_EQ(lines[0].type, LineType::Outline);
+                const auto [least, most] = radii(lines[0], wish.size);
+                // The mesh's corners lie on the sphere, so inside the circle, by less than a facet's diagonal falls short
+                // of its tangent. Points between corners lie under the sphere by a quarter of that at most.
+                EXPECT_LE(most, expected * (1.0 + 1e-6));  // corners are floats
+                EXPECT_GE(least, expected * (1.0 - facet * facet)) << segments;
+                if (contour != Contour::Smooth || parallel) continue;
+                const double error = expected - least;
+                if (before > 0.0) {
+                    EXPECT_NEAR(before / error, 4.0, 1.0) << "falls as the edge squared, to " << segments;
+                }
+                before = error;
+            }
+        }
+    }
+}
+
+TEST(ObjectLines, OfASphereByItsEdgesRunAlongItsEdges) {
+    const Mesh mesh = sphere(1.0, 24);
+    std::set<std::array<float, 3>> corners;
+    for (const glm::vec3& p : mesh.positions) corners.insert({p.x + 0.0F, p.y + 0.0F, p.z + 0.0F});
+    const Scene scene = sceneOf(mesh);
+    const auto lines = linesOf(scene, perspective({3, 2, 4}), {.contour = Contour::Mesh});
+    ASSERT_THAT(lines, SizeIs(1));
+    const double longest = 2.0 * std::sin(std::numbers::pi / 24.0) * std::sqrt(2.0);
+    forEachPiece(lines[0], [&](const LinePoint& p, const LinePoint& q) {
+        EXPECT_LT(glm::distance(p.point, q.point), longest + 1e-6);
+        double nearest = 1.0;
+        for (const glm::vec3& corner : mesh.positions) nearest = std::min(nearest, glm::distance(glm::dvec3{corner}, p.point));
+        EXPECT_LT(nearest, 1e-6);
+    });
+}
+
+// The torus's contour in parallel views along (-cos e, -sin e, 0): n . d = 0 at tan v = -cos u cos e / sin e.
+struct TorusContour {
+    double ring = 2.0;
+    double tube = 0.8;
+    double elevation;
+
+    [[nodiscard]] double v(double u, bool outer) const {
+        const double one = std::atan(-std::cos(u) * std::cos(elevation) / std::sin(elevation));
+        return outer ? one : one + std::numbers::pi;
+    }
+    [[nodiscard]] glm::dvec3 normal(double u, bool outer) const {
+        const double w = v(u, outer);
+        return {std::cos(w) * std::cos(u), std::sin(w), std::cos(w) * std::sin(u)};
+    }
+    [[nodiscard]] glm::dvec3 point(double u, bool outer) const {
+        return ring * glm::dvec3{std::cos(u), 0, std::sin(u)} + tube * normal(u, outer);
+    }
+    // Along the contour, across the view in the picture: zero at cusps.
+    [[nodiscard]] double across(double u, bool outer) const {
+        const glm::dvec3 step = point(u + 1e-5, outer) - point(u - 1e-5, outer);
+        return glm::dot(step, glm::cross(normal(u, outer), glm::dvec3{std::cos(elevation), std::sin(elevation), 0})) / 2e-5;
+    }
+    [[nodiscard]] std::vector<glm::dvec3> cusps() const {
+        std::vector<glm::dvec3> found;
+        for (const bool outer : {false, true}) {
+            constexpr int steps = 1000;
+            for (int i = 0; i < steps; ++i) {
+                double low = 2.0 * std::numbers::pi * (i + 0.5) / steps;
+                double high = 2.0 * std::numbers::pi * (i + 1.5) / steps;
+                if ((across(low, outer) > 0.0) == (across(high, outer) > 0.0)) continue;
+                for (int k = 0; k < 50; ++k) {
+                    const double middle = 0.5 * (low + high);
+                    ((across(middle, outer) > 0.0) == (across(low, outer) > 0.0) ? low : high) = middle;
+                }
+                found.push_back(point(low, outer));
+            }
+        }
+        return found;
+    }
+};
+
+TEST(ObjectLines, OfATorusEndAtItsCusps) {
+    const TorusContour contour{.elevation = glm::radians(30.0)};
+    const auto cusps = contour.cusps();
+    ASSERT_THAT(cusps, SizeIs(4));
+    const Camera camera =
+        orthographic(10.0 * glm::dvec3{std::cos(contour.elevation), std::sin(contour.elevation), 0}, 6.5);
+    const Scene scene = sceneOf(torus(contour.ring, contour.tube, 360, 180));
+    const Wish wish{.size = {600, 600}, .contour = Contour::Smooth};
+    const auto lines = linesOf(scene, camera, wish);
+    const auto outline = thoseOf(lines, [](const Line& line) { return line.closed; });
+    ASSERT_THAT(outline, SizeIs(1));
+    EXPECT_EQ(outline[0].type, LineType::Outline);
+    // Of the hole: its near rim, from cusp to cusp, and the far one, from where it comes up behind that: by symmetry at
+    // half the picture's height. Each is an outline where the background is seen through the hole, else an occlusion.
+    std::vector<glm::dvec2> expected;
+    for (const glm::dvec3& cusp : cusps)
+        if (const glm::dvec2 place = pixel(camera, wish.size, cusp); place.y < 300.0) expected.push_back(place);
+    for (double u = 0.0; u < 2.0 * std::numbers::pi; u += 1e-3) {
+        const glm::dvec2 p = pixel(camera, wish.size, contour.point(u, true));
+        const glm::dvec2 q = pixel(camera, wish.size, contour.point(u + 1e-3, true));
+        const glm::dvec2 middle = 0.5 * (p + q);
+        if ((p.y < 300.0) != (q.y < 300.0) && std::abs(middle.x - 300.0) < 150.0) expected.push_back(middle);
+    }
+    ASSERT_THAT(expected, SizeIs(4));
+    std::vector<glm::dvec2> ends;
+    for (const Line& line : lines)
+        if (!line.closed) ends.insert(ends.end(), {line.points.front().place, line.points.back().place});
+    EXPECT_LE(ends.size(), 12U);
+    for (const glm::dvec2& place : expected) {
+        const auto apart = [&](glm::dvec2 end) { return glm::distance(end, place); };
+        EXPECT_LT(apart(*std::ranges::min_element(ends, {}, apart)), 1.0) << place.x << ", " << place.y;
+    }
+}
+
+// Where the picture of p..q crosses that of r..s, as a share of p..q's; none: -1.
+double crossing(glm::dvec2 p, glm::dvec2 q, glm::dvec2 r, glm::dvec2 s) {
+    const auto cross = [](glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; };
+    const double area = cross(q - p, s - r);
+    const double u = cross(r - p, s - r) / area;
+    const double v = cross(r - p, q - p) / area;
+    return u > 0.0 && u < 1.0 && v >= 0.0 && v <= 1.0 ? u : -1.0;
+}
+
+TEST(ObjectLines, EndExactlyWhereABoxStandsBefore) {
+    const Scene scene = sceneOf({{box({8, 1, 1}), translation({0, 0, -3})}, {box({1, 4, 1}), glm::dmat4{1.0}}});
+    const Camera camera = perspective({1.5, 2, 9});
+    const Wish wish{};
+    const auto at = [&](glm::dvec3 p) { return pixel(camera, wish.size, p); };
+    const auto bars = thoseOf(linesOf(scene, camera, wish), [](const Line& line) { return line.object == 1; });
+    int ends = 0;
+    for (const glm::dvec2 edge : {glm::dvec2{0.5, -2.5}, {-0.5, -2.5}, {0.5, -3.5}}) {  // y, z of the bar's seen edges
+        const glm::dvec2 p = at({-4, edge.x, edge.y});
+        const glm::dvec2 q = at({4, edge.x, edge.y});
+        std::vector<double> shares;
+        for (const glm::dvec2 upright : {glm::dvec2{-0.5, 0.5}, {0.5, 0.5}, {0.5, -0.5}, {-0.5, -0.5}}) {
+            const double u = crossing(p, q, at({upright.x, -2, upright.y}), at({upright.x, 2, upright.y}));
+            if (u > 0.0) shares.push_back(u);
+        }
+        ASSERT_THAT(shares, SizeIs(4));
+        for (const double share : {std::ranges::min(shares), std::ranges::max(shares)}) {
+            for (const Line& line : bars)
+                for (const LinePoint& end : {line.points.front(), line.points.back()})
+                    ends += glm::distance(end.place, p + share * (q - p)) < 1e-6 ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(ends, 6);
+    for (const Line& line : bars) EXPECT_EQ(line.closed, false);
+}
+
+TEST(ObjectLines, OfABoxThroughASphereAreAnArcOfTheirCircle) {
+    // The top, y = 1/2, cuts the unit sphere in a circle of radius sqrt(3) / 2. A point p of a unit sphere faces an eye E
+    // if p . E > 1: here where cos(a) > (1 - y_E / 2) / (r z_E).
+    const Scene scene = sceneOf({{sphere(1.0, 128), glm::dmat4{1.0}}, {box({6, 1, 6}), glm::dmat4{1.0}}});
+    const glm::dvec3 eye{0, 3, 6};
+    const Camera camera = perspective(eye, {0, 0, 0}, 50.0);
+    const double r = std::sqrt(0.75);
+    const double half = std::acos((1.0 - 0.5 * eye.y) / (r * eye.z));
+    const auto lines = linesOf(scene, camera, {.hidden = HiddenLines::Solid});
+    double seen = 0.0;
+    double hidden = 0.0;
+    for (const Line& line : thoseOf(lines, LineType::Intersection)) {
+        forEachPiece(line, [&](const LinePoint& p, const LinePoint& q) {
+            EXPECT_NEAR(std::abs(p.point.y), 0.5, 1e-6);
+            EXPECT_NEAR(std::hypot(p.point.x, p.point.z), r, 7e-4);  // 1 - cos(pi / 128), steeper by 1 / r; twice
+            if (p.point.y > 0.0) (line.visible ? seen : hidden) += glm::distance(p.point, q.point);
+            if (p.point.y < 0.0) {
+                EXPECT_FALSE(line.visible) << "below the box";
+            }
+        });
+    }
+    // The sphere's facets turn away up to half of one, 1.4 degrees, off.
+    EXPECT_NEAR(seen, 2.0 * half * r, 2.0 * r * std::numbers::pi / 128.0);
+    EXPECT_NEAR(seen + hidden, 2.0 * std::numbers::pi * r, 2.0 * std::numbers::pi * 7e-4);
+}
+
+TEST(ObjectLines, OfAnOpenSheetAreOutlinesBeforeNothingAndBoundariesBeforeSomething) {
+    const Camera camera = perspective({4, 10, 6});
+    const auto alone = linesOf(sceneOf(sheet(2.0, 3)), camera);
+    ASSERT_THAT(alone, SizeIs(1));
+    EXPECT_EQ(alone[0].type, LineType::Outline);
+    EXPECT_TRUE(alone[0].closed);
+    const auto both = linesOf(sceneOf({{sheet(2.0, 3), glm::dmat4{1.0}}, {sheet(6.0, 2), translation({0, -1, 0})}}), camera);
+    ASSERT_THAT(both, SizeIs(2));
+    for (const Line& line : both) {
+        EXPECT_TRUE(line.closed);
+        EXPECT_EQ(line.type, line.object == 1 ? LineType::Boundary : LineType::Outline);
+    }
+    // Half over it: hidden where the large one is nearer, an outline beyond it.
+    const auto across = linesOf(sceneOf({{sheet(2.0, 3), glm::dmat4{1.0}}, {sheet(6.0, 2), translation({3, -1, 0})}}), camera);
+    EXPECT_THAT(thoseOf(across, [](const Line& line) { return line.object == 1 && line.type == LineType::Outline; }), SizeIs(1));
+    EXPECT_THAT(thoseOf(across, [](const Line& line) { return line.object == 1 && line.type == LineType::Boundary; }), SizeIs(1));
+}
+
+// Pixels around a polygon.
+double perimeter(const Camera& camera, Size size, const std::vector<glm::dvec3>& corners) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        sum += glm::distance(pixel(camera, size, corners[i]), pixel(camera, size, corners[(i + 1) % corners.size()]));
+    return sum;
+}
+
+TEST(ObjectLines, AreNoneAtSeams) {
+    const Camera camera = perspective({1, 5, 3});
+    const Wish wish{};
+    const double expected = perimeter(camera, wish.size, {{-2, 0, -1}, {-2, 0, 1}, {2, 0, 1}, {2, 0, -1}});
+    const Mesh left = quad({-2, 0, -1}, {-2, 0, 1}, {0, 0, 1}, {0, 0, -1});
+    const Mesh right = quad({0, 0, -1}, {0, 0, 1}, {2, 0, 1}, {2, 0, -1});
+    const Mesh rightNear = quad({0, 0, -1}, {0, 0, 0.3}, {2, 0, 0.3}, {2, 0, -1});
+    const Mesh rightFar = quad({0, 0, 0.3}, {0, 0, 1}, {2, 0, 1}, {2, 0, 0.3});
+    const glm::dmat4 there{1.0};
+    Mesh one = left;  // with a corner on an edge's middle
+    for (const Mesh& part : {rightNear, rightFar}) {
+        for (const std::uint32_t i : part.indices) one.indices.push_back(static_cast<std::uint32_t>(one.positions.size()) + i);
+        one.positions.insert(one.positions.end(), part.positions.begin(), part.positions.end());
+    }
+    const std::map<const char*, Scene> scenes{
+        {"two meshes", sceneOf({{left, there}, {right, there}})},
+        {"three meshes that meet in a T", sceneOf({{left, there}, {rightNear, there}, {rightFar, there}})},
+        {"one mesh with a T", sceneOf(one)}};
+    for (const auto& [name, scene] : scenes) {
+        const auto lines = linesOf(scene, camera, wish);
+        EXPECT_NEAR(length(lines), expected, 0.1) << name;
+        for (const Line& line : lines) EXPECT_EQ(line.type, LineType::Outline) << name;
+    }
+}
+
+TEST(ObjectLines, OfABoxOnATableAreItsEdgesWithoutSpray) {
+    const Wish wish{};
+    for (const std::uint32_t cells : {1U, 5U}) {
+        for (const double off : {0.0, 3e-7, -3e-7}) {  // of a rounding
+            const Scene scene = sceneOf({{sheet(8.0, cells), glm::dmat4{1.0}},
+                                         {box({1, 1, 1}), translation({0.1, 0.5 + off, 0.2}) * rotation(20, {0, 1, 0})}});
+            for (const Camera& camera : {perspective({5, 4, 9}), orthographic({-5, 2, 4}, 10.0)}) {
+                const auto lines = linesOf(scene, camera, wish);
+                const auto onBox = thoseOf(lines, [](const Line& line) { return line.object == 2; });
+                double edges = 0.0;  // the box's: all with the nearest three faces
+                const glm::dmat4 place = scene.instances()[1].transform;
+                const glm::dvec3 back{glm::inverse(place) * (glm::inverse(camera.view) * glm::dvec4{0, 0, 0, 1})};
+                for (int i = 0; i < 8; ++i) {
+                    for (const int axis : {0, 1, 2}) {
+                        if ((i >> axis & 1) != 0) continue;
+                        int hiddenSides = 0;  // of the two faces at the edge
+                        glm::dvec3 p{0.0};
+                        for (const int other : {0, 1, 2}) p[other] = (i >> other & 1) != 0 ? 0.5 : -0.5;
+                        for (const int other : {0, 1, 2})
+                            if (other != axis && (p[other] > 0.0) != (back[other] > 0.0)) ++hiddenSides;
+                        if (hiddenSides == 2) continue;
+                        glm::dvec3 q = p;
+                        q[axis] = 0.5;
+                        edges += glm::distance(pixel(camera, wish.size, place * glm::dvec4{p, 1}),
+                                               pixel(camera, wish.size, place * glm::dvec4{q, 1}));
+                    }
+                }
+                EXPECT_NEAR(length(onBox), edges, 1.0) << cells << " cells, off by " << off;
+                EXPECT_LE(onBox.size(), 9U);
+                const auto onTable = thoseOf(lines, [](const Line& line) { return line.object == 1; });
+                EXPECT_THAT(onTable, SizeIs(1)) << cells << " cells, off by " << off;
+            }
+        }
+    }
+}
+
+TEST(ObjectLines, AreNotAlteredByAskingForHiddenOnes) {
+    const Scene scene = sceneOf({{torus(2.0, 0.8, 90, 40), glm::dmat4{1.0}}, {cube(1.0), translation({0.5, 0.3, 0.2})}});
+    for (const Camera& camera : {perspective({7, 4, 5}), perspective({6, 1, -5})}) {
+        const auto without = linesOf(scene, camera);
+        const auto with = linesOf(scene, camera, {.hidden = HiddenLines::Dashed});
+        const auto seen = thoseOf(with, [](const Line& line) { return line.visible; });
+        EXPECT_LT(seen.size(), with.size());
+        EXPECT_NEAR(length(seen), length(without), 0.002 * length(without));
+    }
+}
+
+TEST(ObjectLines, OfPartlyHiddenLoopsBeginWhereTheyAreHidden) {
+    // A square sheet behind a post: one open line all round, whatever corner its chain begins at.
+    for (int turn = 0; turn < 4; ++turn) {
+        const Scene scene = sceneOf({{sheet(4.0), rotation(90.0 * turn, {0, 1, 0})}, {box({1, 4, 1}), translation({0.3, 2.5, 2})}});
+        const auto lines = linesOf(scene, perspective({0, 6, 12}));
+        const auto onSheet = thoseOf(lines, [](const Line& line) { return line.object == 1 && line.type == LineType::Outline; });
+        ASSERT_THAT(onSheet, testing::Not(IsEmpty()));
+        EXPECT_LE(onSheet.size(), 2U) << turn;
+    }
+}
+
+void expectSane(const std::vector<Line>& lines) {
+    for (const Line& line : lines) {
+        EXPECT_GE(line.points.size(), 2U);
+        for (const LinePoint& p : line.points) {
+            EXPECT_TRUE(std::isfinite(p.place.x) && std::isfinite(p.place.y));
+            EXPECT_TRUE(std::isfinite(p.point.x) && std::isfinite(p.point.y) && std::isfinite(p.point.z));
+        }
+    }
+}
+
+TEST(ObjectLines, OfWhatLiesBehindTheCameraAreNone) {
+    const Scene scene = sceneOf({{sphere(1.0, 32), glm::dmat4{1.0}}, {sheet(2.0), translation({0, 2, 0})}});
+    EXPECT_THAT(linesOf(scene, perspective({0, 0, 10}, {0, 0, 20}), {.hidden = HiddenLines::Solid}), IsEmpty());
+    EXPECT_THAT(linesOf(scene, orthographic({0, 0, 10}, 5.0, {0, 0, 20}), {.hidden = HiddenLines::Solid}), IsEmpty());
+    EXPECT_THAT(linesOf(scene, perspective({0, 0, 10}, {10, 0, 10})), IsEmpty()) << "beside the picture";
+}
+
+TEST(ObjectLines, FromWithinAModelAreThoseOfItsInside) {
+    // Within a cube, looking at its far face: its four edges and parts of the four that run towards the eye.
+    const Scene scene = sceneOf(cube(2.0));
+    const auto lines = linesOf(scene, perspective({0, 0, 0}, {0, 0, -1}, 100.0));
+    expectSane(lines);
+    for (const Line& line : lines) EXPECT_EQ(line.type, LineType::Crease);
+    const double side = 2.0 * 150.0 / std::tan(glm::radians(50.0));
+    double across = 0.0;
+    for (const Line& line : lines)
+        forEachPiece(line, [&](const LinePoint& p, const LinePoint& q) {
+            if (p.point.z == -1.0 && q.point.z == -1.0) across += glm::distance(p.place, q.place);
+        });
+    EXPECT_NEAR(across, 4.0 * side, 1e-6);
+    for (const Contour contour : bothContours) {
+        expectSane(linesOf(sceneOf(torus(2.0, 0.8, 60, 30)), perspective({2, 0, 0}, {2, 0, 5}, 90.0), {.contour = contour}));
+        expectSane(linesOf(sceneOf(sphere(1.0, 32)), perspective({0, 0, 0.9}, {0, 0, 2}, 90.0), {.contour = contour}));
+    }
+}
+
+TEST(ObjectLines, OfMeshesWithFaultsAreThoseOfTheMeshWithout) {
+    const Camera camera = perspective({5, 4, 7});
+    const Mesh whole = cube(2.0);
+    const double expected = length(linesOf(sceneOf(whole), camera));
+    Mesh twice = whole;  // every face again, some turned over
+    for (std::size_t i = 0; i < whole.indices.size(); i += 3) {
+        const bool turned = i % 2 == 1;
+        for (const std::size_t k : {0U, turned ? 2U : 1U, turned ? 1U : 2U}) twice.indices.push_back(whole.indices[i + k]);
+    }
+    EXPECT_NEAR(length(linesOf(sceneOf(twice), camera)), expected, 1e-6);
+    Mesh thin = whole;  // faces collapsed to points and to edges
+    thin.indices.insert(thin.indices.end(), {0, 0, 0, 1, 1, 3, 7, 5, 7});
+    EXPECT_NEAR(length(linesOf(sceneOf(thin), camera)), expected, 1e-6);
+    EXPECT_NEAR(length(linesOf(sceneOf({{whole, glm::dmat4{1.0}}, {whole, scaling({0, 0, 0})}}), camera)), expected, 1e-6);
+}
+
+TEST(ObjectLines, OfManyFacesAtOneEdgeHoldTheEdgeOnce) {
+    // Four pages of a book; its back is seen between them.
+    Mesh book;
+    book.name = "book";
+    book.positions = {{0, -1, 0}, {0, 1, 0}};
+    for (int page = 0; page < 4; ++page) {
+        const double angle = glm::radians(30.0 + 40.0 * page);
+        const auto first = static_cast<std::uint32_t>(book.positions.size());
+        book.positions.emplace_back(2 * std::cos(angle), -1, 2 * std::sin(angle));
+        book.positions.emplace_back(2 * std::cos(angle), 1, 2 * std::sin(angle));
+        book.indices.insert(book.indices.end(), {0, first, first + 1, 0, first + 1, 1});
+    }
+    const Camera camera = perspective({0.2, 0, 9});
+    const auto lines = linesOf(sceneOf(book), camera);
+    double back = 0.0;
+    for (const Line& line : lines)
+        forEachPiece(line, [&](const LinePoint& p, const LinePoint& q) {
+            if (std::abs(p.point.x) < 1e-9 && std::abs(q.point.x) < 1e-9) back += glm::distance(p.point, q.point);
+        });
+    EXPECT_NEAR(back, 2.0, 1e-6);
+}
+
+TEST(ObjectLines, FitAnyPicture) {
+    const Scene scene = sceneOf({{sphere(1.0, 24), glm::dmat4{1.0}}, {cube(1.0), translation({1, 0, 0})}});
+    for (const Size size : {Size{1, 1}, Size{1, 700}, Size{9000, 1}, Size{8, 8}})
+        for (const Contour contour : bothContours)
+            expectSane(linesOf(scene, perspective({3, 2, 6}), {.size = size, .contour = contour}));
+    EXPECT_THAT(linesOf(scene, perspective({3, 2, 6}), {.size = {1, 1}}), testing::Not(IsEmpty()));
+}
+
+TEST(ObjectLines, FarFromTheOriginAreThoseNearIt) {
+    const glm::dvec3 far{4.5e5, -5.2e6, 120.0};  // a surveyor's
+    Mesh there = torus(2.0, 0.8, 90, 40);
+    there.origin = far;
+    const Camera near = perspective({7, 4, 5});
+    const Camera camera = perspective(far + glm::dvec3{7, 4, 5}, far);
+    const auto expected = linesOf(sceneOf(torus(2.0, 0.8, 90, 40)), near);
+    const auto found = linesOf(sceneOf(there), camera);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        ASSERT_EQ(found[i].points.size(), expected[i].points.size());
+        for (std::size_t k = 0; k < found[i].points.size(); ++k)
+            EXPECT_LT(glm::distance(found[i].points[k].place, expected[i].points[k].place), 1e-3);  // doubles at 5e6
+    }
+}
+
+void expectSame(const std::vector<Line>& one, const std::vector<Line>& other) {
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        EXPECT_EQ(one[i].type, other[i].type);
+        EXPECT_EQ(one[i].visible, other[i].visible);
+        EXPECT_EQ(one[i].closed, other[i].closed);
+        EXPECT_EQ(one[i].object, other[i].object);
+        EXPECT_EQ(one[i].patch, other[i].patch);
+        ASSERT_EQ(one[i].points.size(), other[i].points.size());
+        for (std::size_t k = 0; k < one[i].points.size(); ++k) {
+            ASSERT_EQ(one[i].points[k].place, other[i].points[k].place);
+            ASSERT_EQ(one[i].points[k].point, other[i].points[k].point);
+        }
+    }
+}
+
+TEST(ObjectLines, AreTheSameForAnyNumberOfThreadsAndAnyNumberOfTimes) {
+    // Over 200,000 faces, which the threads share.
+    const Scene scene = sceneOf({{torus(2.0, 0.8, 500, 220), glm::dmat4{1.0}},
+                                 {sphere(1.0, 64), translation({1.5, 0.5, 0})},
+                                 {sheet(6.0, 20), rotation(5, {1, 0, 1})}});
+    const Camera camera = perspective({7, 4, 5});
+    const Wish wish{.hidden = HiddenLines::Solid};
+    const ObjectLines prepared{scene};
+    const auto expected = prepared.find(camera, settingsOf(wish)).lines;
+    EXPECT_GT(expected.size(), 10U);
+    expectSame(prepared.find(camera, settingsOf(wish)).lines, expected);
+    expectSame(linesOf(scene, camera, wish), expected);
+#ifdef __linux__
+    cpu_set_t all;
+    ASSERT_EQ(sched_getaffinity(0, sizeof all, &all), 0);
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    for (std::size_t cpu = 0; cpu < CPU_SETSIZE && CPU_COUNT(&one) == 0; ++cpu)
+        if (CPU_ISSET(cpu, &all)) CPU_SET(cpu, &one);
+    ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+    const auto alone = linesOf(scene, camera, wish);
+    ASSERT_EQ(sched_setaffinity(0, sizeof all, &all), 0);
+    expectSame(alone, expected);
+#endif
+}
+
+}  // namespace
+}  // namespace inkedge::lines
