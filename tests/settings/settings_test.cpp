@@ -41,6 +41,7 @@ bool isCount(const SettingDescription& row) {
 std::vector<std::string> samples(const SettingDescription& row) {
     if (isChoice(row)) return split(row.values, '|');
     if (row.values == "MAP,...") return {"depth", "edges,depth-edges", "depth,normal,depth-edges,normal-edges,edges"};
+    if (row.name == "page-size") return {"210mmx297mm", "12.5mmx40mm"};
     if (row.values == "WIDTHxHEIGHT") return {"1x1", "320x200"};
     if (row.values == "COLOR") return {"#000000", "#12ab9f", "#ffffff"};
     if (row.values == "COLOR|none") return {"none", "#12ab9f"};
@@ -48,6 +49,7 @@ std::vector<std::string> samples(const SettingDescription& row) {
     if (row.values == "DEG") return {"12.5", "89.75"};
     if (row.values == "HEIGHT" || row.values == "FACTOR" || row.values == "T") return {"0.25", "2", "1000"};
     if (row.name == "dpi") return {"72", "300.5"};
+    if (row.values == "PX" && row.group == "lines") return {"0", "0.25", "2.5"};
     if (row.values == "PX") return {"0.5", "2.25", "0.35mm"};
     if (row.values == "TYPE,...") return {"none", "crease", "outline,object"};
     if (row.values == "TYPE:width=W,color=C;...") return {"crease:width=1", "outline:width=0.5mm,color=#123456"};
