@@ -1,6 +1,7 @@
 #include "lines/chains.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -44,12 +45,12 @@ public:
                 if (segments_[s].keys[k] != noKey) ends.push_back(2 * s + k);
         }
         std::ranges::sort(ends, [&](std::uint32_t a, std::uint32_t b) {
-            if (curve(a) != curve(b)) return curve(a) < curve(b);
+            if (kind(a) != kind(b)) return kind(a) < kind(b);
             return key(a) != key(b) ? key(a) < key(b) : a < b;
         });
         for (auto run = ends.begin(); run != ends.end();) {
             const auto end =
-                std::find_if(run, ends.end(), [&](std::uint32_t e) { return key(e) != key(*run) || curve(e) != curve(*run); });
+                std::find_if(run, ends.end(), [&](std::uint32_t e) { return key(e) != key(*run) || kind(e) != kind(*run); });
             joinAt({run, end});
             run = end;
         }
@@ -57,7 +58,9 @@ public:
     }
 
 private:
-    [[nodiscard]] Curve curve(std::uint32_t end) const { return segments_[end / 2].curve; }
+    [[nodiscard]] std::pair<Curve, bool> kind(std::uint32_t end) const {
+        return {segments_[end / 2].curve, segments_[end / 2].hidden};
+    }
     [[nodiscard]] Key key(std::uint32_t end) const { return segments_[end / 2].keys[end % 2]; }
     [[nodiscard]] glm::dvec2 place(std::uint32_t end) const { return screen_[end / 2].ends[end % 2].place; }
     [[nodiscard]] glm::dvec2 away(std::uint32_t end) const {

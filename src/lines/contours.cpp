@@ -57,6 +57,8 @@ private:
     [[nodiscard]] SceneFace face(std::uint32_t t) const { return {instance_, t}; }
     [[nodiscard]] bool hidesItsBack(std::uint32_t t) const { return choice_.eyeOutside && edges_.closed[t] != 0; }
 
+    [[nodiscard]] bool keepsHidden() const { return choice_.hidden != HiddenLines::None; }
+
     void findFacing() {
         const std::size_t count = edges_.faceNormals.size();
         facing_.resize(count);
@@ -138,11 +140,14 @@ private:
 
     void addContourEdges() {
         for (const std::uint32_t e : contourEdges_) {
-            if (isHiddenFold(e)) continue;
+            const bool hidden = isHiddenFold(e);
+            if (hidden && !keepsHidden()) continue;
             const std::uint32_t h = edges_.shared.halfEdges[e];
             Segment& segment = add(Curve::Contour, h, face(edges_.shared.faces[2 * e + 1]));
             segment.faces[0] = face(edges_.shared.faces[2 * e]);
             segment.inner = innerOf(h);
+            segment.hidden = hidden;
+            segment.occludes = !hidden;
             segment.drawn = !(smooth_[topology_.patches[h / 3]] && mayBeSmooth(e));
         }
     }
@@ -157,8 +162,9 @@ private:
             while (nextContour < contourEdges_.size() && contourEdges_[nextContour] < e) ++nextContour;
             if (nextContour < contourEdges_.size() && contourEdges_[nextContour] == e) continue;
             const std::uint32_t other = edges_.shared.faces[2 * e + 1];
-            if (isBack(other) && isBack(edges_.shared.faces[2 * e])) continue;
-            add(Curve::Crease, edges_.shared.halfEdges[e], face(other));
+            const bool hidden = isBack(other) && isBack(edges_.shared.faces[2 * e]);
+            if (hidden && !keepsHidden()) continue;
+            add(Curve::Crease, edges_.shared.halfEdges[e], face(other)).hidden = hidden;
         }
     }
 
@@ -298,8 +304,10 @@ private:
         const auto& [face, corners, slants, slant, edges, size] = facet;
         const bool plus[3]{slants[0] >= 0.0, slants[1] >= 0.0, slants[2] >= 0.0};
         if (plus[0] == plus[1] && plus[1] == plus[2]) return;
-        if (hidesItsBack(face) && turnsTowardsEye(corners, slants, edges_.closed[face])) return;
+        const bool hidden = hidesItsBack(face) && turnsTowardsEye(corners, slants, edges_.closed[face]);
+        if (hidden && !keepsHidden()) return;
         Segment segment;
+        segment.hidden = hidden;
         segment.occludes = false;  // the faces' own contour does
         segment.faces = {SceneFace{instance_, face}, noFace};
         std::size_t found = 0;

@@ -19,6 +19,7 @@ struct CurveChoice {
     Contour contour = Contour::Auto;
     int refinement = 0;           ///< levels of subdivision near smooth contours
     const ControlMesh* control = nullptr;  ///< of the mesh; with a refinement
+    HiddenLines hidden = HiddenLines::None;  ///< what a part itself hides is found only if it is wanted
     bool eyeOutside = true;  ///< the eye and the near plane are outside the scene: closed parts hide their backs
 };
 
@@ -33,8 +34,9 @@ struct CurveChoice {
 /// With a refinement every patch has smooth contours, and they are those of the limit surface, found on the triangles of
 /// refineNear(); all else stays on the mesh as it is.
 ///
-/// Of closed, consistently wound parts the contours that the part itself hides are left out: concave edges, and smooth
-/// contours where the surface turns towards the eye; also creases between back-facing faces.
+/// Of closed, consistently wound parts the contours that the part itself hides are left out, or marked as hidden if
+/// those are wanted: concave edges, and smooth contours where the surface turns towards the eye; also creases between
+/// back-facing faces.
 /// @param borders  the instance's, of findBorderParts()
 void collectInstanceCurves(const Scene&, std::uint32_t instance, const MeshEdges&, const Screen&, const CurveChoice&,
                            std::span<const BorderPart> borders, std::vector<Segment>& to);

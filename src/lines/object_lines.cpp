@@ -109,6 +109,7 @@ struct View {
 
     [[nodiscard]] Seen judge(std::uint32_t s, double at) const {
         const Segment& segment = segments[s];
+        if (segment.hidden) return Seen::Hidden;
         const glm::dvec3 point = pointAt(s, at);
         if (hides(s, at, point)) return Seen::Hidden;
         if (segment.curve != Curve::Contour && segment.curve != Curve::Boundary) return Seen::Inside;
@@ -237,7 +238,8 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings, const Vi
 
     const Screen screen{camera, scene.bounds().centre, settings.picture.size};
     View view{scene, state_->rays, screen, buffers, {}, {}};
-    CurveChoice choice{settings.lines.contour, settings.lines.subdivideAdaptive, nullptr, standsOutside(scene, screen)};
+    CurveChoice choice{settings.lines.contour, settings.lines.subdivideAdaptive, nullptr, settings.lines.hidden,
+                       standsOutside(scene, screen)};
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
         if (choice.refinement > 0) choice.control = &state_->controlOf(scene.instances()[i].mesh);
         collectInstanceCurves(scene, i, state_->edges[scene.instances()[i].mesh], screen, choice, state_->bordersOf(i),
