@@ -1,6 +1,7 @@
 #include "lines/chains.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -58,8 +59,9 @@ public:
     }
 
 private:
-    [[nodiscard]] std::pair<Curve, bool> kind(std::uint32_t end) const {
-        return {segments_[end / 2].curve, segments_[end / 2].marked};
+    [[nodiscard]] std::tuple<Curve, bool, bool> kind(std::uint32_t end) const {
+        const Segment& segment = segments_[end / 2];
+        return {segment.curve, segment.marked, segment.hidden};
     }
     [[nodiscard]] Key key(std::uint32_t end) const { return segments_[end / 2].keys[end % 2]; }
     [[nodiscard]] glm::dvec2 place(std::uint32_t end) const { return screen_[end / 2].ends[end % 2].place; }

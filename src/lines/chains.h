@@ -29,7 +29,8 @@ struct Chain {
     bool closed = false;
 };
 
-/// Joins drawn segments of one curve type and one instance, marked or not, end to end. Where more than two meet, those go on into each
+/// Joins drawn segments of one curve type and one instance end to end; marked ones, and those known as hidden
+/// (Segment::hidden), with each other only. Where more than two meet, those go on into each
 /// other that do so most straightly in the picture, if they bend by under 60 degrees. O(n log n).
 [[nodiscard]] std::vector<Chain> chainSegments(std::span<const Segment>, std::span<const ScreenSegment>);
 

@@ -59,6 +59,8 @@ private:
     [[nodiscard]] SceneFace face(std::uint32_t t) const { return {instance_, t}; }
     [[nodiscard]] bool hidesItsBack(std::uint32_t t) const { return choice_.eyeOutside && edges_.closed[t] != 0; }
 
+    [[nodiscard]] bool keepsHidden() const { return choice_.hidden != HiddenLines::None; }
+
     [[nodiscard]] bool mayBeSmooth(std::uint32_t e) const { return edges_.shared.split[e] == 0; }
 
     void chooseSmoothPatches() {
@@ -133,11 +135,14 @@ private:
 
     void addContourEdges() {
         for (const std::uint32_t e : contours_.edges) {
-            if (isHiddenFold(e)) continue;
+            const bool hidden = isHiddenFold(e);
+            if (hidden && !keepsHidden()) continue;
             const std::uint32_t h = edges_.shared.halfEdges[e];
             Segment& segment = add(Curve::Contour, h, face(edges_.shared.faces[2 * e + 1]));
             segment.faces[0] = face(edges_.shared.faces[2 * e]);
             segment.inner = innerOf(h);
+            segment.hidden = hidden;
+            segment.occludes = !hidden;
             segment.drawn = !isReplaced(e);
             segment.marked = marksOutlines() && isMarked(h);
         }
@@ -160,9 +165,10 @@ private:
             while (nextContour < contours_.edges.size() && contours_.edges[nextContour] < e) ++nextContour;
             if (nextContour < contours_.edges.size() && contours_.edges[nextContour] == e && !isReplaced(e)) continue;
             const std::uint32_t other = edges_.shared.faces[2 * e + 1];
-            if (isBack(other) && isBack(edges_.shared.faces[2 * e])) continue;
+            const bool hidden = isBack(other) && isBack(edges_.shared.faces[2 * e]);
+            if (hidden && !keepsHidden()) continue;
             const std::uint32_t h = edges_.shared.halfEdges[e];
-            add(isMarked(h) ? Curve::Marked : Curve::Crease, h, face(other));
+            add(isMarked(h) ? Curve::Marked : Curve::Crease, h, face(other)).hidden = hidden;
         }
     }
 
@@ -335,8 +341,10 @@ private:
         const auto& [face, corners, slants, slant, edges, size] = facet;
         const bool plus[3]{slants[0] >= 0.0, slants[1] >= 0.0, slants[2] >= 0.0};
         if (plus[0] == plus[1] && plus[1] == plus[2]) return;
-        if (hidesItsBack(face) && turnsTowardsEye(corners, slants, edges_.closed[face])) return;
+        const bool hidden = hidesItsBack(face) && turnsTowardsEye(corners, slants, edges_.closed[face]);
+        if (hidden && !keepsHidden()) return;
         Segment segment;
+        segment.hidden = hidden;
         segment.occludes = false;  // the faces' own contour does
         segment.faces = {SceneFace{instance_, face}, noFace};
         std::size_t found = 0;

@@ -22,6 +22,7 @@ struct CurveChoice {
     ContourFinder finder = ContourFinder::Every;
     int refinement = 0;           ///< levels of subdivision near smooth contours
     const ControlMesh* control = nullptr;  ///< of the mesh; with a refinement
+    HiddenLines hidden = HiddenLines::None;  ///< what a part itself hides is found only if it is wanted
     bool eyeOutside = true;  ///< the eye and the near plane are outside the scene: closed parts hide their backs
     std::uint8_t lines = allLineTypes;  ///< PictureSettings::lines: whether marked edges are drawn, and as what
 };
@@ -43,12 +44,12 @@ struct InstanceEdges {
 /// With a refinement every patch has smooth contours, and they are those of the limit surface, found on the triangles of
 /// refineNear(); all else stays on the mesh as it is.
 ///
-/// Of closed, consistently wound parts the contours that the part itself hides are left out: concave edges, and smooth
-/// contours where the surface turns towards the eye; also what lies within or between back-facing faces.
+/// Of closed, consistently wound parts the contours that the part itself hides are left out, or marked as hidden if
+/// those are wanted: concave edges, and smooth contours where the surface turns towards the eye; also what lies within or
+/// between back-facing faces.
 /// @param memory  of the instance, for ContourFinder::Random
 void collectInstanceCurves(const Scene&, std::uint32_t instance, const InstanceEdges&, ContourMemory& memory,
-                           const Screen&, const CurveChoice&,
-                           std::vector<Segment>& to);
+                           const Screen&, const CurveChoice&, std::vector<Segment>& to);
 
 /// Pixels.
 inline constexpr double smoothEdge = 3.0;

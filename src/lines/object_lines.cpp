@@ -111,6 +111,7 @@ struct View {
 
     [[nodiscard]] Seen judge(std::uint32_t s, double at) const {
         const Segment& segment = segments[s];
+        if (segment.hidden) return Seen::Hidden;
         const glm::dvec3 point = pointAt(s, at);
         if (hides(s, at, point)) return Seen::Hidden;
         if (segment.curve != Curve::Contour && segment.curve != Curve::Boundary) return Seen::Inside;
@@ -301,7 +302,7 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings, const Vi
     View view{scene, state_->rays, screen, buffers, {}, {}};
     view.segments = state_->curves(screen,
                                    {settings.lines.contour, settings.lines.contourFinder, settings.lines.subdivideAdaptive,
-                                    nullptr, standsOutside(scene, screen), settings.picture.lines},
+                                    nullptr, settings.lines.hidden, standsOutside(scene, screen), settings.picture.lines},
                                    drawnIsolines(settings));
     watch.finish("curves");
     if ((settings.picture.lines & static_cast<std::uint8_t>(LineType::Intersection)) != 0)

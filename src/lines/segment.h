@@ -44,6 +44,7 @@ struct Segment {
     bool drawn = true;     ///< else it only hides what lies behind
     bool marked = false;   ///< whether it is drawn as LineType::Marked where it has another type that is not drawn
     bool occludes = true;  ///< whether the surface ends or turns away here, so that it may hide what lies behind
+    bool hidden = false;   ///< by the part of its mesh that it lies on: no ray need be asked
     std::array<SceneFace, 2> faces{noFace, noFace};  ///< that it lies on: they do not hide it
     std::array<glm::dvec3, 2> ends{};
     std::array<Key, 2> keys{noKey, noKey};

@@ -221,13 +221,14 @@ TEST(ObjectLines, OfATorusEndAtItsCusps) {
     std::vector<glm::dvec2> expected;
     for (const glm::dvec3& cusp : cusps)
         if (const glm::dvec2 place = pixel(camera, wish.size, cusp); place.y < 300.0) expected.push_back(place);
-    for (double u = 0.0; u < 2.0 * std::numbers::pi; u += 1e-3) {
-        const glm::dvec2 p = pixel(camera, wish.size, contour.point(u, true));
-        const glm::dvec2 q = pixel(camera, wish.size, contour.point(u + 1e-3, true));
+    for (double u = 0.0; u < 4.0 * std::numbers::pi; u += 1e-3) {
+        const bool outer = u < 2.0 * std::numbers::pi;
+        const glm::dvec2 p = pixel(camera, wish.size, contour.point(u, outer));
+        const glm::dvec2 q = pixel(camera, wish.size, contour.point(u + 1e-3, outer));
         const glm::dvec2 middle = 0.5 * (p + q);
         if ((p.y < 300.0) != (q.y < 300.0) && std::abs(middle.x - 300.0) < 150.0) expected.push_back(middle);
     }
-    ASSERT_THAT(expected, SizeIs(4));
+    ASSERT_GE(expected.size(), 4U);  // the two curves cross in each of the last two
     std::vector<glm::dvec2> ends;
     for (const Line& line : lines)
         if (!line.closed) ends.insert(ends.end(), {line.points.front().place, line.points.back().place});
@@ -386,14 +387,31 @@ TEST(ObjectLines, OfABoxOnATableAreItsEdgesWithoutSpray) {
     }
 }
 
-TEST(ObjectLines, AreNotAlteredByAskingForHiddenOnes) {
+void expectSame(const std::vector<Line>& one, const std::vector<Line>& other) {
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        EXPECT_EQ(one[i].type, other[i].type);
+        EXPECT_EQ(one[i].visible, other[i].visible);
+        EXPECT_EQ(one[i].closed, other[i].closed);
+        EXPECT_EQ(one[i].object, other[i].object);
+        EXPECT_EQ(one[i].patch, other[i].patch);
+        ASSERT_EQ(one[i].points.size(), other[i].points.size());
+        for (std::size_t k = 0; k < one[i].points.size(); ++k) {
+            ASSERT_EQ(one[i].points[k].place, other[i].points[k].place);
+            ASSERT_EQ(one[i].points[k].point, other[i].points[k].point);
+        }
+    }
+}
+
+TEST(ObjectLines, ThatAreSeenAreTheSameWhereHiddenOnesAreWantedToo) {
     const Scene scene = sceneOf({{torus(2.0, 0.8, 90, 40), glm::dmat4{1.0}}, {cube(1.0), translation({0.5, 0.3, 0.2})}});
     for (const Camera& camera : {perspective({7, 4, 5}), perspective({6, 1, -5})}) {
-        const auto without = linesOf(scene, camera);
-        const auto with = linesOf(scene, camera, {.hidden = HiddenLines::Dashed});
-        const auto seen = thoseOf(with, [](const Line& line) { return line.visible; });
-        EXPECT_LT(seen.size(), with.size());
-        EXPECT_NEAR(length(seen), length(without), 0.002 * length(without));
+        for (const Contour contour : bothContours) {
+            const auto without = linesOf(scene, camera, {.contour = contour});
+            const auto with = linesOf(scene, camera, {.contour = contour, .hidden = HiddenLines::Dashed});
+            EXPECT_LT(without.size(), with.size());
+            expectSame(thoseOf(with, [](const Line& line) { return line.visible; }), without);
+        }
     }
 }
 
@@ -503,22 +521,6 @@ TEST(ObjectLines, FarFromTheOriginAreThoseNearIt) {
         ASSERT_EQ(found[i].points.size(), expected[i].points.size());
         for (std::size_t k = 0; k < found[i].points.size(); ++k)
             EXPECT_LT(glm::distance(found[i].points[k].place, expected[i].points[k].place), 1e-3);  // doubles at 5e6
-    }
-}
-
-void expectSame(const std::vector<Line>& one, const std::vector<Line>& other) {
-    ASSERT_EQ(one.size(), other.size());
-    for (std::size_t i = 0; i < one.size(); ++i) {
-        EXPECT_EQ(one[i].type, other[i].type);
-        EXPECT_EQ(one[i].visible, other[i].visible);
-        EXPECT_EQ(one[i].closed, other[i].closed);
-        EXPECT_EQ(one[i].object, other[i].object);
-        EXPECT_EQ(one[i].patch, other[i].patch);
-        ASSERT_EQ(one[i].points.size(), other[i].points.size());
-        for (std::size_t k = 0; k < one[i].points.size(); ++k) {
-            ASSERT_EQ(one[i].points[k].place, other[i].points[k].place);
-            ASSERT_EQ(one[i].points[k].point, other[i].points[k].point);
-        }
     }
 }
 
