@@ -271,7 +271,7 @@ private:
         return memories_[instance];
     }
     void remember(std::uint32_t instance, ContourMemory memory) const {
-        if (memory.last.empty()) return;
+        if (memory.sample == 0) return;  // nothing was looked for at random
         const std::scoped_lock lock{mutex_};
         memories_[instance] = std::move(memory);
     }

@@ -198,9 +198,8 @@ TEST(ContourFinders, RandomFindsNearlyAllOfATurntableAndNothingElse) {
             found += model.lengthOf(some);
             expected += model.lengthOf(all);
         }
-        const double missed = 1.0 - found / expected;
-        RecordProperty("missed", std::to_string(missed));
-        EXPECT_LT(missed, 0.01);
+        // The share that the finder promises.
+        EXPECT_LT(1.0 - found / expected, 0.01);
     }
 }
 
@@ -229,7 +228,8 @@ TEST(ContourFinders, GaussLooksAtAFewEdgesOnly) {
     for (const glm::dvec3& direction : directions()) {
         Edges near;
         map.findNear(direction, near);
-        EXPECT_LT(near.size(), model.edges.shared.halfEdges.size() / 8);
+        // A hundredth are contours; an arc's cell is up to four times as wide as the arc.
+        EXPECT_LT(near.size(), model.edges.shared.halfEdges.size() / 5);
     }
 }
 
