@@ -16,6 +16,7 @@
 #include "ink/screen_triangles.h"
 #include "ink/strokes_of.h"
 #include "ink/trace_lines.h"
+#include "lines/join_pieces.h"
 #include "lines/object_lines.h"
 #include "passes/composite.h"
 #include "passes/detect_edges.h"
@@ -112,9 +113,9 @@ void renderSurface(const View& view, const SurfaceBuffers& surface, gl::StageClo
     clock.finish("read-back");
 }
 
-// Lines of the planes detector: their types, ids and strokes.
-std::vector<Stroke> renderPlanes(const View& view, const Tile& tile, const PlaneBuffers& buffers,
-                                 const ScreenTriangles& triangles, gl::StageClock& clock, Maps& maps) {
+// Lines of the planes detector: their types and ids into the maps; the strokes are left.
+TracedLines renderPlanes(const View& view, const Tile& tile, const PlaneBuffers& buffers,
+                         const ScreenTriangles& triangles, TracePlaces places, gl::StageClock& clock, Maps& maps) {
     const auto& [gpu, upload, scene, camera, settings] = view;
     const PictureSettings& picture = settings.picture;
     const double unit = unitLength(scene);
@@ -130,12 +131,12 @@ std::vector<Stroke> renderPlanes(const View& view, const Tile& tile, const Plane
     lines.triangles = gl::readIntegers(gpu.api, buffers.triangles, regions);
     clock.finish("read-back");
     TracedLines traced = traceLines(std::move(lines), scene, triangles, camera, unit, drawnTypes(picture),
-                                    picture.supersampling, keepIds ? TraceIds::Keep : TraceIds::Drop);
+                                    picture.supersampling, keepIds ? TraceIds::Keep : TraceIds::Drop, places);
     if (findsPlaneLines(settings) && wants(settings, Map::Edges)) maps.edges = mask(traced.types, picture.lines);
     maps.ids = std::move(traced.ids);
     if (wants(settings, Map::Types)) maps.types = std::move(traced.types);
     clock.finish("trace");
-    return std::move(traced.strokes);
+    return traced;
 }
 
 // What the camera sees, in one piece.
@@ -150,25 +151,55 @@ lines::ViewBuffers drawViewBuffers(const View& view) {
 }
 
 // Draws tile by tile. Strokes reach over tiles' borders: they are painted when all are there.
-// @return  those of the planes detector
-std::vector<Stroke> renderTiles(const View& view, gl::StageClock& clock, Maps& maps) {
+// @return  those of the planes detector; nothing else
+TracedLines renderTiles(const View& view, TracePlaces places, gl::StageClock& clock, Maps& maps) {
     const auto& [gpu, upload, scene, camera, settings] = view;
     const PictureSettings& picture = settings.picture;
     const Size samples = samplesOf(picture);
     std::optional<ScreenTriangles> triangles;
     if (needsPlanes(settings)) triangles.emplace(scene, upload.firstTriangles(), camera, samples);
-    std::vector<Stroke> strokes;
+    TracedLines traced;
     for (const Tile& tile : tilesOf(samples, picture.tileSize)) {
         Maps part;
         const Geometry geometry = drawGeometry(view, tile, clock);
         if (geometry.planes) {
-            const std::vector<Stroke> more = renderPlanes(view, tile, *geometry.planes, *triangles, clock, part);
-            strokes.insert(strokes.end(), more.begin(), more.end());
+            const TracedLines more = renderPlanes(view, tile, *geometry.planes, *triangles, places, clock, part);
+            traced.strokes.insert(traced.strokes.end(), more.strokes.begin(), more.strokes.end());
+            traced.places.insert(traced.places.end(), more.places.begin(), more.places.end());
         }
         if (geometry.surface) renderSurface(view, *geometry.surface, clock, part);
         keep(std::move(part), inPixels(tile, picture.supersampling), maps);
     }
-    return strokes;
+    return traced;
+}
+
+// The lines that the planes detector finds between pixels, as polylines.
+std::vector<Line> traceImageLines(const View& view, gl::StageClock& clock) {
+    const auto& [gpu, upload, scene, camera, settings] = view;
+    if (!findsPlaneLines(settings)) {
+        throw Error{Error::Kind::Usage,
+                    "lines from image: expected the planes detector, found classic, which marks pixels and leaves no "
+                    "lines; use --detector planes, or --lines-from object"};
+    }
+    Settings linesOnly = settings;
+    linesOnly.maps.clear();
+    Maps none;
+    const TracedLines traced =
+        renderTiles({gpu, upload, scene, camera, linesOnly}, TracePlaces::Keep, clock, none);
+    const lines::Screen screen{camera, scene.bounds().centre, settings.picture.size};
+    std::vector<lines::TracedPiece> pieces;
+    pieces.reserve(traced.strokes.size());
+    for (std::size_t i = 0; i < traced.strokes.size(); ++i) {
+        const Stroke& stroke = traced.strokes[i];
+        const StrokePlace& place = traced.places[i];
+        const auto after = std::ranges::upper_bound(upload.firstTriangles(), place.triangle - 1);
+        const auto instance = static_cast<std::uint32_t>(after - upload.firstTriangles().begin()) - 1;
+        pieces.push_back({{stroke.from, stroke.to},
+                          {double{place.nearnessFrom}, double{place.nearnessTo}},
+                          static_cast<LineType>(1U << stroke.style),
+                          {instance, place.triangle - 1 - upload.firstTriangles()[instance]}});
+    }
+    return lines::joinPieces(pieces, scene, screen);
 }
 
 }  // namespace
@@ -223,6 +254,18 @@ Lines Renderer::lines(const Scene& scene, const Camera& camera, const Settings& 
     {
         const gl::Current current{*state_->context};
         gl::StageClock clock{state_->gpu->api, before};
+        if (settings.lines.from == LinesFrom::Image) {
+            const View view{*state_->gpu, state_->uploaded(scene), scene, camera, settings};
+            clock.finish("upload");
+            found.lines = traceImageLines(view, clock);
+            clock.finish("join");
+            state_->gpu->textures.trim();
+            found.size = settings.picture.size;
+            found.camera = camera;
+            found.backend = backend();
+            found.times = std::move(before);
+            return found;
+        }
         const lines::ObjectLines& prepared = state_->prepared(scene);
         clock.finish("prepare lines");
         std::optional<lines::ViewBuffers> buffers;
@@ -256,8 +299,8 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     if (needsPlanes(settings) || needsSurface(settings)) {
         const View view{*state_->gpu, state_->uploaded(scene), scene, camera, settings};
         clock.finish("upload");
-        std::vector<Stroke> found = renderTiles(view, clock, maps);
-        if (sourceOf(settings) == Source::Planes) strokes = std::move(found);
+        TracedLines traced = renderTiles(view, TracePlaces::Drop, clock, maps);
+        if (sourceOf(settings) == Source::Planes) strokes = std::move(traced.strokes);
         state_->gpu->textures.trim();
     }
     if (sourceOf(settings) != Source::Classic) {

@@ -25,6 +25,8 @@ constexpr std::uint8_t bit(LineType type) { return static_cast<std::uint8_t>(typ
 struct Crossing {
     glm::vec2 place;         // samples
     std::uint8_t types = 0;  // 0: there is none
+    float nearness = 0.0F;   // as StrokePlace has it
+    std::uint32_t triangle = 0;
 };
 
 // The crossings of one row of samples with their neighbours to the right and below.
@@ -178,7 +180,16 @@ private:
         types_.at(near.x, near.y) |= types;
         const glm::dvec2 from = centre(near);
         const glm::dvec2 to = centre(far);
-        return {glm::vec2{from + t * (to - from)}, types};
+        const glm::dvec2 offset = t * (to - from);
+        return {glm::vec2{from + offset}, types, nearnessAt(near, offset), buffers_.triangles.at(near.x, near.y)};
+    }
+
+    // Of the surface that a sample sees, carried on to the line. Faces on edge say little beyond the sample itself.
+    [[nodiscard]] float nearnessAt(Sample s, glm::dvec2 offset) const {
+        constexpr double mostChange = 0.1;
+        const ScreenTriangles::Plane seen = plane(s);
+        const double step = seen.dx * offset.x + seen.dy * offset.y;
+        return static_cast<float>(std::abs(step) <= mostChange * std::abs(seen.w) ? seen.w + step : seen.w);
     }
 
     // Faces of one patch may bend by more than the crease angle in several smooth steps: that is no line. Where the way
@@ -272,8 +283,12 @@ private:
 // Joins the crossings around each cell of 2 x 2 samples.
 class CellJoiner {
 public:
-    CellJoiner(DrawnTypes types, int samplesPerPixel, const Tile& tile, std::vector<Stroke>& strokes)
-        : types_{types}, scale_{1.0F / static_cast<float>(samplesPerPixel)}, tile_{tile}, strokes_{strokes} {}
+    CellJoiner(DrawnTypes types, int samplesPerPixel, TracePlaces places, const Tile& tile, TracedLines& traced)
+        : types_{types},
+          scale_{1.0F / static_cast<float>(samplesPerPixel)},
+          keepsPlaces_{places == TracePlaces::Keep},
+          tile_{tile},
+          traced_{traced} {}
 
     //        top
     //   (x, y) --- (x + 1, y)
@@ -314,20 +329,21 @@ private:
         return static_cast<std::uint8_t>(std::countr_zero(styled != 0 ? styled : drawn));
     }
 
-    void add(glm::vec2 from, glm::vec2 to, std::uint8_t style) {
-        strokes_.push_back({from * scale_, to * scale_, style});
+    void add(glm::vec2 from, glm::vec2 to, const Crossing& crossing, float nearnessTo) {
+        traced_.strokes.push_back({from * scale_, to * scale_, styleOf(crossing)});
+        if (keepsPlaces_) traced_.places.push_back({crossing.nearness, nearnessTo, crossing.triangle});
     }
 
     void joinCell(std::span<const Crossing*> crossings, int x, int y) {
         if (crossings.empty()) return;
         if (crossings.size() == 2 && styleOf(*crossings[0]) == styleOf(*crossings[1])) {
-            add(toBorder(*crossings[0], *crossings[1], x, y), toBorder(*crossings[1], *crossings[0], x, y),
-                styleOf(*crossings[0]));
+            add(toBorder(*crossings[0], *crossings[1], x, y), toBorder(*crossings[1], *crossings[0], x, y), *crossings[0],
+                crossings[1]->nearness);
             return;
         }
         glm::vec2 centre{0.0F};
         for (const Crossing* c : crossings) centre += c->place / static_cast<float>(crossings.size());
-        for (const Crossing* c : crossings) add(c->place, centre, styleOf(*c));
+        for (const Crossing* c : crossings) add(c->place, centre, *c, c->nearness);
     }
 
     // The end of a stroke, carried on beyond the picture's edge if its cell is the last before it.
@@ -355,8 +371,9 @@ private:
 
     DrawnTypes types_;
     float scale_;
+    bool keepsPlaces_;
     const Tile& tile_;
-    std::vector<Stroke>& strokes_;
+    TracedLines& traced_;
     std::vector<int> upper_;  // cells that touch a crossing of the row above, ascending
     std::vector<int> cells_;  // those of either row
 };
@@ -434,13 +451,14 @@ DrawnTypes drawnTypes(const PictureSettings& settings) {
 }
 
 TracedLines traceLines(LineBuffers buffers, const Scene& scene, const ScreenTriangles& triangles, const Camera& camera,
-                       double unit, DrawnTypes types, int samplesPerPixel, TraceIds ids) {
+                       double unit, DrawnTypes types, int samplesPerPixel, TraceIds ids,
+                       TracePlaces places) {
     TracedLines traced;
     PinholeFilter{buffers, camera, unit}.apply();
     Tracer tracer{buffers, triangles, camera};
     const Tile& tile = buffers.tile;
     const Rectangle rows = aroundKept(tile);
-    CellJoiner joiner{types, samplesPerPixel, tile, traced.strokes};
+    CellJoiner joiner{types, samplesPerPixel, places, tile, traced};
     CrossingRow above{tile.drawn.size.width};
     CrossingRow below{tile.drawn.size.width};
     tracer.traceRow(rows.y, above);

@@ -23,13 +23,22 @@ struct LineBuffers {
     Image<std::uint8_t> marks;         ///< as detectLines() returns them
 };
 
+/// Where a stroke lies in the scene.
+struct StrokePlace {
+    float nearnessFrom;      ///< of the nearer surface at the stroke's ends: ScreenTriangles::Plane::w
+    float nearnessTo;
+    std::uint32_t triangle;  ///< of it: 1 + the scene's triangle
+};
+
 struct TracedLines {
     std::vector<Stroke> strokes;  ///< in output pixels of the whole picture: those of cells that the tile keeps
+    std::vector<StrokePlace> places;  ///< one a stroke; empty unless asked for
     Image<std::uint8_t> types;    ///< as Maps::types, of what the tile keeps
     Image<std::uint32_t> ids;     ///< as Maps::ids, likewise; empty unless asked for
 };
 
 enum class TraceIds { Drop, Keep };
+enum class TracePlaces { Drop, Keep };
 
 /// Which types of lines become strokes, and which of them have a style of their own: bits of LineType. A stroke has the
 /// style of the first of its types that has one, else of its first.
@@ -45,6 +54,6 @@ struct DrawnTypes {
 /// @param unit            scene units in a unit length of the planes
 /// @param types           what becomes strokes; the maps hold all
 [[nodiscard]] TracedLines traceLines(LineBuffers, const Scene&, const ScreenTriangles& triangles, const Camera&,
-                                     double unit, DrawnTypes types, int samplesPerPixel, TraceIds);
+                                     double unit, DrawnTypes types, int samplesPerPixel, TraceIds, TracePlaces);
 
 }  // namespace inkedge

@@ -37,11 +37,13 @@ public:
     ///                out of memory, or is lost: then make a new Renderer
     [[nodiscard]] Maps render(const Scene&, const Camera&, const Settings& = {});
 
-    /// The lines of one view from object space, as settings.lines says: visible polylines in the picture and in the
-    /// world, hidden ones too if settings.lines.hidden keeps them. What a scene needs for it (edge tables, bounding
-    /// volume hierarchies) is kept for the next call. Of settings.picture, size and lines are looked at.
-    /// @throws Error  (Kind::Usage) if the size or the camera is unusable; (Kind::Runtime) if Embree is not there or
-    ///                memory runs out
+    /// The lines of one view as polylines in the picture and in the world. From object space, unless settings.lines.from
+    /// says image: visible ones, and hidden ones if settings.lines.hidden keeps them. What a scene needs for it (edge tables,
+    /// bounding volume hierarchies) is kept for the next call. From image: what the planes detector finds between pixels.
+    /// Of settings.picture, size, lines and, from image, lineStyles, supersampling and tileSize are looked at.
+    /// @throws Error  (Kind::Usage) if the size or the camera is unusable, or lines from image are asked of the classic
+    ///                detector, or of a contour finder what it cannot do; (Kind::Runtime) if Embree is not there or memory
+    ///                runs out
     [[nodiscard]] Lines lines(const Scene&, const Camera&, const Settings& = {});
 
     [[nodiscard]] const BackendInfo& backend() const noexcept;

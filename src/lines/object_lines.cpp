@@ -18,6 +18,7 @@
 #include "lines/intersections.h"
 #include "lines/isolines.h"
 #include "lines/mesh_edges.h"
+#include "lines/patch_of.h"
 #include "lines/ray_caster.h"
 #include "lines/screen.h"
 #include "lines/visible_parts.h"
@@ -171,14 +172,11 @@ LineType typeOf(const Segment& segment, Seen seen, std::uint8_t drawn) {
 // @param drawn  PictureSettings::lines
 Line makeLine(const View& view, const Chain& chain, const Part& part, std::uint8_t drawn) {
     const Segment& first = view.segments[chain.links[static_cast<std::size_t>(part.begin)].segment];
-    const PatchNumbers& patches = view.scene.patchNumbers();
-    const std::uint32_t mesh = view.scene.instances()[first.faces[0].instance].mesh;
     Line line;
     line.type = typeOf(first, part.seen, drawn);
     line.visible = isSeen(part.seen);
     line.object = first.faces[0].instance + 1;
-    line.patch = patches.number[patches.base[first.faces[0].instance] +
-                                view.scene.topology(mesh).patches[first.faces[0].triangle]];
+    line.patch = patchOf(view.scene, first.faces[0]);
     const auto add = [&](std::size_t link, double at) {
         const Chain::Link l = chain.links[link % chain.links.size()];
         const double own = l.reversed ? 1.0 - at : at;

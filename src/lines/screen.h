@@ -30,6 +30,8 @@ public:
     [[nodiscard]] double depth(glm::dvec3 world) const noexcept { return glm::dot(direction_, world - eye_); }
     /// @param world  before the near plane
     [[nodiscard]] ScreenPoint project(glm::dvec3 world) const noexcept;
+    /// The point that a place of the picture shows.
+    [[nodiscard]] glm::dvec3 worldAt(const ScreenPoint&) const noexcept;
     /// World units across a pixel at a point.
     [[nodiscard]] double footprint(glm::dvec3 world) const noexcept {
         return orthographic_ ? 1.0 / focalLength_ : depth(world) / focalLength_;
