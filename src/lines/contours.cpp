@@ -235,9 +235,11 @@ private:
     void addIsolines() {
         for (const IsolineSegment& line : isolines_) {
             const SceneFace other = faceBeside(line);
-            if (isBack(line.triangle) && (other == noFace || isBack(other.triangle))) continue;
+            const bool hidden = isBack(line.triangle) && (other == noFace || isBack(other.triangle));
+            if (hidden && !keepsHidden()) continue;
             Segment& segment = to_.emplace_back();
             segment.curve = Curve::Isoparametric;
+            segment.hidden = hidden;
             segment.occludes = false;
             segment.faces = {face(line.triangle), other};
             for (std::size_t k = 0; k < 2; ++k) {

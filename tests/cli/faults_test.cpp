@@ -449,8 +449,9 @@ TEST_F(Memory, TooLittleForAPicture) {
             continue;
         }
         expectFailure(
-            runWith(megabytes(3000), {"render", roof(), "-o", "a.png", "--size", "16384x16384", "--backend", backend}),
-            1, HasSubstr("expected graphics memory for a picture of 16384 x 16384 pixels, found too little; "));
+            runWith(megabytes(1500), {"render", roof(), "-o", "a.png", "--size", "8192x8192", "--tile-size", "8192",
+                                      "--backend", backend}),
+            1, HasSubstr("expected graphics memory for a picture of 8192 x 8192 pixels, found too little; "));
         expectNothingLeft();
     }
 }

@@ -50,7 +50,7 @@ TEST_P(GlErrors, sayWhatDidNotFitIntoGraphicsMemory) {
     const gl::Api api = outOfMemory(context().api());
     expectError(Error::Kind::Runtime,
                 StrEq("expected graphics memory for a picture of 4 x 3 pixels, found too little; ask for a smaller "
-                      "--size"),
+                      "--size or --tile-size"),
                 [&] {
                     gl::TexturePool pool{api};
                     (void)pool.acquire({4, 3}, GL_R8);

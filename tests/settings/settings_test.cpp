@@ -58,6 +58,7 @@ std::vector<std::string> samples(const SettingDescription& row) {
     if (row.values == "SECONDS") return {"0", "2.5"};
     if (row.group == "limits") return {"1", "123456"};
     if (row.range == "0 to 6") return {"0", "6"};
+    if (row.values == "N|u:N,v:N") return {"8", "u:4,v:12"};
     if (row.values == "N") return {"0", "7"};
     ADD_FAILURE() << "--" << row.name << " takes " << row.values << ", for which this test knows no samples";
     return {};
