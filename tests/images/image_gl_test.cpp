@@ -71,7 +71,7 @@ std::vector<Case> readCases() {
 }
 
 void draw(const Case& c, Renderer& renderer, const fs::path& candidate) {
-    const Scene scene = loadScene(c.asset, c.settings.load);
+    const Scene scene = loadScene(c.asset, loadSettings(c.settings));
     const Camera camera = frameCamera(scene, c.settings.camera, c.settings.picture.size);
     const Maps maps = renderer.render(scene, camera, c.settings);
     if (!c.map) {
