@@ -8,7 +8,7 @@
 //   D X E    l = (8 X - A - B - C - D - E - F - G - H) / 3
 //   F G H
 //
-// a profile is where g varies: (g_max - g_min) / k_p over the neighbours, squared; an internal edge is |l| / k_l.
+// a profile is where g varies: (g_max - g_min) / k_p over the neighbours; an internal edge is |l| / k_l; both squared.
 layout(binding = 0) uniform sampler2D surfaces;  // rgb: normal, a: eye-space depth; background: normal 0
 
 layout(location = 0) uniform float focalLength;  // pixels (orthographic: pixels a scene unit)
@@ -61,6 +61,6 @@ void main() {
         }
     }
     float profile = min((most - least) / profileLimit, 1.0);
-    float second = abs(9.0 * at(2, 2) - around) / 3.0;
-    ink = max(profile * profile, min(second / edgeLimit, 1.0));
+    float edge = min(abs(9.0 * at(2, 2) - around) / 3.0 / edgeLimit, 1.0);
+    ink = max(profile, edge) * max(profile, edge);
 }

@@ -281,7 +281,7 @@ Image<double> detectProfiles(const Image<double>& depth, const Image<double>& no
             }
             const double profile = std::min((most - least) / settings.profileLimit, 1.0);
             const double edge = std::min(std::abs(9.0 * d[2][2] - around) / 3.0 / settings.edgeLimit, 1.0);
-            ink.at(x, y) = std::max(profile * profile, edge);
+            ink.at(x, y) = std::max(profile, edge) * std::max(profile, edge);
         }
     }
     return ink;

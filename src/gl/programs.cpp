@@ -129,7 +129,8 @@ GLuint Programs::function(std::string_view name) {
 
 GLuint Programs::customFunction(const std::filesystem::path& file) {
     std::uint64_t mostBytes = 1'048'576;
-    const load::Bytes bytes = load::readBytes(file, mostBytes);
+    const load::Bytes bytes =
+        load::within(load::printable(file.string()), [&] { return load::readBytes(file, mostBytes); });
     const std::string text{load::textOf(bytes)};
     const auto known = customFunctions_.find(text);
     if (known != customFunctions_.end()) return known->second.id();

@@ -100,8 +100,8 @@ struct PairMark {
 /// @param values  4 channels, as drawFunction() returns them
 [[nodiscard]] INKEDGE_API Image<double> functionMagnitude(const Image<double>& values, const FunctionSettings&);
 
-/// How dark profiles and internal edges are, 0 to 1: the larger of min((g_max - g_min) / k_p, 1)^2, over the 3 x 3 pixels
-/// around, and min(|l| / k_l, 1), with
+/// How dark profiles and internal edges are, 0 to 1: the square of the larger of min((g_max - g_min) / k_p, 1), over the
+/// 3 x 3 pixels around, and min(|l| / k_l, 1), with
 ///
 ///     A B C    g = (|A + 2 B + C - F - 2 G - H| + |C + 2 E + H - A - 2 D - F|) / 8
 ///     D X E    l = (8 X - A - B - C - D - E - F - G - H) / 3
