@@ -21,6 +21,7 @@ std::uint64_t bytesPerPixel(const Settings& settings) {
                                                 {Map::NormalEdges, 5}, {Map::Edges, 1},   {Map::Types, 1},
                                                 {Map::Ids, 16}};
     for (const auto& [map, cost] : costs) bytes += wants(settings, map) ? cost : 0;
+    if (!settings.detector.functions.empty() || settings.detector.detector == Detector::SaitoTakahashi) ++bytes;  // ink
     return bytes;
 }
 

@@ -1,8 +1,8 @@
 #include <inkedge/reference.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -12,73 +12,21 @@
 
 #include <inkedge/error.h>
 
+#include "reference_raster.h"
+
 namespace inkedge::reference {
 namespace {
 
-struct Corner {
-    glm::dvec4 clip;
-    glm::dvec3 normal;  // light space, unit
-};
-
-// A triangle's corners in the order in which the picture shows its front as counter-clockwise.
-struct Triangle {
-    Corner corners[3];
-};
-
-struct PixelRange {
-    int begin;
-    int end;
-};
-
-// The pixels whose centres a triangle may cover along one axis; all of them if it reaches behind the camera.
-PixelRange pixelRange(const Triangle& triangle, int axis, int count) {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const Corner& corner : triangle.corners) {
-        if (corner.clip.w <= 0.0) return {0, count};
-        const double ndc = corner.clip[axis] / corner.clip.w * (axis == 1 ? -1.0 : 1.0);
-        low = std::min(low, (ndc * 0.5 + 0.5) * count);
-        high = std::max(high, (ndc * 0.5 + 0.5) * count);
-    }
-    const auto clamped = [&](double v) { return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(count))); };
-    return {clamped(std::floor(low - 1.0)), clamped(std::ceil(high + 1.0))};
-}
-
-void drawTriangle(const Triangle& triangle, const Camera& camera, Size size, Surface& surface) {
-    // Homogeneous rasterisation: the rows of this inverse are the barycentric edge functions, which need no clipping.
-    const auto xyw = [](const glm::dvec4& c) { return glm::dvec3{c.x, c.y, c.w}; };
-    const glm::dmat3 corners{xyw(triangle.corners[0].clip), xyw(triangle.corners[1].clip),
-                             xyw(triangle.corners[2].clip)};
-    const double determinant = glm::determinant(corners);
-    if (determinant == 0.0 || !std::isfinite(determinant)) return;
-    const glm::dmat3 toBarycentric = glm::inverse(corners);
-
-    const PixelRange rows = pixelRange(triangle, 1, size.height);
-    const PixelRange columns = pixelRange(triangle, 0, size.width);
-    for (int y = rows.begin; y < rows.end; ++y) {
-        for (int x = columns.begin; x < columns.end; ++x) {
-            const glm::dvec3 ndc{2.0 * (x + 0.5) / size.width - 1.0, 1.0 - 2.0 * (y + 0.5) / size.height, 1.0};
-            const glm::dvec3 weights = toBarycentric * ndc;  // barycentric / w
-            const double inverseW = weights.x + weights.y + weights.z;
-            if (weights.x < 0.0 || weights.y < 0.0 || weights.z < 0.0 || inverseW <= 0.0) continue;
-            const glm::dvec3 barycentric = weights / inverseW;
-            double clipZ = 0.0;
-            glm::dvec3 normal{0.0};
-            for (int i = 0; i < 3; ++i) {
-                clipZ += barycentric[i] * triangle.corners[i].clip.z;
-                normal += barycentric[i] * triangle.corners[i].normal;
-            }
-            const double window = 0.5 * clipZ * inverseW + 0.5;
-            if (window < 0.0 || window > 1.0 || window >= surface.windowDepth.at(x, y)) continue;
-            surface.windowDepth.at(x, y) = window;
-            surface.depth.at(x, y) =
-                camera.orthographic() ? camera.near + window * (camera.far - camera.near) : 1.0 / inverseW;
-            const double length = glm::length(normal);
-            for (int i = 0; i < 3; ++i) {
-                surface.normal.at(x, y, i) = normal[i] / length * (determinant > 0.0 ? 1.0 : -1.0);
-            }
-        }
-    }
+void drawTriangle(const ClipTriangle& triangle, const std::array<glm::dvec3, 3>& normals, const Camera& camera,
+                  Surface& surface) {
+    forEachSample(triangle, surface.windowDepth, [&](const Sample& sample) {
+        const auto& [x, y, barycentric, window, w, front] = sample;
+        glm::dvec3 normal{0.0};
+        for (int i = 0; i < 3; ++i) normal += barycentric[i] * normals[static_cast<std::size_t>(i)];
+        surface.depth.at(x, y) = camera.orthographic() ? camera.near + window * (camera.far - camera.near) : w;
+        const double length = glm::length(normal);
+        for (int i = 0; i < 3; ++i) surface.normal.at(x, y, i) = normal[i] / length * (front ? 1.0 : -1.0);
+    });
 }
 
 void requireSameSize(Size a, Size b) {
@@ -106,15 +54,16 @@ Surface drawSurface(const Scene& scene, const Camera& camera, LightSpace lightSp
         const glm::dmat3 normalMatrix = glm::transpose(glm::inverse(toLights));
         const bool mirrored = glm::determinant(glm::dmat3{instance.transform}) < 0.0;
         for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
-            Triangle triangle{};
+            ClipTriangle triangle{};
+            std::array<glm::dvec3, 3> normals{};  // light space, unit
             for (std::size_t i = 0; i < 3; ++i) {
                 const std::uint32_t vertex = mesh.indices[t + i];
                 const glm::dvec3 position = mesh.origin + glm::dvec3{mesh.positions[vertex]};
-                Corner& corner = triangle.corners[mirrored ? 2 - i : i];
-                corner.clip = viewProjection * (instance.transform * glm::dvec4{position, 1.0});
-                corner.normal = normalMatrix * glm::dvec3{mesh.normals[vertex]};
+                const std::size_t corner = mirrored ? 2 - i : i;
+                triangle[corner] = viewProjection * (instance.transform * glm::dvec4{position, 1.0});
+                normals[corner] = normalMatrix * glm::dvec3{mesh.normals[vertex]};
             }
-            drawTriangle(triangle, camera, size, surface);
+            drawTriangle(triangle, normals, camera, surface);
         }
     }
     return surface;

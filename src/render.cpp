@@ -8,6 +8,7 @@
 
 #include "expect_usable.h"
 #include "gl/context.h"
+#include "gl/function_inputs.h"
 #include "gl/gpu.h"
 #include "gl/read_back.h"
 #include "gl/stage_clock.h"
@@ -21,8 +22,11 @@
 #include "passes/composite.h"
 #include "passes/detect_edges.h"
 #include "passes/detect_lines.h"
+#include "passes/detect_profiles.h"
 #include "passes/draw_planes.h"
 #include "passes/draw_surface.h"
+#include "passes/function_edges.h"
+#include "passes/ink_over.h"
 #include "passes/placement.h"
 #include "passes/read_maps.h"
 #include "tiles.h"
@@ -34,19 +38,32 @@ namespace {
 struct View {
     gl::Gpu& gpu;
     const gl::UploadedScene& upload;
+    gl::FunctionInputs& inputs;
     const Scene& scene;
     const Camera& camera;
     const Settings& settings;
 };
 
 // Where the picture's lines come from.
-enum class Source { Planes, Classic, Object };
+enum class Source { Planes, Classic, Profiles, Object, None };
 Source sourceOf(const Settings& settings) {
     if (settings.lines.from == LinesFrom::Object) return Source::Object;
-    return settings.detector.detector == Detector::Classic ? Source::Classic : Source::Planes;
+    switch (settings.detector.detector) {
+        case Detector::Planes:
+            return Source::Planes;
+        case Detector::Classic:
+            return Source::Classic;
+        case Detector::SaitoTakahashi:
+            return Source::Profiles;
+        case Detector::None:
+            break;
+    }
+    return Source::None;
 }
 
 bool findsPlaneLines(const Settings& settings) { return settings.detector.detector == Detector::Planes; }
+bool findsClassicEdges(const Settings& settings) { return settings.detector.detector == Detector::Classic; }
+bool drawsFunctions(const Settings& settings) { return !settings.detector.functions.empty(); }
 
 bool needsPlanes(const Settings& settings) {
     return sourceOf(settings) == Source::Planes || wantsAny(settings, {Map::Types, Map::Ids}) ||
@@ -54,7 +71,8 @@ bool needsPlanes(const Settings& settings) {
 }
 
 bool needsSurface(const Settings& settings) {
-    return sourceOf(settings) == Source::Classic || (!findsPlaneLines(settings) && wants(settings, Map::Edges)) ||
+    return sourceOf(settings) == Source::Classic || (findsClassicEdges(settings) && wants(settings, Map::Edges)) ||
+           sourceOf(settings) == Source::Profiles ||
            wantsAny(settings, {Map::Depth, Map::Normal, Map::DepthEdges, Map::NormalEdges});
 }
 
@@ -74,7 +92,7 @@ struct Geometry {
 
 // In one pass where both are wanted, of one size and with lights that need one pass only.
 Geometry drawGeometry(const View& view, const Tile& tile, gl::StageClock& clock) {
-    const auto& [gpu, upload, scene, camera, settings] = view;
+    const auto& [gpu, upload, inputs, scene, camera, settings] = view;
     const int samples = settings.picture.supersampling;
     const bool planes = needsPlanes(settings);
     const bool surface = needsSurface(settings);
@@ -97,10 +115,10 @@ Geometry drawGeometry(const View& view, const Tile& tile, gl::StageClock& clock)
 
 // Depth and normal maps, their edges, and, for the classic detector, the picture.
 void renderSurface(const View& view, const SurfaceBuffers& surface, gl::StageClock& clock, Maps& maps) {
-    const auto& [gpu, upload, scene, camera, settings] = view;
+    const auto& [gpu, upload, inputs, scene, camera, settings] = view;
     const bool keepMagnitudes = wantsAny(settings, {Map::DepthEdges, Map::NormalEdges});
     readSurface(gpu.api, surface, settings, maps);
-    if (!findsPlaneLines(settings) || keepMagnitudes) {
+    if (findsClassicEdges(settings) || keepMagnitudes) {
         const EdgeBuffers edges = detectEdges(gpu, surface.surface, camera, settings.detector,
                                               keepMagnitudes ? Magnitudes::Keep : Magnitudes::Drop);
         clock.finish("edges");
@@ -116,7 +134,7 @@ void renderSurface(const View& view, const SurfaceBuffers& surface, gl::StageClo
 // Lines of the planes detector: their types and ids into the maps; the strokes are left.
 TracedLines renderPlanes(const View& view, const Tile& tile, const PlaneBuffers& buffers,
                          const ScreenTriangles& triangles, TracePlaces places, gl::StageClock& clock, Maps& maps) {
-    const auto& [gpu, upload, scene, camera, settings] = view;
+    const auto& [gpu, upload, inputs, scene, camera, settings] = view;
     const PictureSettings& picture = settings.picture;
     const double unit = unitLength(scene);
 
@@ -141,7 +159,7 @@ TracedLines renderPlanes(const View& view, const Tile& tile, const PlaneBuffers&
 
 // What the camera sees, in one piece.
 lines::ViewBuffers drawViewBuffers(const View& view) {
-    const auto& [gpu, upload, scene, camera, settings] = view;
+    const auto& [gpu, upload, inputs, scene, camera, settings] = view;
     const Size size = settings.picture.size;
     const PlaneBuffers drawn = drawPlanes(gpu, upload, scene, camera, Tile{size});
     const Rectangle whole{0, 0, size};
@@ -150,15 +168,39 @@ lines::ViewBuffers drawViewBuffers(const View& view) {
             unitLength(scene)};
 }
 
+// What covers a tile's pixels besides strokes: functions' edges and profiles.
+Image<std::uint8_t> renderInk(const View& view, const Tile& tile, const Geometry& geometry, gl::StageClock& clock) {
+    const auto& [gpu, upload, inputs, scene, camera, settings] = view;
+    const int samples = settings.picture.supersampling;
+    Image<std::uint8_t> ink;
+    if (drawsFunctions(settings)) {
+        ink = functionEdges(gpu, upload, inputs, scene, camera, settings.detector.functions, tile, samples);
+        clock.finish("functions");
+    }
+    if (sourceOf(settings) == Source::Profiles) {
+        const Tile pixels = inPixels(tile, samples);
+        ink = darker(std::move(ink),
+                     detectProfiles(gpu, geometry.surface->surface, camera, settings.detector, pixels));
+        clock.finish("profiles");
+    }
+    return ink;
+}
+
+// What is drawn on the picture.
+struct Ink {
+    TracedLines traced;         // of the planes detector; nothing but strokes and places
+    Image<std::uint8_t> cover;  // how much of each pixel is covered besides, 0 to 255; empty: none
+};
+
 // Draws tile by tile. Strokes reach over tiles' borders: they are painted when all are there.
-// @return  those of the planes detector; nothing else
-TracedLines renderTiles(const View& view, TracePlaces places, gl::StageClock& clock, Maps& maps) {
-    const auto& [gpu, upload, scene, camera, settings] = view;
+Ink renderTiles(const View& view, TracePlaces places, gl::StageClock& clock, Maps& maps) {
+    const auto& [gpu, upload, inputs, scene, camera, settings] = view;
     const PictureSettings& picture = settings.picture;
     const Size samples = samplesOf(picture);
     std::optional<ScreenTriangles> triangles;
     if (needsPlanes(settings)) triangles.emplace(scene, upload.firstTriangles(), camera, samples);
-    TracedLines traced;
+    Ink ink;
+    TracedLines& traced = ink.traced;
     for (const Tile& tile : tilesOf(samples, picture.tileSize)) {
         Maps part;
         const Geometry geometry = drawGeometry(view, tile, clock);
@@ -168,24 +210,26 @@ TracedLines renderTiles(const View& view, TracePlaces places, gl::StageClock& cl
             traced.places.insert(traced.places.end(), more.places.begin(), more.places.end());
         }
         if (geometry.surface) renderSurface(view, *geometry.surface, clock, part);
+        keep(renderInk(view, tile, geometry, clock), inPixels(tile, picture.supersampling), ink.cover);
         keep(std::move(part), inPixels(tile, picture.supersampling), maps);
     }
-    return traced;
+    return ink;
 }
 
 // The lines that the planes detector finds between pixels, as polylines.
 std::vector<Line> traceImageLines(const View& view, gl::StageClock& clock) {
-    const auto& [gpu, upload, scene, camera, settings] = view;
+    const auto& [gpu, upload, inputs, scene, camera, settings] = view;
     if (!findsPlaneLines(settings)) {
         throw Error{Error::Kind::Usage,
-                    "lines from image: expected the planes detector, found classic, which marks pixels and leaves no "
+                    "lines from image: expected the planes detector, found another, which marks pixels and leaves no "
                     "lines; use --detector planes, or --lines-from object"};
     }
     Settings linesOnly = settings;
     linesOnly.maps.clear();
+    linesOnly.detector.functions.clear();
     Maps none;
     const TracedLines traced =
-        renderTiles({gpu, upload, scene, camera, linesOnly}, TracePlaces::Keep, clock, none);
+        renderTiles({gpu, upload, inputs, scene, camera, linesOnly}, TracePlaces::Keep, clock, none).traced;
     const lines::Screen screen{camera, scene.bounds().centre, settings.picture.size};
     std::vector<lines::TracedPiece> pieces;
     pieces.reserve(traced.strokes.size());
@@ -208,9 +252,11 @@ struct Renderer::State {
     explicit State(const BackendSettings& wish) : context{gl::createContext(wish)} {
         const gl::Current current{*context};
         gpu = std::make_unique<gl::Gpu>(context->api());
+        inputs = std::make_unique<gl::FunctionInputs>(context->api());
     }
     ~State() {
         const gl::Current current{*context};
+        inputs.reset();
         upload.reset();
         gpu.reset();
     }
@@ -236,6 +282,7 @@ struct Renderer::State {
     std::unique_ptr<gl::Context> context;
     std::unique_ptr<gl::Gpu> gpu;
     std::unique_ptr<gl::UploadedScene> upload;
+    std::unique_ptr<gl::FunctionInputs> inputs;
     std::unique_ptr<lines::ObjectLines> objectLines;
 };
 
@@ -255,7 +302,7 @@ Lines Renderer::lines(const Scene& scene, const Camera& camera, const Settings& 
         const gl::Current current{*state_->context};
         gl::StageClock clock{state_->gpu->api, before};
         if (settings.lines.from == LinesFrom::Image) {
-            const View view{*state_->gpu, state_->uploaded(scene), scene, camera, settings};
+            const View view{*state_->gpu, state_->uploaded(scene), *state_->inputs, scene, camera, settings};
             clock.finish("upload");
             found.lines = traceImageLines(view, clock);
             clock.finish("join");
@@ -270,7 +317,7 @@ Lines Renderer::lines(const Scene& scene, const Camera& camera, const Settings& 
         clock.finish("prepare lines");
         std::optional<lines::ViewBuffers> buffers;
         if (settings.lines.visibility == Visibility::Fast && isOneTile(settings.picture)) {
-            buffers = drawViewBuffers({*state_->gpu, state_->uploaded(scene), scene, camera, settings});
+            buffers = drawViewBuffers({*state_->gpu, state_->uploaded(scene), *state_->inputs, scene, camera, settings});
             state_->gpu->textures.trim();
             clock.finish("buffers");
         }
@@ -288,6 +335,7 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     Maps maps;
     maps.camera = camera;
     maps.backend = backend();
+    Ink ink;
     std::vector<Stroke> strokes;
     if (sourceOf(settings) == Source::Object) {
         const Lines found = lines(scene, camera, settings);
@@ -296,17 +344,20 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     }
     const gl::Current current{*state_->context};
     gl::StageClock clock{state_->gpu->api, maps.times};
-    if (needsPlanes(settings) || needsSurface(settings)) {
-        const View view{*state_->gpu, state_->uploaded(scene), scene, camera, settings};
+    if (needsPlanes(settings) || needsSurface(settings) || drawsFunctions(settings)) {
+        const View view{*state_->gpu, state_->uploaded(scene), *state_->inputs, scene, camera, settings};
         clock.finish("upload");
-        TracedLines traced = renderTiles(view, TracePlaces::Drop, clock, maps);
-        if (sourceOf(settings) == Source::Planes) strokes = std::move(traced.strokes);
+        ink = renderTiles(view, TracePlaces::Drop, clock, maps);
+        if (sourceOf(settings) == Source::Planes) strokes = std::move(ink.traced.strokes);
         state_->gpu->textures.trim();
     }
     if (sourceOf(settings) != Source::Classic) {
         maps.picture = paintStrokes(strokes, settings.picture);
         clock.finish("paint");
     }
+    inkOver(ink.cover, settings.picture, maps.picture);
+    if (wants(settings, Map::Edges) && (!ink.cover.empty() || maps.edges.empty()))
+        maps.edges = darker(std::move(maps.edges), maskOf(ink.cover, settings.picture.size));
     return maps;
 }
 

@@ -220,10 +220,11 @@ std::size_t workersFor(const RenderArguments& arguments, std::size_t views) {
     return std::clamp<std::size_t>(views / viewsWorthAContext, 1, most);
 }
 
-void warn(const RenderArguments& arguments, const LoadSettings& asked, const Scene& scene) {
+void warn(const RenderArguments& arguments, const Settings& settings, const Scene& scene) {
     if (arguments.quiet) return;
     const auto hasNone = [](const Mesh& mesh) { return mesh.textureCoordinates.empty(); };
-    if (asked.textureCoordinates && std::ranges::all_of(scene.meshes(), hasNone))
+    const bool wantsIsolines = settings.lines.isolines != Isolines{} && loadSettings(settings).textureCoordinates;
+    if (wantsIsolines && std::ranges::all_of(scene.meshes(), hasNone))
         tell("warning: ", fmt::format("{}: has no texture coordinates: no isolines are drawn", arguments.model));
     for (const std::string& warning : scene.warnings()) {
         tell("warning: ", fmt::format("{}: {}", arguments.model, warning));
@@ -243,7 +244,7 @@ int render(const RenderArguments& arguments) {
     const double loading = millisecondsSince(begin);
     std::vector<StageTime> before{{"load", loading - scene.preparationMilliseconds()},
                                   {"prepare", scene.preparationMilliseconds()}};
-    warn(arguments, load, scene);
+    warn(arguments, settings, scene);
     begin = Clock::now();
     Renderer renderer{settings.backend};
     before.push_back({"context", millisecondsSince(begin)});

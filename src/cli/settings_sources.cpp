@@ -45,6 +45,7 @@ void SettingsSources::addTo(CLI::App& app, std::initializer_list<std::string_vie
         options_[row.name] = app.add_option(names, flags_[row.name], helpFor(row))
                                  ->type_name(std::string{row.values})
                                  ->group(std::string{row.group});
+        if (row.joinedBy != '\0') options_[row.name]->join(row.joinedBy);
     }
 }
 

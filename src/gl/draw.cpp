@@ -28,6 +28,11 @@ Framebuffer::Framebuffer(const Api& api, std::initializer_list<const Texture*> c
 
 void prepareDrawing(Gpu& gpu, Program program, const Framebuffer& target,
                     std::initializer_list<const Texture*> inputs) {
+    prepareDrawing(gpu, gpu.programs.id(program), target, inputs);
+}
+
+void prepareDrawing(Gpu& gpu, GLuint program, const Framebuffer& target,
+                    std::initializer_list<const Texture*> inputs) {
     const Api& api = gpu.api;
     api.BindFramebuffer(GL_FRAMEBUFFER, target.id());
     api.Viewport(0, 0, target.size().width, target.size().height);
@@ -49,7 +54,7 @@ void prepareDrawing(Gpu& gpu, Program program, const Framebuffer& target,
     } else {
         api.Disable(GL_DEPTH_TEST);
     }
-    api.UseProgram(gpu.programs.id(program));
+    api.UseProgram(program);
     GLuint unit = 0;
     for (const Texture* input : inputs) {
         api.BindTextureUnit(unit, input->id());

@@ -30,6 +30,9 @@ private:
 /// @param inputs  textures for the bindings 0, 1, ...
 void prepareDrawing(Gpu&, Program, const Framebuffer& target, std::initializer_list<const Texture*> inputs = {});
 
+/// The same with a program by its name in OpenGL.
+void prepareDrawing(Gpu&, GLuint program, const Framebuffer& target, std::initializer_list<const Texture*> inputs = {});
+
 /// Runs a program once for every pixel of the target.
 void drawFullscreen(Gpu&, Program, const Framebuffer& target, std::initializer_list<const Texture*> inputs);
 

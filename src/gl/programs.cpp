@@ -1,11 +1,17 @@
 #include "gl/programs.h"
 
+#include <algorithm>
+#include <charconv>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include <inkedge/error.h>
+
+#include "scene/load_file.h"
+#include "scene/load_message.h"
 
 namespace inkedge::gl {
 namespace {
@@ -45,18 +51,61 @@ std::string programLog(const Api& api, GLuint program) {
     return log;
 }
 
-ShaderName compile(const Api& api, const ProgramText& program, const StageText& stage) {
-    ShaderName shader{api, api.CreateShader(glStage(stage.stage))};
-    const char* text = stage.text.data();
-    const auto length = static_cast<GLint>(stage.text.size());
-    api.ShaderSource(shader.id(), 1, &text, &length);
+// A shader, and whether it compiles.
+std::pair<ShaderName, bool> tryCompile(const Api& api, Stage stage, std::string_view text) {
+    ShaderName shader{api, api.CreateShader(glStage(stage))};
+    const char* begin = text.data();
+    const auto length = static_cast<GLint>(text.size());
+    api.ShaderSource(shader.id(), 1, &begin, &length);
     api.CompileShader(shader.id());
     GLint compiled = GL_FALSE;
     api.GetShaderiv(shader.id(), GL_COMPILE_STATUS, &compiled);
-    if (compiled == GL_FALSE) {
-        refuse(program, fmt::format(" (files 0..: {})", stage.files), shaderLog(api, shader.id()));
+    return {std::move(shader), compiled != GL_FALSE};
+}
+
+ShaderName compile(const Api& api, const ProgramText& program, const StageText& stage) {
+    auto [shader, compiled] = tryCompile(api, stage.stage, stage.text);
+    if (!compiled) refuse(program, fmt::format(" (files 0..: {})", stage.files), shaderLog(api, shader.id()));
+    return std::move(shader);
+}
+
+// A program, and whether it links.
+std::pair<ProgramName, bool> tryLink(const Api& api, const std::vector<ShaderName>& shaders) {
+    ProgramName program{api, api.CreateProgram()};
+    for (const ShaderName& shader : shaders) api.AttachShader(program.id(), shader.id());
+    api.LinkProgram(program.id());
+    GLint linked = GL_FALSE;
+    api.GetProgramiv(program.id(), GL_LINK_STATUS, &linked);
+    for (const ShaderName& shader : shaders) api.DetachShader(program.id(), shader.id());
+    return {std::move(program), linked != GL_FALSE};
+}
+
+ProgramName build(const Api& api, const ProgramText& text) {
+    std::vector<ShaderName> shaders;
+    for (const StageText& stage : text.stages) shaders.push_back(compile(api, text, stage));
+    auto [program, linked] = tryLink(api, shaders);
+    if (!linked) refuse(text, "", programLog(api, program.id()));
+    return std::move(program);
+}
+
+// The first error that a driver has of a user's text: "0:7(12): error: ..." or "0(7) : error ...". The frame around it has
+// none, and drivers forget which file an expression stands in: every line is the user's.
+[[noreturn]] void refuseFunction(const std::filesystem::path& file, std::string_view log) {
+    const std::string name = load::printable(file.string());
+    for (std::size_t at = 0; at < log.size();) {
+        const std::string_view line = log.substr(at, log.find('\n', at) - at);
+        at += line.size() + 1;
+        const std::size_t error = line.find("error");
+        const std::size_t separator = line.find_first_of(":(");
+        if (error == std::string_view::npos || separator > error) continue;
+        int number = 0;
+        if (std::from_chars(&line[separator] + 1, line.data() + line.size(), number).ec != std::errc{}) continue;
+        const std::size_t said = std::min(line.find(": ", error), line.size() - 2) + 2;
+        load::refuse(fmt::format("{}:{}: expected GLSL that the driver accepts, found: {}", name, number,
+                                 load::printable(line.substr(said))));
     }
-    return shader;
+    load::refuse(fmt::format("{}: expected a function vec4 surface(Surface s), found: {}", name,
+                             load::printable(log.substr(0, log.find('\n')))));
 }
 
 }  // namespace
@@ -65,20 +114,36 @@ GLuint Programs::id(Program program) {
     ProgramName& compiled = compiled_[static_cast<std::size_t>(program)];
     if (compiled.id() != 0) return compiled.id();
 
-    const ProgramText& text = programText(program);
-    ProgramName linked{api_, api_.CreateProgram()};
-    std::vector<ShaderName> shaders;
-    for (const StageText& stage : text.stages) {
-        shaders.push_back(compile(api_, text, stage));
-        api_.AttachShader(linked.id(), shaders.back().id());
-    }
-    api_.LinkProgram(linked.id());
-    GLint ok = GL_FALSE;
-    api_.GetProgramiv(linked.id(), GL_LINK_STATUS, &ok);
-    if (ok == GL_FALSE) refuse(text, "", programLog(api_, linked.id()));
-    for (const ShaderName& shader : shaders) api_.DetachShader(linked.id(), shader.id());
-    compiled = std::move(linked);
+    compiled = build(api_, programText(program));
     return compiled.id();
+}
+
+GLuint Programs::function(std::string_view name) {
+    const auto known = functions_.find(name);
+    if (known != functions_.end()) return known->second.id();
+    const auto text = std::ranges::find(functionTexts(), name, &ProgramText::name);
+    if (text == functionTexts().end())
+        throw Error{Error::Kind::Runtime, fmt::format("function {}: expected a shader of it, found none", name)};
+    return functions_.emplace(name, build(api_, *text)).first->second.id();
+}
+
+GLuint Programs::customFunction(const std::filesystem::path& file) {
+    std::uint64_t mostBytes = 1'048'576;
+    const load::Bytes bytes =
+        load::within(load::printable(file.string()), [&] { return load::readBytes(file, mostBytes); });
+    const std::string text{load::textOf(bytes)};
+    const auto known = customFunctions_.find(text);
+    if (known != customFunctions_.end()) return known->second.id();
+    const std::vector<StageText>& frame = functionTexts().front().stages;
+    const std::string fragment = fmt::format("{}\n#line 1 0\n{}\n", frame.back().text, text);
+    std::vector<ShaderName> shaders;
+    shaders.push_back(compile(api_, functionTexts().front(), frame.front()));
+    auto [shader, compiled] = tryCompile(api_, Stage::Fragment, fragment);
+    if (!compiled) refuseFunction(file, shaderLog(api_, shader.id()));
+    shaders.push_back(std::move(shader));
+    auto [program, linked] = tryLink(api_, shaders);
+    if (!linked) refuseFunction(file, programLog(api_, program.id()));
+    return customFunctions_.emplace(text, std::move(program)).first->second.id();
 }
 
 }  // namespace inkedge::gl

@@ -1,6 +1,10 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
 
 #include "gl/embedded_programs.h"
 #include "gl/objects.h"
@@ -17,9 +21,19 @@ public:
     ///                that it means
     [[nodiscard]] GLuint id(Program);
 
+    /// The program of a surface function: one of shaders/functions, by its name.
+    [[nodiscard]] GLuint function(std::string_view name);
+
+    /// The program of a surface function that a user's file defines, compiled once for each text.
+    /// @throws Error  (Kind::Input) if the file cannot be read or the driver refuses its text: the message names the
+    ///                file, the line and what the driver says of it
+    [[nodiscard]] GLuint customFunction(const std::filesystem::path& file);
+
 private:
     const Api& api_;
     std::array<ProgramName, programCount> compiled_;
+    std::map<std::string, ProgramName, std::less<>> functions_;  // by name
+    std::map<std::string, ProgramName> customFunctions_;         // by text
 };
 
 }  // namespace inkedge::gl

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "gl/errors.h"
@@ -20,6 +21,14 @@ struct Vertex {
     glm::vec3 position;
     glm::vec3 normal;
     GLuint patch;  // of the mesh
+};
+
+// What only surface functions read; none of a scene that has nothing of it.
+struct Extra {
+    glm::vec2 coordinates{0.0F};
+    glm::vec4 color{1.0F};
+    glm::vec2 place{0.0F};
+    GLfloat curvature = 0.0F;
 };
 
 struct DrawCommand {  // DrawElementsIndirectCommand
@@ -42,6 +51,7 @@ Buffer createFilledBuffer(const Api& api, const std::vector<T>& data, GLbitfield
 constexpr GLuint perVertex = 0;  // vertex buffer bindings
 constexpr GLuint perPlacement = 1;
 constexpr GLuint perNumbering = 2;
+constexpr GLuint perExtra = 3;
 
 void describeFloats(const Api& api, GLuint vertexArray, GLuint location, GLuint binding, GLint components,
                     std::size_t offset) {
@@ -59,9 +69,31 @@ void describeIntegers(const Api& api, GLuint vertexArray, GLuint location, GLuin
 
 struct Geometry {
     std::vector<Vertex> vertices;
+    std::vector<Extra> extras;  // one a vertex, or none
     std::vector<std::uint32_t> indices;
     std::vector<DrawCommand> meshes;  // without instances
 };
+
+bool hasExtras(const Mesh& mesh) {
+    return !mesh.textureCoordinates.empty() || !mesh.paint.empty() || !mesh.curvatures.empty();
+}
+
+Extra extraOf(const Mesh& mesh, std::size_t vertex) {
+    Extra extra;
+    if (!mesh.textureCoordinates.empty()) extra.coordinates = mesh.textureCoordinates[vertex];
+    if (!mesh.paint.empty()) extra.color = mesh.paint[vertex].color, extra.place = mesh.paint[vertex].place;
+    if (!mesh.curvatures.empty()) extra.curvature = mesh.curvatures[vertex];
+    return extra;
+}
+
+// One for each of the mesh's vertices, those that are repeated too.
+void appendExtras(const Mesh& mesh, std::size_t base, Geometry& geometry) {
+    geometry.extras.resize(geometry.vertices.size());
+    const DrawCommand& command = geometry.meshes.back();
+    for (std::size_t c = 0; c < mesh.indices.size(); ++c) {
+        geometry.extras[base + geometry.indices[command.firstIndex + c]] = extraOf(mesh, mesh.indices[c]);
+    }
+}
 
 // A vertex that several patches share is repeated for each, so that every corner of a triangle names its patch.
 void append(const Mesh& mesh, const MeshTopology& topology, Geometry& geometry) {
@@ -87,6 +119,7 @@ void append(const Mesh& mesh, const MeshTopology& topology, Geometry& geometry) 
         }
         geometry.indices.push_back(index);
     }
+    if (hasExtras(mesh)) appendExtras(mesh, base, geometry);
 }
 
 // Triangles of an instance that are drawn alike.
@@ -195,7 +228,13 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
     commands.insert(commands.end(), layerCommands.begin(), layerCommands.end());
 
     vertices_ = createFilledBuffer(api, geometry.vertices);
+    vertexCount = geometry.vertices.size();
     geometry.vertices = {};  // no two copies of everything at once
+    if (!geometry.extras.empty()) {
+        geometry.extras.resize(vertexCount);
+        extras_ = createFilledBuffer(api, geometry.extras);
+        geometry.extras = {};
+    }
     indices_ = createFilledBuffer(api, geometry.indices);
     geometry.indices = {};
     commands_ = createFilledBuffer(api, commands);
@@ -217,6 +256,12 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
     for (GLuint row = 0; row < 6; ++row) describeFloats(api, id, 2 + row, perPlacement, 4, row * sizeof(glm::vec4));
     describeIntegers(api, id, 8, perVertex, 1, offsetof(Vertex, patch));
     describeIntegers(api, id, 9, perNumbering, 3, 0);
+    if (extras_.id() == 0) return;
+    api.VertexArrayVertexBuffer(id, perExtra, extras_.id(), 0, sizeof(Extra));
+    describeFloats(api, id, 10, perExtra, 2, offsetof(Extra, coordinates));
+    describeFloats(api, id, 11, perExtra, 4, offsetof(Extra, color));
+    describeFloats(api, id, 12, perExtra, 2, offsetof(Extra, place));
+    describeFloats(api, id, 13, perExtra, 1, offsetof(Extra, curvature));
 }
 
 bool UploadedScene::holds(const Scene& scene) const noexcept {

@@ -69,6 +69,7 @@ private:
     const Api& api_;
     std::weak_ptr<const void> scene_;
     Buffer vertices_;
+    Buffer extras_;
     Buffer indices_;
     Buffer placements_;
     Buffer numberings_;

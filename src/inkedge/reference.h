@@ -89,6 +89,32 @@ struct PairMark {
 [[nodiscard]] INKEDGE_API Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength,
                                                           bool orthographic, double creaseAngle);
 
+/// A surface function's values at pixels' centres: Hertzmann 1999, section 2.1.3. Of functions that read pictures or users'
+/// shaders there is no definition here. The definitions stand in src/reference_functions.cpp; GPU twins: shaders/functions.
+/// @return        4 channels; background: the row's value, or 1e30 in the last channel where it has none
+/// @throws Error  (Kind::Usage) if the function reads a file or its materials have pictures
+[[nodiscard]] INKEDGE_API Image<double> drawFunction(const Scene&, const Camera&, const FunctionSettings&, Size);
+
+/// Equation 6 on a function's values, the largest of its channels. Differences are taken from the pixel's own value, modulo
+/// wrapPeriod(); background without a value differs from nothing and has no magnitude. GPU twin: measure_function.frag.
+/// @param values  4 channels, as drawFunction() returns them
+[[nodiscard]] INKEDGE_API Image<double> functionMagnitude(const Image<double>& values, const FunctionSettings&);
+
+/// How dark profiles and internal edges are, 0 to 1: the square of the larger of min((g_max - g_min) / k_p, 1), over the
+/// 3 x 3 pixels around, and min(|l| / k_l, 1), with
+///
+///     A B C    g = (|A + 2 B + C - F - 2 G - H| + |C + 2 E + H - A - 2 D - F|) / 8
+///     D X E    l = (8 X - A - B - C - D - E - F - G - H) / 3
+///     F G H
+///
+/// of depths less the pixel's own, in its footprints, in perspective of 1 / z, of which planes stay planes; clamped to
+/// 1000, which the background has. 0 on the background. After Saito and Takahashi 1990, whose text was not at hand: the
+/// limits k_p and k_l are settings. GPU twin: detect_profiles.frag.
+/// @param depth   eye-space depth, scene units
+/// @param normal  3 channels; background: 0
+[[nodiscard]] INKEDGE_API Image<double> detectProfiles(const Image<double>& depth, const Image<double>& normal,
+                                                       const Camera&, const DetectorSettings&);
+
 /// The outline picture of the classic detector. Fast twin: src/passes/composite.h.
 /// @return  1, 3 or 4 channels, as Maps::picture
 [[nodiscard]] INKEDGE_API Image<std::uint8_t> composite(const Image<std::uint8_t>& edges, const PictureSettings&);

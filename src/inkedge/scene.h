@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -9,11 +10,22 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <inkedge/export.h>
+#include <inkedge/image.h>
 #include <inkedge/settings.h>
 
 namespace inkedge {
+
+/// How texture coordinates outside 0..1 find their place in a picture.
+enum class TextureWrap { Clamp, Mirror, Repeat };
+
+/// What a vertex says of its surface's colour.
+struct VertexPaint {
+    glm::vec4 color{1.0F};  ///< linear: a factor of the material's
+    glm::vec2 place{0.0F};  ///< in the material's picture: (0, 0) its top left corner, (1, 1) its bottom right one
+};
 
 /// Triangles in a space of their own.
 struct Mesh {
@@ -32,6 +44,10 @@ struct Mesh {
     /// One a position, v = 0 at the top of the picture as in glTF; empty: none, or not asked for
     /// (LoadSettings::textureCoordinates). Of a mesh of several parts those without have (0, 0).
     std::vector<glm::vec2> textureCoordinates;
+    std::vector<VertexPaint> paint;  ///< one a position; empty: all as by default, or not asked for (LoadSettings::paint)
+    /// Mean curvature, one a position, one over mesh space's unit, over 0 where the surface bulges; made by the scene if
+    /// LoadSettings::curvature asks for it, else empty.
+    std::vector<float> curvatures;
     /// One an index: whether the file marks the edge from this corner to its triangle's next, or the same edge of
     /// another triangle, as a line (LineType::Marked). Empty: none is.
     std::vector<bool> markedEdges;
@@ -49,6 +65,9 @@ struct SceneSource {
 struct Material {
     std::string name;
     bool doubleSided = true;  ///< false: its backs are not meant to be seen
+    glm::vec4 color{1.0F};    ///< linear; a factor of what its picture and the vertices say
+    std::shared_ptr<const Image<std::uint8_t>> picture = {};  ///< sRGB, 4 channels; none: not asked for, or none
+    std::array<TextureWrap, 2> wrap{TextureWrap::Repeat, TextureWrap::Repeat};  ///< of the picture, along each axis
 };
 
 /// A mesh placed in the world.

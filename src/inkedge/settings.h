@@ -13,6 +13,7 @@
 
 #include <inkedge/export.h>
 #include <inkedge/image.h>
+#include <inkedge/surface_functions.h>
 
 namespace inkedge {
 
@@ -64,6 +65,8 @@ struct LoadSettings {
     BackFaces backFaces = BackFaces::Draw;
     int subdivide = 0;  ///< levels of refinement into a smooth surface, 0 to 6; 0: none
     bool textureCoordinates = false;  ///< Mesh::textureCoordinates is filled in: for isoparametric lines
+    bool paint = false;               ///< Mesh::paint, Material::color and Material::picture are filled in; glTF only
+    bool curvature = false;           ///< Mesh::curvatures is filled in
     LoadLimits limits = {};
 };
 
@@ -205,8 +208,10 @@ struct LineSettings {
 enum class Detector {
     Planes,   ///< where the visible faces' planes do not go on into each other; needs no threshold
     Classic,  ///< gradients of the depth map and of the normal map, Hertzmann 1999, appendix A
+    SaitoTakahashi,  ///< profiles and internal edges of the depth map, Saito and Takahashi 1990 (its reference 18)
+    None,            ///< no lines but those of DetectorSettings::functions
 };
-enum class Kernel {
+enum class Kernel : int {
     Sobel,  ///< 3 x 3, equation 5
     Farid,  ///< 5 x 5, equation 8
 };
@@ -228,6 +233,10 @@ struct DetectorSettings {
     std::optional<float> normalThreshold;  ///< T of equation 7 for each normal channel; none: the kernel's default
     NormalLights normalLights = NormalLights::Single;
     LightSpace lightSpace = LightSpace::Camera;
+    double profileLimit = 10.0;  ///< pixel footprints of depth over which a profile is full: k_p
+    double edgeLimit = 0.6;      ///< change of slope over which an internal edge is full: k_l
+    /// Surface functions whose edges are drawn over the detector's lines: section 2.1.3.
+    std::vector<FunctionSettings> functions;
 };
 
 /// The thresholds in force: those given, else the defaults for the kernel in force.
@@ -276,6 +285,7 @@ struct SettingDescription {
     std::string_view help;          ///< one line
     void (*set)(Settings&, std::string_view text);
     std::string (*get)(const Settings&);  ///< as text that set() takes; empty where not given
+    char joinedBy = '\0';                 ///< a flag given several times: what stands between its texts; 0: once only
 };
 
 /// All settings in the order of the manual.

@@ -15,7 +15,7 @@
 #include <inkedge/write.h>
 
 #include "io/file.h"
-#include "io/image_module.h"
+#include "modules/image_module.h"
 #include "io/picture.h"
 #include "io/read_png.h"
 

@@ -1,4 +1,4 @@
-#include "io/image_formats.h"
+#include "modules/image_formats.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>
@@ -10,6 +10,8 @@
 #include <exception>
 #include <limits>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace inkedge::io {
 namespace {
@@ -154,14 +156,41 @@ Differences measure(const Image<float>& a, const Image<float>& b, double level) 
     return {found.nfail, found.maxerror, found.maxx, found.maxy, found.meanerror, {}};
 }
 
+DecodedPicture decodeJpeg(std::span<const std::uint8_t> bytes, std::uint64_t mostPixels) {
+    OIIO::Filesystem::IOMemReader memory{const_cast<std::uint8_t*>(bytes.data()), bytes.size()};  // it only reads
+    const auto input = OIIO::ImageInput::open("picture.jpg", nullptr, &memory);
+    if (!input) return {.image = {}, .failure = oneLine(OIIO::geterror())};
+    const OIIO::ImageSpec& spec = input->spec();
+    const auto pixels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
+    if (pixels > mostPixels) {
+        return {.image = {},
+                .failure = "at most " + std::to_string(mostPixels) + " pixels were expected, there are " +
+                           std::to_string(spec.width) + "x" + std::to_string(spec.height) + "; raise max-image-pixels"};
+    }
+    const auto channels = static_cast<std::size_t>(spec.nchannels);
+    std::vector<std::uint8_t> read(static_cast<std::size_t>(pixels) * channels);
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeUInt8, read.data()))
+        return {.image = {}, .failure = oneLine(input->geterror())};
+    DecodedPicture picture{Image<std::uint8_t>{{spec.width, spec.height}, 4, 255}, {}};
+    for (std::size_t i = 0; i < pixels; ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            picture.image.pixels[4 * i + c] = read[channels * i + (channels < 3 ? 0 : c)];
+        }
+    }
+    return picture;
+}
+
 }  // namespace
 
-extern "C" const ImageFormats* inkedge_image_formats_2() noexcept {
+extern "C" const ImageFormats* inkedge_image_formats_3() noexcept {
     static constexpr ImageFormats formats{
         [](FileFormat format, std::span<const Layer> layers, std::span<const HeaderEntry> header) {
             return guarded([&] { return encodeFile(format, layers, header); });
         },
         [](const std::filesystem::path& path) { return guarded([&] { return readFile(path); }); },
+        [](std::span<const std::uint8_t> bytes, std::uint64_t mostPixels) {
+            return guarded([&] { return decodeJpeg(bytes, mostPixels); });
+        },
         [](const Image<float>& a, const Image<float>& b, double level) {
             return guarded([&] { return measure(a, b, level); });
         }};

@@ -12,7 +12,7 @@
 #include <inkedge/write.h>
 
 #include "io/file.h"
-#include "io/image_module.h"
+#include "modules/image_module.h"
 
 namespace inkedge::io {
 namespace {

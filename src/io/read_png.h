@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "io/image_formats.h"
+#include "modules/image_formats.h"
 
 namespace inkedge::io {
 

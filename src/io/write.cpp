@@ -10,7 +10,7 @@
 #include <inkedge/error.h>
 
 #include "io/file.h"
-#include "io/image_module.h"
+#include "modules/image_module.h"
 #include "io/picture.h"
 #include "memory.h"
 

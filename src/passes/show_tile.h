@@ -7,18 +7,21 @@ namespace inkedge {
 
 /// Sets the viewport and what shaders/shared/view.glsl reads, so that a target of the size of what is drawn shows the
 /// tile. For after gl::prepareDrawing(), which shows all of a picture.
-inline void showTile(gl::Gpu& gpu, gl::Program program, const Tile& tile) {
+inline void showTile(gl::Gpu& gpu, GLuint id, const Tile& tile) {
     const auto [x, y, size] = viewOf(tile);
     gpu.api.Viewport(x - tile.drawn.x, y - tile.drawn.y, size.width, size.height);
 
     constexpr float steps = 256.0F;  // of the grid that vertices are rounded to, a pixel
     const auto half = [&](int length) { return 0.5F * steps * static_cast<float>(length); };
-    const GLuint id = gpu.programs.id(program);
     gpu.api.ProgramUniform2f(id, 4, half(tile.whole.width), half(tile.whole.height));
     // Clip space's y runs up, the picture's down.
     gpu.api.ProgramUniform2f(id, 5, half(2 * x + size.width - tile.whole.width),
                              -half(2 * y + size.height - tile.whole.height));
     gpu.api.ProgramUniform2f(id, 6, half(size.width), half(size.height));
+}
+
+inline void showTile(gl::Gpu& gpu, gl::Program program, const Tile& tile) {
+    showTile(gpu, gpu.programs.id(program), tile);
 }
 
 }  // namespace inkedge

@@ -9,11 +9,9 @@
 #include <glm/vec3.hpp>
 
 #include <inkedge/image.h>
+#include <inkedge/scene.h>
 
 namespace inkedge {
-
-/// How texture coordinates outside 0..1 find their place.
-enum class TextureWrap { Clamp, Mirror, Repeat };
 
 /// Cuts triangles along the outline of what a picture lets be seen of them, so that a cut-out's rim is an edge of the
 /// mesh like any other. The outline is where the opacity, interpolated between texel centres, crosses the threshold,

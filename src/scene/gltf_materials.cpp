@@ -64,18 +64,32 @@ Material::Alpha alphaOf(const std::string& mode) {
     refuse("expected OPAQUE, MASK or BLEND as alphaMode, found " + quote(mode));
 }
 
+// Factor and texture of the base colour.
+void readBaseColor(const Json& document, const Json& source, Material& material) {
+    const Json& specular = extension(source, "KHR_materials_pbrSpecularGlossiness");
+    const Json& color = specular.is_null() ? member(source, "pbrMetallicRoughness") : specular;
+    const char* const factor = specular.is_null() ? "baseColorFactor" : "diffuseFactor";
+    material.opacity = realIn(color, factor, 3, 1.0);
+    for (int i = 0; i < 3; ++i) material.color[i] = realIn(color, factor, static_cast<std::size_t>(i), 1.0);
+    const Json& use = member(color, specular.is_null() ? "baseColorTexture" : "diffuseTexture");
+    if (!use.is_null()) material.texture = readTexture(document, use);
+}
+
 Material readMaterial(const Json& document, const Json& source) {
     Material material;
     material.name = text(source, "name", "");
     material.alpha = alphaOf(text(source, "alphaMode", "OPAQUE"));
     material.doubleSided = member(source, "doubleSided") == true;
-    if (material.alpha != Material::Alpha::Mask) return material;
-    material.cutoff = real(source, "alphaCutoff", material.cutoff);
-    const Json& specular = extension(source, "KHR_materials_pbrSpecularGlossiness");
-    const Json& color = specular.is_null() ? member(source, "pbrMetallicRoughness") : specular;
-    material.opacity = realIn(color, specular.is_null() ? "baseColorFactor" : "diffuseFactor", 3, 1.0);
-    const Json& use = member(color, specular.is_null() ? "baseColorTexture" : "diffuseTexture");
-    if (!use.is_null()) material.texture = readTexture(document, use);
+    if (material.alpha == Material::Alpha::Mask) {
+        material.cutoff = real(source, "alphaCutoff", material.cutoff);
+        readBaseColor(document, source, material);
+        return material;
+    }
+    try {  // the shape does not depend on it
+        readBaseColor(document, source, material);
+    } catch (const Error& error) {
+        material.unpainted = error.what();
+    }
     return material;
 }
 

@@ -7,6 +7,7 @@
 
 #include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "scene/gltf_json.h"
 
@@ -39,6 +40,8 @@ struct Material {
     double cutoff = 0.5;     ///< Mask: there is nothing where the opacity is less
     double opacity = 1.0;    ///< of the base colour's factor
     std::optional<Texture> texture;  ///< of the base colour: its alpha is a factor of the opacity
+    glm::dvec3 color{1.0};           ///< of the base colour's factor, linear
+    std::string unpainted;           ///< why colour and texture are not known; Opaque and Blend only
     bool doubleSided = false;
 };
 

@@ -18,6 +18,7 @@
 #include <glm/matrix.hpp>
 
 #include "scene/cut_out.h"
+#include "scene/decode_picture.h"
 #include "scene/gltf_animation.h"
 #include "scene/gltf_edges.h"
 #include "scene/gltf_file.h"
@@ -49,6 +50,7 @@ const Expected anyNormal{gltf::vec3, {Component::Float, Component::Int8, Compone
 const Expected anyCoordinates{
     gltf::vec2, {Component::Float, Component::Int8, Component::Uint8, Component::Int16, Component::Uint16}};
 const Expected anyColor{gltf::vec4, {Component::Float, Component::Uint8, Component::Uint16}};
+const Expected anyOpaqueColor{gltf::vec3, {Component::Float, Component::Uint8, Component::Uint16}};
 const Expected anyRotation{gltf::vec4, {Component::Float, Component::Int8, Component::Int16}};
 const Expected anyWeights{gltf::vec4, {Component::Float, Component::Uint8, Component::Uint16}};
 const Expected anyJoints{gltf::vec4, {Component::Uint8, Component::Uint16}};
@@ -124,6 +126,7 @@ struct Shape {
     std::vector<std::uint32_t> indices;
     std::vector<std::uint32_t> materials;  // one a triangle; 0: none
     std::vector<glm::vec2> coordinates;    // one a position, or none
+    std::vector<VertexPaint> paint;        // likewise
     std::vector<bool> marked;              // one an index, or none: Mesh::markedEdges
     std::vector<bool> inner;               // one an index, or none: Mesh::innerEdges
     bool authored = false;                 // some normals are the file's
@@ -221,6 +224,7 @@ void append(Shape& shape, Shape part) {
     }
     const auto first = static_cast<std::uint32_t>(shape.positions.size());
     appendOrFill(shape.coordinates, shape.positions.size(), part.coordinates, part.positions.size());
+    appendOrFill(shape.paint, shape.positions.size(), part.paint, part.positions.size());
     appendOrFill(shape.marked, shape.indices.size(), part.marked, part.indices.size());
     appendOrFill(shape.inner, shape.indices.size(), part.inner, part.indices.size());
     shape.positions.insert(shape.positions.end(), part.positions.begin(), part.positions.end());
@@ -251,6 +255,7 @@ Mesh meshOf(Shape shape, const std::string& name) {
     if (std::ranges::any_of(shape.materials, [](std::uint32_t material) { return material != 0; }))
         mesh.materials = std::move(shape.materials);
     mesh.textureCoordinates = std::move(shape.coordinates);
+    mesh.paint = std::move(shape.paint);
     mesh.markedEdges = std::move(shape.marked);
     mesh.innerEdges = std::move(shape.inner);
     return mesh;
@@ -270,6 +275,45 @@ TextureWrap wrapOf(gltf::Wrap wrap) {
     return TextureWrap::Repeat;
 }
 
+// A picture's file. What is read from beside the model is taken off bytesLeft.
+load::Bytes pictureBytes(const tinygltf::Model& model, const std::filesystem::path& path, const gltf::Image& source,
+                         std::uint64_t& bytesLeft) {
+    if (!source.bufferView) return gltf::readUri(path, source.uri, bytesLeft);
+    if (*source.bufferView > std::numeric_limits<int>::max())
+        refuse(fmt::format("expected a bufferView, found {}", *source.bufferView));
+    const auto view = gltf::viewBytes(model, static_cast<int>(*source.bufferView));
+    return {view.begin(), view.end()};
+}
+
+const gltf::Image& imageOf(const gltf::File& file, const gltf::Texture& texture) {
+    if (!texture.image) refuse("expected its picture as PNG or JPEG, found it in another form only");
+    if (*texture.image >= file.images.size())
+        refuse(fmt::format("expected an image below {}, found {}", file.images.size(), *texture.image));
+    return file.images[*texture.image];
+}
+
+// What vertices say of the places in a material's picture.
+std::vector<glm::dvec2> texturePlaces(const tinygltf::Model& model, const gltf::Texture& texture,
+                                      const tinygltf::Primitive& primitive, std::size_t count) {
+    const std::string name = fmt::format("TEXCOORD_{}", texture.set);
+    std::vector<glm::dvec2> places = readAttribute<glm::dvec2>(model, primitive.attributes, name, anyCoordinates, count);
+    for (glm::dvec2& place : places) place = texture.scale * place + texture.offset;
+    return places;
+}
+
+// Vertex colours, linear; none: all are white.
+std::vector<glm::dvec4> vertexColors(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+                                     std::size_t count) {
+    const auto color = primitive.attributes.find("COLOR_0");
+    if (color == primitive.attributes.end()) return {};
+    if (at(model.accessors, color->second, "an accessor").type == TINYGLTF_TYPE_VEC4)
+        return readAttribute<glm::dvec4>(model, primitive.attributes, "COLOR_0", anyColor, count);
+    std::vector<glm::dvec4> colors;
+    for (const glm::dvec3& c : readAttribute<glm::dvec3>(model, primitive.attributes, "COLOR_0", anyOpaqueColor, count))
+        colors.emplace_back(c, 1.0);
+    return colors;
+}
+
 // The cut-outs of a file's materials, made when first asked for.
 class CutOuts {
 public:
@@ -286,7 +330,8 @@ public:
             const std::uint32_t* const corner = &part.indices[3 * triangle];
             return material.opacity * (opacities[corner[0]] + opacities[corner[1]] + opacities[corner[2]]) / 3.0;
         };
-        const std::vector<glm::dvec2> places = texturePlaces(material, primitive, part.positions.size());
+        std::vector<glm::dvec2> places;
+        if (material.texture) places = texturePlaces(model_, *material.texture, primitive, part.positions.size());
         Shape rest;
         rest.authored = part.authored;
         for (std::size_t t = 0; t < part.indices.size() / 3; ++t) cutTriangle(material, places, opacityOf(t), part, t, rest);
@@ -305,16 +350,6 @@ private:
         for (const glm::dvec4& c : readAttribute<glm::dvec4>(model_, primitive.attributes, "COLOR_0", anyColor, count))
             opacities.push_back(c.a);
         return opacities;
-    }
-
-    [[nodiscard]] std::vector<glm::dvec2> texturePlaces(const gltf::Material& material,
-                                                        const tinygltf::Primitive& primitive, std::size_t count) const {
-        if (!material.texture) return {};
-        const std::string name = fmt::format("TEXCOORD_{}", material.texture->set);
-        std::vector<glm::dvec2> places =
-            readAttribute<glm::dvec2>(model_, primitive.attributes, name, anyCoordinates, count);
-        for (glm::dvec2& place : places) place = material.texture->scale * place + material.texture->offset;
-        return places;
     }
 
     void cutTriangle(const gltf::Material& material, const std::vector<glm::dvec2>& places, double opacity,
@@ -342,6 +377,13 @@ private:
                 rest.coordinates.push_back(w.x * part.coordinates[corners[0]] + w.y * part.coordinates[corners[1]] +
                                            w.z * part.coordinates[corners[2]]);
             }
+        }
+        for (const glm::dvec3& weights : piece) {
+            if (part.paint.empty()) break;
+            const glm::vec3 w{weights};
+            const VertexPaint* const at[]{&part.paint[corners[0]], &part.paint[corners[1]], &part.paint[corners[2]]};
+            rest.paint.push_back({w.x * at[0]->color + w.y * at[1]->color + w.z * at[2]->color,
+                                  w.x * at[0]->place + w.y * at[1]->place + w.z * at[2]->place});
         }
         rest.materials.push_back(part.materials[triangle]);
         addEdges(part.marked, triangle, piece, rest.marked);
@@ -390,10 +432,7 @@ private:
     }
 
     Alpha decode(const gltf::Image& source) {
-        if (!source.bufferView) return decodeOpacity(gltf::readUri(path_, source.uri, bytesLeft_), mostPixels_);
-        if (*source.bufferView > std::numeric_limits<int>::max())
-            refuse(fmt::format("expected a bufferView, found {}", *source.bufferView));
-        return decodeOpacity(gltf::viewBytes(model_, static_cast<int>(*source.bufferView)), mostPixels_);
+        return decodeOpacity(pictureBytes(model_, path_, source, bytesLeft_), mostPixels_);
     }
 
     const tinygltf::Model& model_;
@@ -427,6 +466,7 @@ public:
            const LoadSettings& settings)
         : model_{model},
           file_{file},
+          path_{path},
           settings_{settings},
           nodes_{gltf::placeNodes(model, settings.limits)},
           cutOuts_{model, file, path, settings.limits},
@@ -435,6 +475,7 @@ public:
     Scene::Data load() {
         for (const gltf::Material& material : file_.materials)
             data_.materials.push_back({material.name, material.doubleSided});
+        if (settings_.paint) readPaints();
         for (const auto& [node, visible] : gltf::nodesOfScene(model_, nodes_, settings_.scene)) {
             within(nodeLabel(model_, node), [&, node = node, visible = visible] {
                 if (model_.nodes[node].camera != -1) placeCamera(node);
@@ -556,6 +597,7 @@ private:
         part.indices = gltf::triangleList(mode, std::move(corners));
         spend(part.indices.size());
         if (settings_.textureCoordinates) readCoordinates(primitive, part);
+        if (settings_.paint) readPaint(material, primitive, part);
         part.materials.assign(part.indices.size() / 3, static_cast<std::uint32_t>(primitive.material) + 1U);
         morph(model_, primitive, pose.weights, part);
         if (!pose.joints.empty()) skin(model_, primitive, pose.joints, part);
@@ -584,6 +626,45 @@ private:
             if (const glm::vec2 f{c}; !std::isfinite(f.x) || !std::isfinite(f.y))
                 refuse(fmt::format("TEXCOORD_0: expected finite numbers, found ({}, {})", c.x, c.y));
             part.coordinates.emplace_back(c);
+        }
+    }
+
+    void readPaint(const gltf::Material* material, const tinygltf::Primitive& primitive, Shape& part) {
+        const std::size_t count = part.positions.size();
+        const std::vector<glm::dvec4> colors = vertexColors(model_, primitive, count);
+        std::vector<glm::dvec2> places;
+        if (material != nullptr && material->texture) places = texturePlaces(model_, *material->texture, primitive, count);
+        part.paint.resize(count);
+        const auto finiteOrZero = [](float x) { return std::isfinite(x) ? x : 0.0F; };
+        for (std::size_t i = 0; i < count; ++i) {
+            for (int c = 0; c < 4 && !colors.empty(); ++c) part.paint[i].color[c] = finiteOrZero(static_cast<float>(colors[i][c]));
+            for (int c = 0; c < 2 && !places.empty(); ++c) part.paint[i].place[c] = finiteOrZero(static_cast<float>(places[i][c]));
+        }
+    }
+
+    // What the materials are painted with. A picture that cannot be read leaves its material's colour.
+    void readPaints() {
+        std::map<std::uint64_t, std::shared_ptr<const Image<std::uint8_t>>> pictures;
+        std::uint64_t bytesLeft = file_.bytesLeft;
+        for (std::size_t i = 0; i < file_.materials.size(); ++i) {
+            const gltf::Material& source = file_.materials[i];
+            Material& material = data_.materials[i];
+            material.color = glm::vec4{source.color, source.opacity};
+            try {
+                if (!source.unpainted.empty()) refuse(source.unpainted);
+                if (!source.texture) continue;
+                material.wrap = {wrapOf(source.texture->wrapS), wrapOf(source.texture->wrapT)};
+                const gltf::Image& image = imageOf(file_, *source.texture);
+                auto& picture = pictures[*source.texture->image];
+                if (!picture)
+                    picture = within(label("image", *source.texture->image), [&] {
+                        return std::make_shared<const Image<std::uint8_t>>(decodePicture(
+                            pictureBytes(model_, path_, image, bytesLeft), settings_.limits.imagePixels));
+                    });
+                material.picture = picture;
+            } catch (const Error& error) {
+                warn(fmt::format("{} is drawn without its picture: {}", label("material", i, source.name), error.what()));
+            }
         }
     }
 
@@ -654,6 +735,7 @@ private:
 
     const tinygltf::Model& model_;
     const gltf::File& file_;
+    const std::filesystem::path& path_;
     const LoadSettings& settings_;
     gltf::Nodes nodes_;
     CutOuts cutOuts_;

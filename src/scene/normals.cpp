@@ -99,13 +99,14 @@ void splitVertices(Mesh& mesh, Corners& groups) {
     for (std::uint32_t& group : groups) group = vertexOfGroup[group];
 }
 
-// Splits vertices once more where texture coordinates have a seam: a smoothing group may cross it.
+// Splits vertices once more where texture coordinates or paint have a seam: a smoothing group may cross it.
 // @param before  a corner's vertex before splitVertices()
 void splitAtSeams(Mesh& mesh, const Corners& before) {
     std::unordered_map<std::uint64_t, std::uint32_t> vertices;  // by the vertices now and before
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> coordinates;
+    std::vector<VertexPaint> paint;
     for (std::size_t c = 0; c < before.size(); ++c) {
         const std::uint32_t vertex = mesh.indices[c];
         const auto next = static_cast<std::uint32_t>(positions.size());
@@ -113,13 +114,15 @@ void splitAtSeams(Mesh& mesh, const Corners& before) {
         if (isNew) {
             positions.push_back(mesh.positions[vertex]);
             normals.push_back(mesh.normals[vertex]);
-            coordinates.push_back(mesh.textureCoordinates[before[c]]);
+            if (!mesh.textureCoordinates.empty()) coordinates.push_back(mesh.textureCoordinates[before[c]]);
+            if (!mesh.paint.empty()) paint.push_back(mesh.paint[before[c]]);
         }
         mesh.indices[c] = found->second;
     }
     mesh.positions = std::move(positions);
     mesh.normals = std::move(normals);
     mesh.textureCoordinates = std::move(coordinates);
+    mesh.paint = std::move(paint);
 }
 
 std::array<double, 3> cornerAngles(const Mesh& mesh, std::size_t triangle) {
@@ -184,7 +187,7 @@ void completeNormals(Mesh& mesh, const MeshTopology& topology, const LoadSetting
         groups.resize(mesh.indices.size());
         std::iota(groups.begin(), groups.end(), 0U);
     }
-    const Corners before = mesh.textureCoordinates.empty() ? Corners{} : mesh.indices;
+    const Corners before = mesh.textureCoordinates.empty() && mesh.paint.empty() ? Corners{} : mesh.indices;
     splitVertices(mesh, groups);
     makeNormals(mesh, topology.faceNormals, groups);
     if (!before.empty()) splitAtSeams(mesh, before);

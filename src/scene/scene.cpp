@@ -21,6 +21,7 @@
 #include "scene/normals.h"
 #include "scene/patch_numbers.h"
 #include "scene/subdivide.h"
+#include "scene/curvature.h"
 #include "scene/topology.h"
 
 namespace inkedge {
@@ -76,6 +77,10 @@ void check(const Mesh& mesh, std::size_t number) {
                                mesh.textureCoordinates[i].x, mesh.textureCoordinates[i].y, i));
         }
     }
+    if (!mesh.paint.empty() && mesh.paint.size() != mesh.positions.size()) {
+        refuse(fmt::format("{}: expected {} paints, one a position, found {}", who, mesh.positions.size(),
+                           mesh.paint.size()));
+    }
     if (!mesh.materials.empty() && mesh.materials.size() != mesh.indices.size() / 3) {
         refuse(fmt::format("{}: expected {} materials, one a triangle, found {}", who, mesh.indices.size() / 3,
                            mesh.materials.size()));
@@ -118,11 +123,13 @@ void dropUnusedVertices(Mesh& mesh) {
         mesh.positions[count] = mesh.positions[i];
         if (!mesh.normals.empty()) mesh.normals[count] = mesh.normals[i];
         if (!mesh.textureCoordinates.empty()) mesh.textureCoordinates[count] = mesh.textureCoordinates[i];
+        if (!mesh.paint.empty()) mesh.paint[count] = mesh.paint[i];
         to[i] = count++;
     }
     mesh.positions.resize(count);
     if (!mesh.normals.empty()) mesh.normals.resize(count);
     if (!mesh.textureCoordinates.empty()) mesh.textureCoordinates.resize(count);
+    if (!mesh.paint.empty()) mesh.paint.resize(count);
     for (std::uint32_t& i : mesh.indices) i = to[i];
 }
 
@@ -199,6 +206,7 @@ Scene::Scene(Data data, const LoadSettings& settings) {
         MeshTopology topology = buildTopology(mesh);
         completeNormals(mesh, topology, settings);
         buildPatches(mesh, settings.creaseAngle, topology);
+        mesh.curvatures = settings.curvature ? meanCurvatures(mesh, topology) : std::vector<float>{};
         prepared->hidesItsBacks.push_back(isSingleSided(mesh, *prepared) && isClosedOutward(mesh, topology));
         prepared->topologies.push_back(std::move(topology));
         prepared->meshBoxes.push_back(boxOf(mesh.positions));

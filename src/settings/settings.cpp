@@ -20,6 +20,11 @@ struct Expected {
     std::string what;
 };
 
+// Why a setting's text cannot be taken, in full; set() adds the name.
+struct Refused {
+    std::string why;
+};
+
 double parseNumber(std::string_view text) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -152,7 +157,9 @@ constexpr std::array normalsChoices{Choice{"auto", Normals::Auto}, Choice{"autho
 constexpr std::array transparentChoices{Choice{"solid", Transparent::Solid}, Choice{"ignore", Transparent::Ignore}};
 constexpr std::array alphaMaskChoices{Choice{"cut", AlphaMask::Cut}, Choice{"ignore", AlphaMask::Ignore}};
 constexpr std::array backFacesChoices{Choice{"draw", BackFaces::Draw}, Choice{"material", BackFaces::Material}};
-constexpr std::array detectorChoices{Choice{"planes", Detector::Planes}, Choice{"classic", Detector::Classic}};
+constexpr std::array detectorChoices{Choice{"planes", Detector::Planes}, Choice{"classic", Detector::Classic},
+                                     Choice{"saito-takahashi", Detector::SaitoTakahashi},
+                                     Choice{"none", Detector::None}};
 constexpr std::array kernelChoices{Choice{"sobel", Kernel::Sobel}, Choice{"farid", Kernel::Farid}};
 constexpr std::array depthMapChoices{Choice{"linear", DepthMap::Linear}, Choice{"window", DepthMap::Window}};
 constexpr std::array lightsChoices{Choice{"single", NormalLights::Single}, Choice{"two-pass", NormalLights::TwoPass}};
@@ -343,6 +350,24 @@ std::string lineStylesText(const std::array<LineStyle, lineTypeCount>& styles) {
         if (styles[i].color) fields.push_back("color=" + text(*styles[i].color));
         if (!fields.empty()) parts.push_back(fmt::format("{}:{}", lineTypeChoices[i].name, fmt::join(fields, ",")));
     }
+    return fmt::format("{}", fmt::join(parts, ";"));
+}
+
+std::vector<FunctionSettings> parseFunctions(std::string_view text) {
+    std::vector<FunctionSettings> functions;
+    for (const std::string_view part : split(text, ';')) {
+        try {
+            functions.push_back(surfaceFunction(part.substr(std::min(part.find_first_not_of(' '), part.size()))));
+        } catch (const Error& error) {
+            throw Refused{error.what()};
+        }
+    }
+    return functions;
+}
+
+std::string functionsText(const std::vector<FunctionSettings>& functions) {
+    std::vector<std::string> parts;
+    for (const FunctionSettings& function : functions) parts.push_back(text(function));
     return fmt::format("{}", fmt::join(parts, ";"));
 }
 
@@ -563,8 +588,9 @@ constexpr std::array table{
                        [](S& s, Text t) { s.load.limits.imagePixels = parseAmount(t); },
                        [](const S& s) { return text(s.load.limits.imagePixels); }},
 
-    SettingDescription{"detector", "", "detector", "planes|classic", "one of these", "planes",
-                       "planes: where visible faces do not go on into each other; classic: gradients over thresholds",
+    SettingDescription{"detector", "", "detector", "planes|classic|saito-takahashi|none", "one of these", "planes",
+                       "planes: where visible faces do not go on; classic: gradients of depth and normals; "
+                       "saito-takahashi: profiles and edges of depth; none: functions alone",
                        [](S& s, Text t) { s.detector.detector = parseChoice(detectorChoices, t); },
                        [](const S& s) { return choiceName(detectorChoices, s.detector.detector); }},
     SettingDescription{"kernel", "", "detector", "sobel|farid", "one of these", "sobel",
@@ -591,6 +617,20 @@ constexpr std::array table{
                        "the axes that the lights stand on",
                        [](S& s, Text t) { s.detector.lightSpace = parseChoice(lightSpaceChoices, t); },
                        [](const S& s) { return choiceName(lightSpaceChoices, s.detector.lightSpace); }},
+    SettingDescription{"profile-limit", "", "detector", "PX", "0.001 to 1000", "10",
+                       "depth, in pixels, over which a profile is full ink; saito-takahashi detector",
+                       [](S& s, Text t) { s.detector.profileLimit = parseNumber(t, 0.001, 1000.0); },
+                       [](const S& s) { return text(s.detector.profileLimit); }},
+    SettingDescription{"edge-limit", "", "detector", "X", "0.001 to 1000", "0.6",
+                       "change of slope over which an internal edge is full ink; saito-takahashi detector",
+                       [](S& s, Text t) { s.detector.edgeLimit = parseNumber(t, 0.001, 1000.0); },
+                       [](const S& s) { return text(s.detector.edgeLimit); }},
+    SettingDescription{"function", "", "detector", "NAME[:key=value,...]",
+                       "depth, normal, texture, base-color, environment, volume, curvature, uv, height, custom:FILE; "
+                       "several: ; between them, or the flag again",
+                       "", "surface function whose edges are drawn over the detector's lines",
+                       [](S& s, Text t) { s.detector.functions = parseFunctions(t); },
+                       [](const S& s) { return functionsText(s.detector.functions); }, ';'},
 
     SettingDescription{"backend", "", "backend", "auto|egl|osmesa", "one of these", "auto",
                        "how the OpenGL context is made; auto: egl, then osmesa",
@@ -607,6 +647,12 @@ LoadSettings loadSettings(const Settings& settings) {
     LoadSettings load = settings.load;
     const bool drawsIsolines = (settings.picture.lines & static_cast<std::uint8_t>(LineType::Isoparametric)) != 0;
     load.textureCoordinates = load.textureCoordinates || (drawsIsolines && settings.lines.isolines != Isolines{});
+    for (const FunctionSettings& function : settings.detector.functions) {
+        const FunctionNeeds& needs = functionDescription(function.name).needs;
+        load.textureCoordinates = load.textureCoordinates || needs.coordinates;
+        load.paint = load.paint || needs.paint;
+        load.curvature = load.curvature || needs.curvature;
+    }
     return load;
 }
 
@@ -633,6 +679,8 @@ void set(Settings& settings, std::string_view name, std::string_view text, std::
         row->set(settings, text);
     } catch (const Expected& expected) {
         throw Error{Error::Kind::Usage, fmt::format("{}: expected {}, found '{}'", source, expected.what, text)};
+    } catch (const Refused& refused) {
+        throw Error{Error::Kind::Usage, fmt::format("{}: {}", source, refused.why)};
     }
 }
 

@@ -13,6 +13,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -46,7 +47,12 @@ std::ostream& operator<<(std::ostream& stream, const Case& c) { return stream <<
 Settings settingsFrom(const std::string& arguments) {
     Settings settings;
     std::istringstream words{arguments};
-    for (std::string flag, value; words >> flag >> value;) set(settings, flag.substr(2), value, flag);
+    for (std::string flag, value; words >> flag >> value;) {
+        constexpr std::string_view sourceMark = "{source}";
+        const std::size_t at = value.find(sourceMark);
+        if (at != std::string::npos) value.replace(at, sourceMark.size(), source.string());
+        set(settings, flag.substr(2), value, flag);
+    }
     return settings;
 }
 
@@ -71,7 +77,7 @@ std::vector<Case> readCases() {
 }
 
 void draw(const Case& c, Renderer& renderer, const fs::path& candidate) {
-    const Scene scene = loadScene(c.asset, c.settings.load);
+    const Scene scene = loadScene(c.asset, loadSettings(c.settings));
     const Camera camera = frameCamera(scene, c.settings.camera, c.settings.picture.size);
     const Maps maps = renderer.render(scene, camera, c.settings);
     if (!c.map) {

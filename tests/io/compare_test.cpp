@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "io/expect_error.h"
-#include "io/image_module.h"
+#include "modules/image_module.h"
 #include "io/read_png.h"
 #include "io/temporary_folder.h"
 

@@ -16,7 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/expect_error.h"
-#include "io/image_module.h"
+#include "modules/image_module.h"
 #include "io/temporary_folder.h"
 
 using namespace inkedge;

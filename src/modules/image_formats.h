@@ -44,6 +44,11 @@ struct ReadPicture {
     std::string failure;
 };
 
+struct DecodedPicture {
+    Image<std::uint8_t> image;  ///< 4 channels: RGB as in the file, and alpha, 255 where it has none; not multiplied in
+    std::string failure;
+};
+
 struct Differences {
     std::uint64_t pixelsOverLevel = 0;
     double maximum = 0.0;  ///< infinite where one picture holds a number and the other one none
@@ -62,14 +67,17 @@ struct ImageFormats {
     /// The first picture of a file of any format; alpha is not multiplied in.
     ReadPicture (*read)(const std::filesystem::path&);
 
+    /// A picture of 8 bits in memory: JPEG.
+    DecodedPicture (*decodeJpeg)(std::span<const std::uint8_t> bytes, std::uint64_t mostPixels);
+
     /// Differences of two pictures of one size and channel count.
     Differences (*compare)(const Image<float>& a, const Image<float>& b, double level);
 };
 
 /// The module's one symbol. Its number rises with every change in this file, so that a module of another build is
 /// refused instead of misread.
-extern "C" INKEDGE_API const ImageFormats* inkedge_image_formats_2() noexcept;
-inline constexpr char imageFormatsSymbol[] = "inkedge_image_formats_2";
+extern "C" INKEDGE_API const ImageFormats* inkedge_image_formats_3() noexcept;
+inline constexpr char imageFormatsSymbol[] = "inkedge_image_formats_3";
 inline constexpr char imageFormatsFile[] = "inkedge_image_formats.so";
 
 }  // namespace inkedge::io

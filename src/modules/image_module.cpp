@@ -1,4 +1,4 @@
-#include "io/image_module.h"
+#include "modules/image_module.h"
 
 #include "modules/open_module.h"
 
@@ -14,7 +14,7 @@ constexpr Module imageModule{.purpose = "image formats",
                              .remedy = "use .png, which needs no module"};
 
 const ImageFormats& formatsBehind(void* symbol) {
-    return *reinterpret_cast<decltype(&inkedge_image_formats_2)>(symbol)();
+    return *reinterpret_cast<decltype(&inkedge_image_formats_3)>(symbol)();
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <inkedge/error.h>
 
-#include "io/image_formats.h"
+#include "modules/image_formats.h"
 
 namespace inkedge::io {
 

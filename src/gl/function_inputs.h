@@ -1,0 +1,41 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include <inkedge/scene.h>
+
+#include "gl/objects.h"
+
+namespace inkedge::gl {
+
+/// What surface functions read besides the scene's vertices: pictures of files, and what materials are painted with.
+/// Kept from view to view.
+class FunctionInputs {
+public:
+    explicit FunctionInputs(const Api& api) : api_{api} {}
+
+    /// Binds a file's picture as shaders/shared/surface.glsl reads it.
+    /// @throws Error  (Kind::Input) if it is missing or no PNG or JPEG
+    void bindPicture(const std::string& file);
+
+    /// Binds the scene's materials as shaders/shared/paint.glsl reads them.
+    /// @throws Error  (Kind::Runtime) if the context is out of memory
+    void bindPaint(const Scene&);
+
+private:
+    struct Paint {
+        std::weak_ptr<const void> scene;
+        Buffer triangles;
+        Buffer materials;
+        Buffer texels;
+    };
+    [[nodiscard]] Paint upload(const Scene&) const;
+
+    const Api& api_;
+    std::map<std::string, TextureName> pictures_;  // by file
+    Paint paint_;
+};
+
+}  // namespace inkedge::gl

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <inkedge/export.h>
+
+namespace inkedge {
+
+enum class Kernel : int;
+
+/// A function on surfaces whose edges become lines: Hertzmann 1999, section 2.1.3. surfaceFunction() makes one.
+struct FunctionSettings {
+    std::string name;                ///< of a row of functionTable()
+    Kernel kernel{};                 ///< Sobel's unless given
+    std::optional<float> threshold;  ///< T of equation 7; none: the row's, for the kernel in force
+    std::vector<double> options;     ///< one for each of the row's, in its order
+    std::string file;                ///< a picture, or the shader of "custom"; empty: none
+};
+
+/// A number that a function takes.
+struct FunctionOption {
+    std::string_view name;
+    std::string_view help;  ///< with the unit
+    double defaultValue;
+    double low;  ///< smallest value that is allowed
+    double high;
+    std::span<const std::string_view> choices = {};  ///< in place of numbers: the value is the choice's place
+};
+
+/// What becomes of differences across which a function begins anew.
+enum class Wrapping {
+    None,
+    Unit,   ///< values are taken modulo 1, as coordinates of a repeated texture are; not of a picture
+    Steps,  ///< values are numbers of steps of the first option's size, taken modulo what makes 1
+};
+
+/// What a function reads besides the shape; a model is loaded with it only then.
+struct FunctionNeeds {
+    bool coordinates = false;  ///< Mesh::textureCoordinates
+    bool paint = false;        ///< vertex colours, the materials' colours and pictures
+    bool curvature = false;    ///< Mesh::curvatures
+};
+
+/// The name of the function that a user's file defines.
+inline constexpr std::string_view customFunction = "custom";
+
+/// A function: its shader is shaders/functions/NAME.glsl.
+struct FunctionDescription {
+    std::string_view name;
+    std::string_view help;  ///< one line
+    std::span<const FunctionOption> options;
+    std::string_view file;  ///< what FunctionSettings::file holds: "PICTURE" (PNG or JPEG) or "GLSL"; empty: it takes none
+    float threshold;  ///< the default T under Sobel's kernels, under which a step of 1 has magnitude 4
+    /// Its value on the background; none: borders of surfaces against the background are no edges.
+    std::optional<float> background;
+    Wrapping wrapping;
+    FunctionNeeds needs;
+};
+
+/// All functions in the order of the manual.
+[[nodiscard]] INKEDGE_API std::span<const FunctionDescription> functionTable() noexcept;
+
+/// The row of this name.
+/// @throws Error  (Kind::Usage) if there is none; the message lists all names
+[[nodiscard]] INKEDGE_API const FunctionDescription& functionDescription(std::string_view name);
+
+/// A function from text: NAME[:key=value,...], the keys being kernel, threshold, file and those of its row. A first part
+/// without = is the file.
+/// @throws Error  (Kind::Usage) if it is none; the message lists what is allowed
+[[nodiscard]] INKEDGE_API FunctionSettings surfaceFunction(std::string_view text);
+
+/// As text that surfaceFunction() takes: what is not as by default.
+[[nodiscard]] INKEDGE_API std::string text(const FunctionSettings&);
+
+/// T in force.
+[[nodiscard]] INKEDGE_API float threshold(const FunctionSettings&);
+
+/// Differences of the function's values are taken modulo this; 0: as they are.
+[[nodiscard]] INKEDGE_API double wrapPeriod(const FunctionSettings&);
+
+}  // namespace inkedge

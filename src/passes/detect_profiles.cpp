@@ -1,0 +1,28 @@
+#include "passes/detect_profiles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gl/draw.h"
+#include "gl/read_back.h"
+
+namespace inkedge {
+
+Image<std::uint8_t> detectProfiles(gl::Gpu& gpu, const gl::Texture& surface, const Camera& camera,
+                                   const DetectorSettings& settings, const Tile& tile) {
+    constexpr auto program = gl::Program::DetectProfiles;
+    const GLuint id = gpu.programs.id(program);
+    gpu.api.ProgramUniform1f(id, 0, static_cast<float>(camera.focalLength(tile.whole)));
+    gpu.api.ProgramUniform1i(id, 1, camera.orthographic() ? 1 : 0);
+    gpu.api.ProgramUniform1f(id, 2, static_cast<float>(settings.profileLimit));
+    gpu.api.ProgramUniform1f(id, 3, static_cast<float>(settings.edgeLimit));
+    const gl::Texture darkness = gpu.textures.acquire(surface.size(), GL_R32F);
+    gl::drawFullscreen(gpu, program, gl::Framebuffer{gpu.api, {&darkness}}, {&surface});
+    const Image<float> shares = gl::readFloats(gpu.api, darkness, 1);
+    Image<std::uint8_t> ink{shares.size, 1};
+    std::ranges::transform(shares.pixels, ink.pixels.begin(),
+                           [](float share) { return static_cast<std::uint8_t>(std::lround(255.0F * share)); });
+    return ink;
+}
+
+}  // namespace inkedge

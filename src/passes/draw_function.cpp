@@ -1,0 +1,89 @@
+#include "passes/draw_function.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include <inkedge/error.h>
+#include <inkedge/settings.h>
+
+#include "gl/draw.h"
+#include "passes/depth_uniforms.h"
+#include "passes/placement.h"
+#include "passes/show_tile.h"
+
+namespace inkedge {
+namespace {
+
+// Marks the background where a function has no value there; measure_function.frag knows it.
+constexpr float noValue = 1e30F;
+
+void expectCoordinates(const Scene& scene, const FunctionDescription& row) {
+    if (!row.needs.coordinates || row.name == customFunction) return;
+    if (std::ranges::any_of(scene.meshes(), [](const Mesh& mesh) { return !mesh.textureCoordinates.empty(); })) return;
+    throw Error{Error::Kind::Input,
+                fmt::format("function {}: expected a model with texture coordinates, found none", row.name)};
+}
+
+// shaders/shared/surface.glsl.
+void setUniforms(gl::Gpu& gpu, GLuint program, const Scene& scene, const Camera& camera,
+                 const FunctionSettings& function) {
+    const gl::Api& api = gpu.api;
+    const glm::dvec3 centre = scene.bounds().centre;
+    const glm::dmat3 toWorld = glm::transpose(glm::dmat3{camera.view});
+    const glm::vec3 eye{-(toWorld * glm::dvec3{camera.view[3]}) - centre};
+    const glm::vec3 lowest{scene.box().min - centre};
+    const glm::vec3 extent{scene.box().max - scene.box().min};
+    api.ProgramUniformMatrix3fv(program, 8, 1, GL_FALSE, glm::value_ptr(glm::mat3{toWorld}));
+    api.ProgramUniform3fv(program, 9, 1, glm::value_ptr(eye));
+    api.ProgramUniform3fv(program, 10, 1, glm::value_ptr(lowest));
+    api.ProgramUniform3fv(program, 11, 1, glm::value_ptr(extent));
+    api.ProgramUniform1f(program, 12, static_cast<float>(unitLength(scene)));
+    setDepths(gpu, program, 13, camera);
+    api.ProgramUniform1i(program, 16, function.file.empty() ? 0 : 1);
+    const std::vector<float> options(function.options.begin(), function.options.end());
+    if (!options.empty()) api.ProgramUniform1fv(program, 17, static_cast<GLsizei>(options.size()), options.data());
+}
+
+// What shaders read of vertices that have no such attribute.
+void setMissingAttributes(const gl::Api& api) {
+    api.VertexAttrib2f(10, 0.0F, 0.0F);
+    api.VertexAttrib4f(11, 1.0F, 1.0F, 1.0F, 1.0F);
+    api.VertexAttrib2f(12, 0.0F, 0.0F);
+    api.VertexAttrib1f(13, 0.0F);
+}
+
+}  // namespace
+
+gl::Texture drawFunction(gl::Gpu& gpu, const gl::UploadedScene& upload, gl::FunctionInputs& inputs, const Scene& scene,
+                         const Camera& camera, const FunctionSettings& function, const Tile& tile) {
+    const FunctionDescription& row = functionDescription(function.name);
+    expectCoordinates(scene, row);
+    const bool custom = row.name == customFunction;
+    const GLuint program = custom ? gpu.programs.customFunction(function.file) : gpu.programs.function(function.name);
+    gl::Texture values = gpu.textures.acquire(tile.drawn.size, GL_RGBA32F);
+    const gl::Texture depth = gpu.textures.acquire(tile.drawn.size, GL_DEPTH_COMPONENT32F);
+    const gl::Framebuffer target{gpu.api, {&values}, &depth};
+    upload.place(placeInstances(scene, upload, camera, LightSpace::Camera));
+    gl::prepareDrawing(gpu, program, target);
+    showTile(gpu, program, tile);
+    const float behind = row.background.value_or(0.0F);
+    const std::array background{behind, 0.0F, 0.0F, row.background ? 0.0F : noValue};
+    constexpr float farthest = 0.0F;
+    gpu.api.ClearNamedFramebufferfv(target.id(), GL_COLOR, 0, background.data());
+    gpu.api.ClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &farthest);
+    const glm::mat4 projection{reversedProjection(camera, tile.whole, unitLength(scene))};
+    gpu.api.ProgramUniformMatrix4fv(program, 0, 1, GL_FALSE, glm::value_ptr(projection));
+    setUniforms(gpu, program, scene, camera, function);
+    setMissingAttributes(gpu.api);
+    if (!custom && !function.file.empty()) inputs.bindPicture(function.file);
+    if (row.needs.paint) inputs.bindPaint(scene);
+    upload.draw(gl::UploadedScene::Part::All, hiddenBacks(scene, camera));
+    return values;
+}
+
+}  // namespace inkedge

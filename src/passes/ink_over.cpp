@@ -1,0 +1,48 @@
+#include "passes/ink_over.h"
+
+#include <algorithm>
+#include <array>
+
+namespace inkedge {
+namespace {
+
+using Channels = std::array<std::uint8_t, 4>;
+
+// From one to the other by the share of 255.
+std::uint8_t mixed(int from, int to, int share) {
+    return static_cast<std::uint8_t>((from * (255 - share) + to * share + 127) / 255);
+}
+
+Channels channelsOf(Color color, std::uint8_t alpha) { return {color.red, color.green, color.blue, alpha}; }
+
+}  // namespace
+
+Image<std::uint8_t> darker(Image<std::uint8_t> one, const Image<std::uint8_t>& other) {
+    if (one.empty()) return other;
+    for (std::size_t i = 0; i < other.pixels.size(); ++i) one.pixels[i] = std::max(one.pixels[i], other.pixels[i]);
+    return one;
+}
+
+Image<std::uint8_t> maskOf(const Image<std::uint8_t>& ink, Size size) {
+    Image<std::uint8_t> mask{size, 1};
+    for (std::size_t i = 0; i < ink.pixels.size(); ++i) mask.pixels[i] = ink.pixels[i] >= 128 ? 255 : 0;
+    return mask;
+}
+
+void inkOver(const Image<std::uint8_t>& ink, const PictureSettings& settings, Image<std::uint8_t>& picture) {
+    const Channels line = channelsOf(settings.lineColor, 255);
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    for (std::size_t i = 0; i < ink.pixels.size(); ++i) {
+        const int share = ink.pixels[i];
+        if (share == 0) continue;
+        std::uint8_t* const pixel = &picture.pixels[i * channels];
+        // Colours are not premultiplied: they mix by what each adds to the alpha.
+        const int below = channels == 4 ? pixel[3] * (255 - share) / 255 : 255 - share;
+        const int weight = share + below > 0 ? 255 * share / (share + below) : 0;
+        for (std::size_t c = 0; c < std::min<std::size_t>(channels, 3); ++c)
+            pixel[c] = mixed(pixel[c], line[c], weight);
+        if (channels == 4) pixel[3] = mixed(pixel[3], 255, share);
+    }
+}
+
+}  // namespace inkedge

@@ -1,0 +1,290 @@
+#include <inkedge/reference.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <inkedge/error.h>
+
+#include "reference_raster.h"
+
+namespace inkedge::reference {
+namespace {
+
+constexpr double noValue = 1e30;
+constexpr double nothing = 1e29;  // over it there is no value
+
+// struct Surface of shaders/shared/surface.glsl.
+struct Place {
+    glm::dvec3 world{0.0};  // from the centre of the scene's bounds
+    glm::dvec3 object{0.0};
+    glm::dvec3 normal{0.0};
+    glm::dvec3 worldNormal{0.0};
+    glm::dvec3 fromEye{0.0};
+    double depth = 0.0;
+    glm::dvec2 coordinates{0.0};
+    glm::dvec3 color{1.0};  // the vertex's times the material's
+    double curvature = 0.0;
+};
+
+struct Given {
+    const Scene& scene;
+    const Camera& camera;
+    const FunctionSettings& function;
+    [[nodiscard]] double option(std::size_t i) const { return function.options.at(i); }
+};
+
+double stepsIn(double steps) { return std::floor(steps + 1e-3); }
+
+double toSrgb(double c) { return c > 0.0031308 ? 1.055 * std::pow(c, 1.0 / 2.4) - 0.055 : 12.92 * c; }
+
+double wave(glm::dvec3 p) {
+    return std::sin(3.1 * p.x + 1.7 * p.z) * std::sin(2.3 * p.y + 0.9 * p.x) + 0.5 * std::sin(4.7 * p.z - 1.3 * p.y);
+}
+
+glm::dvec4 depth(const Place& s, const Given& given) {
+    const DepthMap map = given.option(0) == 1.0 ? DepthMap::Window : DepthMap::Linear;
+    const Image<double> z{{1, 1}, 1, s.depth};
+    return {scaledDepth(z, given.camera, map).pixels[0], 0.0, 0.0, 0.0};
+}
+
+glm::dvec4 normal(const Place& s, const Given& given) {
+    return {given.option(0) == 1.0 ? s.worldNormal : s.normal, 0.0};
+}
+
+glm::dvec4 texture(const Place& s, const Given& given) {
+    return {glm::fract(s.coordinates * given.option(0)), 0.0, 0.0};
+}
+
+glm::dvec4 baseColor(const Place& s, const Given&) {
+    const glm::dvec3 c = glm::clamp(s.color, 0.0, 1.0);
+    return {toSrgb(c.r), toSrgb(c.g), toSrgb(c.b), 0.0};
+}
+
+glm::dvec4 environment(const Place& s, const Given& given) {
+    glm::dvec3 reflected = glm::reflect(s.fromEye, s.normal);
+    if (given.option(0) == 1.0) reflected = glm::transpose(glm::dmat3{given.camera.view}) * reflected;
+    return {0.5 + 0.5 * reflected, 0.0};
+}
+
+glm::dvec4 volume(const Place& s, const Given& given) {
+    if (given.option(0) == 0.0) return {given.option(2) * s.object, 0.0};
+    const int axis = static_cast<int>(given.option(1));
+    glm::dvec3 across = s.object;
+    across[axis] = 0.0;
+    const double place = given.option(0) == 1.0 ? glm::length(across) : s.object[axis];
+    return {stepsIn(given.option(2) * place + given.option(3) * wave(2.0 * s.object)), 0.0, 0.0, 0.0};
+}
+
+glm::dvec4 curvature(const Place& s, const Given& given) {
+    const double scaled = given.option(0) * s.curvature;
+    return {scaled / (1.0 + std::abs(scaled)), 0.0, 0.0, 0.0};
+}
+
+glm::dvec4 uv(const Place& s, const Given& given) {
+    const auto steps = [&](double c) { return stepsIn(glm::fract(c + 1e-6) / given.option(0)); };
+    return {given.option(1) == 2.0 ? 0.0 : steps(s.coordinates.x),
+            given.option(1) == 1.0 ? 0.0 : steps(s.coordinates.y), 0.0, 0.0};
+}
+
+glm::dvec4 height(const Place& s, const Given& given) {
+    const int axis = static_cast<int>(given.option(0));
+    const Box& box = given.scene.box();
+    const double size = given.option(1) > 0.0 ? given.option(1) : (box.max[axis] - box.min[axis]) / given.option(2);
+    const double above = s.world[axis] + given.scene.bounds().centre[axis] - box.min[axis];
+    return {size > 0.0 ? stepsIn(above / size) : 0.0, 0.0, 0.0, 0.0};
+}
+
+using Definition = glm::dvec4 (*)(const Place&, const Given&);
+
+Definition definitionOf(const FunctionSettings& function) {
+    static const std::map<std::string_view, Definition> all{{"depth", depth},
+                                                            {"normal", normal},
+                                                            {"texture", texture},
+                                                            {"base-color", baseColor},
+                                                            {"environment", environment},
+                                                            {"volume", volume},
+                                                            {"curvature", curvature},
+                                                            {"uv", uv},
+                                                            {"height", height}};
+    const auto found = all.find(function.name);
+    if (found != all.end() && function.file.empty()) return found->second;
+    throw Error{Error::Kind::Usage, fmt::format("expected a function that reads no file, found '{}'", text(function))};
+}
+
+glm::dvec3 materialColor(const Scene& scene, const Mesh& mesh, std::size_t triangle) {
+    const std::uint32_t material = mesh.materials.empty() ? 0 : mesh.materials[triangle];
+    if (material == 0 || material > scene.materials().size()) return glm::dvec3{1.0};
+    if (scene.materials()[material - 1].picture)
+        throw Error{Error::Kind::Usage, "expected materials without pictures, found one with a picture"};
+    return glm::dvec3{glm::vec3{scene.materials()[material - 1].color}};
+}
+
+// What a triangle's corners say, to be mixed.
+Place cornerOf(const Given& given, const Instance& instance, const Mesh& mesh, std::uint32_t vertex) {
+    const double unit = given.scene.bounds().radius > 0.0 ? given.scene.bounds().radius : 1.0;
+    const glm::dmat3 linear{instance.transform};
+    const double radii = std::cbrt(std::abs(glm::determinant(linear))) / unit;
+    const glm::dvec3 local{mesh.positions[vertex]};
+    Place place;
+    place.world = glm::dvec3{instance.transform * glm::dvec4{mesh.origin + local, 1.0}} - given.scene.bounds().centre;
+    place.object = local * radii;
+    place.worldNormal = glm::transpose(glm::inverse(linear)) * glm::dvec3{mesh.normals[vertex]};
+    if (!mesh.textureCoordinates.empty()) place.coordinates = glm::dvec2{mesh.textureCoordinates[vertex]};
+    if (!mesh.paint.empty()) place.color = glm::dvec3{glm::vec3{mesh.paint[vertex].color}};
+    if (!mesh.curvatures.empty()) place.curvature = static_cast<double>(mesh.curvatures[vertex]) / radii;
+    return place;
+}
+
+Place mixed(const std::array<Place, 3>& corners, const Sample& sample, const Given& given) {
+    Place place;
+    place.color = glm::dvec3{0.0};
+    for (int i = 0; i < 3; ++i) {
+        const Place& corner = corners[static_cast<std::size_t>(i)];
+        const double weight = sample.barycentric[i];
+        place.world += weight * corner.world;
+        place.object += weight * corner.object;
+        place.worldNormal += weight * corner.worldNormal;
+        place.coordinates += weight * corner.coordinates;
+        place.color += weight * corner.color;
+        place.curvature += weight * corner.curvature * (sample.front ? 1.0 : -1.0);
+    }
+    const glm::dvec3 inView{given.camera.view * glm::dvec4{place.world + given.scene.bounds().centre, 1.0}};
+    place.worldNormal = glm::normalize(place.worldNormal) * (sample.front ? 1.0 : -1.0);
+    place.normal = glm::dmat3{given.camera.view} * place.worldNormal;
+    place.fromEye = given.camera.orthographic() ? glm::dvec3{0.0, 0.0, -1.0} : glm::normalize(inView);
+    place.depth = -inView.z;
+    return place;
+}
+
+// Values less the pixel's own: functionMagnitude().
+glm::dvec4 difference(const Image<double>& values, int x, int y, const glm::dvec4& centre, double period) {
+    const int column = std::clamp(x, 0, values.size.width - 1);
+    const int row = std::clamp(y, 0, values.size.height - 1);
+    glm::dvec4 d{0.0};
+    if (values.at(column, row, 3) > nothing) return d;
+    for (int c = 0; c < 4; ++c) {
+        d[c] = values.at(column, row, c) - centre[c];
+        if (period > 0.0) d[c] -= period * std::nearbyint(d[c] / period);
+    }
+    return d;
+}
+
+// Depths around a pixel, less its own, in its footprints.
+using Depths = std::array<std::array<double, 5>, 5>;
+
+double gradient(const Depths& d, std::size_t x, std::size_t y) {
+    const auto across = [&](std::size_t row) { return d[row][x - 1] + 2.0 * d[row][x] + d[row][x + 1]; };
+    const auto along = [&](std::size_t column) { return d[y - 1][column] + 2.0 * d[y][column] + d[y + 1][column]; };
+    return (std::abs(across(y - 1) - across(y + 1)) + std::abs(along(x + 1) - along(x - 1))) / 8.0;
+}
+
+}  // namespace
+
+Image<double> drawFunction(const Scene& scene, const Camera& camera, const FunctionSettings& function, Size size) {
+    const Definition definition = definitionOf(function);
+    const FunctionDescription& row = functionDescription(function.name);
+    const Given given{scene, camera, function};
+    Image<double> values{size, 4, 0.0};
+    for (std::size_t i = 0; i < values.pixels.size(); i += 4) {
+        values.pixels[i] = static_cast<double>(row.background.value_or(0.0F));
+        values.pixels[i + 3] = row.background ? 0.0 : noValue;
+    }
+    Image<double> windowDepth{size, 1, 1.0};
+    const glm::dmat4 viewProjection = camera.projection(size) * camera.view;
+    for (const Instance& instance : scene.instances()) {
+        const Mesh& mesh = scene.meshes()[instance.mesh];
+        const bool mirrored = glm::determinant(glm::dmat3{instance.transform}) < 0.0;
+        for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
+            ClipTriangle triangle{};
+            std::array<Place, 3> corners{};
+            const glm::dvec3 color = materialColor(scene, mesh, t);
+            for (std::size_t i = 0; i < 3; ++i) {
+                Place& corner = corners[mirrored ? 2 - i : i];
+                corner = cornerOf(given, instance, mesh, mesh.indices[3 * t + i]);
+                corner.color *= color;
+                triangle[mirrored ? 2 - i : i] = viewProjection * glm::dvec4{corner.world + scene.bounds().centre, 1.0};
+            }
+            forEachSample(triangle, windowDepth, [&](const Sample& sample) {
+                const glm::dvec4 value = definition(mixed(corners, sample, given), given);
+                for (int c = 0; c < 4; ++c) values.at(sample.x, sample.y, c) = value[c];
+            });
+        }
+    }
+    return values;
+}
+
+Image<double> functionMagnitude(const Image<double>& values, const FunctionSettings& function) {
+    const bool sobel = function.kernel == Kernel::Sobel;
+    const std::span<const double> smoothing = sobel ? std::span<const double>{sobelSmoothing} : faridSmoothing;
+    const std::span<const double> derivative = sobel ? std::span<const double>{sobelDerivative} : faridDerivative;
+    const int radius = static_cast<int>(smoothing.size()) / 2;
+    Image<double> magnitude{values.size, 1};
+    for (int y = 0; y < values.size.height; ++y) {
+        for (int x = 0; x < values.size.width; ++x) {
+            if (values.at(x, y, 3) > nothing) continue;
+            const glm::dvec4 centre{values.at(x, y, 0), values.at(x, y, 1), values.at(x, y, 2), values.at(x, y, 3)};
+            glm::dvec4 ix{0.0};
+            glm::dvec4 iy{0.0};
+            for (int dy = -radius; dy <= radius; ++dy) {
+                for (int dx = -radius; dx <= radius; ++dx) {
+                    const auto column = static_cast<std::size_t>(dx + radius);
+                    const auto row = static_cast<std::size_t>(dy + radius);
+                    const glm::dvec4 d = difference(values, x + dx, y + dy, centre, wrapPeriod(function));
+                    ix += derivative[column] * smoothing[row] * d;
+                    iy += smoothing[column] * derivative[row] * d;
+                }
+            }
+            const glm::dvec4 squared = ix * ix + iy * iy;
+            magnitude.at(x, y) = std::sqrt(std::max({squared.x, squared.y, squared.z, squared.w}));
+        }
+    }
+    return magnitude;
+}
+
+Image<double> detectProfiles(const Image<double>& depth, const Image<double>& normal, const Camera& camera,
+                             const DetectorSettings& settings) {
+    constexpr double far = 1000.0;
+    const auto [width, height] = depth.size;
+    const double focal = camera.focalLength(depth.size);
+    const auto isBackground = [&](int x, int y) {
+        return normal.at(x, y, 0) == 0.0 && normal.at(x, y, 1) == 0.0 && normal.at(x, y, 2) == 0.0;
+    };
+    Image<double> ink{depth.size, 1};
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            if (isBackground(x, y)) continue;
+            const double centre = depth.at(x, y);
+            Depths d{};
+            for (int i = 0; i < 25; ++i) {
+                const int column = std::clamp(x + i % 5 - 2, 0, width - 1);
+                const int row = std::clamp(y + i / 5 - 2, 0, height - 1);
+                const double z = depth.at(column, row);
+                const double there = focal * (camera.orthographic() ? z - centre : 1.0 - centre / z);
+                d[static_cast<std::size_t>(i / 5)][static_cast<std::size_t>(i % 5)] =
+                    isBackground(column, row) ? far : std::clamp(there, -far, far);
+            }
+            double least = gradient(d, 2, 2);
+            double most = least;
+            double around = 0.0;
+            for (std::size_t i = 0; i < 9; ++i) {
+                const double g = gradient(d, 1 + i % 3, 1 + i / 3);
+                least = std::min(least, g);
+                most = std::max(most, g);
+                around += d[1 + i / 3][1 + i % 3];
+            }
+            const double profile = std::min((most - least) / settings.profileLimit, 1.0);
+            const double edge = std::min(std::abs(9.0 * d[2][2] - around) / 3.0 / settings.edgeLimit, 1.0);
+            ink.at(x, y) = std::max(profile, edge) * std::max(profile, edge);
+        }
+    }
+    return ink;
+}
+
+}  // namespace inkedge::reference

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include <inkedge/scene.h>
+
+#include "scene/topology.h"
+
+namespace inkedge {
+
+/// Mean curvature at each vertex, one over mesh space's unit; over 0 where the surface bulges towards its front.
+/// Vertices at one place have one curvature. Each edge of two faces bends the surface by its angle: the sum of half its
+/// length times that angle over the edges around a point, each shared by its two ends, over the point's share of its
+/// faces' area, halved; its integral over a surface is that of Steiner's formula (Cohen-Steiner and Morvan 2003).
+/// Borders and edges of three faces and more do not bend. O(n).
+[[nodiscard]] std::vector<float> meanCurvatures(const Mesh&, const MeshTopology&);
+
+}  // namespace inkedge
