@@ -13,6 +13,7 @@
 #include "gl/read_back.h"
 #include "gl/stage_clock.h"
 #include "gl/upload.h"
+#include "ink/brush.h"
 #include "ink/paint_strokes.h"
 #include "ink/screen_triangles.h"
 #include "ink/strokes_of.h"
@@ -279,8 +280,20 @@ struct Renderer::State {
         return *objectLines;
     }
 
+    // Read once; another file of the same name is not looked for.
+    const Brush* brushFrom(const std::filesystem::path& file, const LoadLimits& limits) {
+        if (file.empty()) return nullptr;
+        if (!brush || file != brushFile) {
+            brush = readBrush(file, limits);
+            brushFile = file;
+        }
+        return &*brush;
+    }
+
     std::unique_ptr<gl::Context> context;
     std::unique_ptr<gl::Gpu> gpu;
+    std::optional<Brush> brush;
+    std::filesystem::path brushFile;
     std::unique_ptr<gl::UploadedScene> upload;
     std::unique_ptr<gl::FunctionInputs> inputs;
     std::unique_ptr<lines::ObjectLines> objectLines;
@@ -337,7 +350,9 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     maps.backend = backend();
     Ink ink;
     std::vector<Stroke> strokes;
+    const Brush* brush = nullptr;
     if (sourceOf(settings) == Source::Object) {
+        brush = state_->brushFrom(settings.lines.brush, settings.load.limits);
         const Lines found = lines(scene, camera, settings);
         maps.times = found.times;
         strokes = strokesOf(found, settings.picture, settings.lines);
@@ -352,7 +367,7 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
         state_->gpu->textures.trim();
     }
     if (sourceOf(settings) != Source::Classic) {
-        maps.picture = paintStrokes(strokes, settings.picture);
+        maps.picture = paintStrokes(strokes, settings.picture, brush);
         clock.finish("paint");
     }
     inkOver(ink.cover, settings.picture, maps.picture);

@@ -89,6 +89,11 @@ void checkOutputs(const RenderArguments& arguments, const Settings& settings, co
         if (!settings.maps.empty())
             throw Error{Error::Kind::Usage,
                         fmt::format("--maps: expected a picture as --output, found {}, which holds lines", arguments.output)};
+        if (!settings.lines.brush.empty() && output.extension() == ".svg")
+            throw Error{Error::Kind::Usage,
+                        fmt::format("--brush: expected a picture as --output, found {}, which has no textures; leave "
+                                    "--brush out, or write a .png",
+                                    arguments.output)};
         expectFolderOf(output);
     } else if (output != "-") {
         for (const auto& file : outputFiles(output, settings.maps)) expectFolderOf(file);

@@ -4,6 +4,8 @@
 #include <array>
 #include <bitset>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -148,6 +150,85 @@ void coverVarying(Strip& strip, const Stroke& stroke, float penWidth, Box box) {
     }
 }
 
+// What the brush needs to know of a stroke besides: which line's it is, and whether its ends are that line's or a
+// dash's, beyond which the brush goes straight on; around the others it turns.
+struct PlaceInLine {
+    std::uint32_t line;
+    bool opensFrom;
+    bool opensTo;
+};
+
+struct BoxedStroke {
+    const Stroke* stroke;
+    float width;  // of its pen
+    Box box;
+};
+
+// One line of a strip, before it meets the others: how far its nearest stroke is from each pixel, and what that one
+// brings.
+struct LineStrip {
+    Image<float> coverage;
+    Image<float> distance;
+    Image<float> ink;
+    void clear(Box box, int firstRow);
+};
+
+void LineStrip::clear(Box box, int firstRow) {
+    for (int y = box.y0 - firstRow; y <= box.y1 - firstRow; ++y) {
+        std::fill(&coverage.at(box.x0, y), &coverage.at(box.x1, y) + 1, 0.0F);
+        std::fill(&distance.at(box.x0, y), &distance.at(box.x1, y) + 1, std::numeric_limits<float>::infinity());
+    }
+}
+
+// Adds a stroke to its line.
+// @param box  its pixels in the strip
+void coverBrushed(LineStrip& line, int firstRow, const BoxedStroke& boxed, PlaceInLine place, const FittedBrush& brush,
+                  Box box) {
+    const Stroke& stroke = *boxed.stroke;
+    const auto [first, last] = widthsOf(stroke, boxed.width);
+    const float reach = 0.5F * std::max(first, last) + halfDiagonal;
+    const glm::vec2 along = stroke.to - stroke.from;
+    const float length = glm::length(along);
+    const glm::vec2 direction = length > 0.0F ? along / length : glm::vec2{1, 0};
+    const glm::vec2 normal{-direction.y, direction.x};
+    for (int y = box.y0; y <= box.y1; ++y) {
+        for (int x = box.x0; x <= box.x1; ++x) {
+            const glm::vec2 p = glm::vec2{static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F} - stroke.from;
+            const float way = glm::dot(p, direction);
+            const float wayOnStroke = std::clamp(way, 0.0F, length);
+            const glm::vec2 offset = p - wayOnStroke * direction;
+            const float distance = glm::length(offset);
+            if (distance >= reach) continue;
+            const bool beside = (way > 0.0F && way < length) || distance < leastOffset;
+            const glm::vec2 across = beside ? normal : offset / distance;
+            const float width = length > 0.0F ? glm::mix(first, last, wayOnStroke / length) : first;
+            float& coverage = line.coverage.at(x, y - firstRow);
+            coverage = std::max(coverage, BandShare{across, width}.at(distance));
+            float& nearest = line.distance.at(x, y - firstRow);
+            if (distance >= nearest) continue;
+            nearest = distance;
+            const float side = glm::dot(p, normal);
+            const bool beyond = (way < 0.0F && place.opensFrom) || (way > length && place.opensTo);
+            line.ink.at(x, y - firstRow) =
+                brush.inkAt(stroke.arc + (beyond ? way : wayOnStroke),
+                            (beyond ? side : std::copysign(distance, side)) / std::max(width, leastOffset));
+        }
+    }
+}
+
+// A brush for each pen that draws strokes.
+using Brushes = std::array<std::optional<FittedBrush>, penCount>;
+
+// The pixels of a strip that strokes may cover.
+Box boxIn(const Strip& strip, std::span<const BoxedStroke> strokes) {
+    Box all = strokes.front().box;
+    for (const BoxedStroke& s : strokes) {
+        all = {std::min(all.x0, s.box.x0), std::min(all.y0, s.box.y0), std::max(all.x1, s.box.x1),
+               std::max(all.y1, s.box.y1)};
+    }
+    return {all.x0, std::max(all.y0, strip.firstRow), all.x1, std::min(all.y1, strip.firstRow + stripRows - 1)};
+}
+
 // Lays a colour over a picture as far as it covers.
 void blend(Strip& strip, Color color) {
     const float channels[3]{static_cast<float>(color.red), static_cast<float>(color.green),
@@ -217,11 +298,23 @@ Image<std::uint8_t> emptyPicture(const PictureSettings& settings, bool grey) {
 
 using Pens = std::array<Pen, penCount>;
 
-struct BoxedStroke {
-    const Stroke* stroke;
-    float width;
-    Box box;
-};
+// Where each stroke stands in its line.
+std::vector<PlaceInLine> placesIn(std::span<const Stroke> strokes) {
+    std::vector<PlaceInLine> places(strokes.size());
+    std::size_t begin = 0;  // of the line
+    for (std::size_t end = 1; end <= strokes.size(); ++end) {
+        if (end < strokes.size() && strokes[end].arc != 0.0F) continue;
+        const std::size_t count = end - begin;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Stroke& stroke = strokes[begin + i];
+            const Stroke& before = strokes[begin + (i + count - 1) % count];  // of a closed line the last
+            const Stroke& after = strokes[begin + (i + 1) % count];
+            places[begin + i] = {static_cast<std::uint32_t>(begin), before.to != stroke.from, after.from != stroke.to};
+        }
+        begin = end;
+    }
+    return places;
+}
 
 // The strokes that each strip shows, in their order.
 std::vector<std::vector<BoxedStroke>> sorted(std::span<const Stroke> strokes, const Pens& allPens, Size size) {
@@ -238,9 +331,67 @@ std::vector<std::vector<BoxedStroke>> sorted(std::span<const Stroke> strokes, co
     return strips;
 }
 
+// What draws with a brush.
+struct BrushWork {
+    std::span<const Stroke> strokes;
+    std::vector<PlaceInLine> places;
+    Brushes brushes;
+    LineStrip line;
+    [[nodiscard]] PlaceInLine placeOf(const BoxedStroke& boxed) const {
+        return places[static_cast<std::size_t>(boxed.stroke - strokes.data())];
+    }
+};
+
+BrushWork brushWork(const Brush& brush, std::span<const Stroke> strokes, const Pens& allPens, Size stripSize) {
+    BrushWork work{strokes, placesIn(strokes), {}, {{stripSize, 1}, {stripSize, 1}, {stripSize, 1}}};
+    for (const Stroke& stroke : strokes) {
+        auto& fitted = work.brushes[stroke.style];
+        if (fitted) continue;
+        const double width = allPens[stroke.style].width;
+        for (std::size_t other = 0; other < penCount && !fitted; ++other)
+            if (work.brushes[other] && allPens[other].width == width) fitted = work.brushes[other];
+        if (!fitted) fitted.emplace(brush, width);
+    }
+    return work;
+}
+
+// Raises coverage to that of one line's strokes, each pixel's times the brush's ink where the line is nearest to it.
+void coverBrushed(Strip& strip, std::span<const BoxedStroke> strokes, BrushWork& work) {
+    LineStrip& line = work.line;
+    const Box all = boxIn(strip, strokes);
+    line.clear(all, strip.firstRow);
+    for (const BoxedStroke& s : strokes)
+        coverBrushed(line, strip.firstRow, s, work.placeOf(s), *work.brushes[s.stroke->style], boxIn(strip, {&s, 1}));
+    for (int y = all.y0 - strip.firstRow; y <= all.y1 - strip.firstRow; ++y) {
+        for (int x = all.x0; x <= all.x1; ++x) {
+            const float covered = line.coverage.at(x, y);
+            float& coverage = strip.coverage.at(x, y);
+            if (covered > 0.0F) coverage = std::max(coverage, covered * line.ink.at(x, y));
+        }
+    }
+}
+
+// Raises coverage to that of the strokes of a coat.
+void coverBrushed(Strip& strip, std::span<const BoxedStroke> strokes, const Coat& coat, BrushWork& work) {
+    for (std::size_t begin = 0; begin < strokes.size();) {
+        std::size_t end = begin + 1;
+        while (end < strokes.size() && work.placeOf(strokes[end]).line == work.placeOf(strokes[begin]).line) ++end;
+        if (coat.pens.test(strokes[begin].stroke->style))
+            coverBrushed(strip, strokes.subspan(begin, end - begin), work);
+        begin = end;
+    }
+}
+
+void coverPlain(Strip& strip, std::span<const BoxedStroke> strokes, const Coat& coat) {
+    for (const BoxedStroke& s : strokes) {
+        if (coat.pens.test(s.stroke->style))
+            (varies(*s.stroke) ? coverVarying : cover)(strip, *s.stroke, s.width, s.box);
+    }
+}
+
 // Paints strokes over the part of a picture that a strip covers.
 void paint(Strip& strip, std::span<const BoxedStroke> strokes, std::span<const Coat> coats,
-           Image<std::uint8_t>& picture) {
+           Image<std::uint8_t>& picture, std::optional<BrushWork>& brush) {
     const auto begin = &picture.at(0, strip.firstRow);
     const int rows = std::min(stripRows, picture.size.height - strip.firstRow);
     const std::ptrdiff_t values = std::ptrdiff_t{rows} * picture.size.width * picture.channels;
@@ -249,8 +400,10 @@ void paint(Strip& strip, std::span<const BoxedStroke> strokes, std::span<const C
         const auto isOfCoat = [&](const BoxedStroke& s) { return coat.pens.test(s.stroke->style); };
         if (std::ranges::none_of(strokes, isOfCoat)) continue;
         std::ranges::fill(strip.coverage.pixels, 0.0F);
-        for (const BoxedStroke& s : strokes) {
-            if (isOfCoat(s)) (varies(*s.stroke) ? coverVarying : cover)(strip, *s.stroke, s.width, s.box);
+        if (brush) {
+            coverBrushed(strip, strokes, coat, *brush);
+        } else {
+            coverPlain(strip, strokes, coat);
         }
         blend(strip, coat.color);
     }
@@ -260,7 +413,8 @@ void paint(Strip& strip, std::span<const BoxedStroke> strokes, std::span<const C
 
 }  // namespace
 
-Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureSettings& settings) {
+Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureSettings& settings,
+                                 const Brush* brush) {
     const auto allPens = pens(settings);
     const bool grey = settings.background && settings.background->grey() &&
                       std::ranges::all_of(allPens, [](const Pen& pen) { return pen.color.grey(); });
@@ -268,8 +422,10 @@ Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureS
     Image<std::uint8_t> picture = emptyPicture(settings, grey);
     const Size stripSize{settings.size.width, stripRows};
     Strip strip{0, {stripSize, picture.channels}, {stripSize, 1}};
+    std::optional<BrushWork> work;
+    if (brush != nullptr) work = brushWork(*brush, strokes, allPens, stripSize);
     for (const std::vector<BoxedStroke>& shown : sorted(strokes, allPens, settings.size)) {
-        if (!shown.empty()) paint(strip, shown, coats, picture);
+        if (!shown.empty()) paint(strip, shown, coats, picture, work);
         strip.firstRow += stripRows;
     }
     return picture;

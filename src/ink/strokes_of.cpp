@@ -18,12 +18,17 @@ std::uint8_t levelOf(double width) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(width * fullWidth, 0.0, 255.0)));
 }
 
-Stroke strokeBetween(const StrokePoint& a, const StrokePoint& b, std::uint8_t style) {
-    return {glm::vec2{a.place}, glm::vec2{b.place}, style, levelOf(a.width), levelOf(b.width)};
+// @param way  along the line, to a
+Stroke strokeBetween(const StrokePoint& a, const StrokePoint& b, std::uint8_t style, double way) {
+    return {glm::vec2{a.place}, glm::vec2{b.place}, style, levelOf(a.width), levelOf(b.width), static_cast<float>(way)};
 }
 
 void addSolid(const std::vector<StrokePoint>& points, std::uint8_t style, std::vector<Stroke>& strokes) {
-    for (std::size_t i = 1; i < points.size(); ++i) strokes.push_back(strokeBetween(points[i - 1], points[i], style));
+    double way = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        strokes.push_back(strokeBetween(points[i - 1], points[i], style, way));
+        way += glm::distance(points[i - 1].place, points[i].place);
+    }
 }
 
 // Dashes along the way, beginning with a whole one.
@@ -43,7 +48,7 @@ void addDashes(const std::vector<StrokePoint>& points, std::uint8_t style, doubl
         for (double k = std::floor(begin / period); k * period < end || length == 0.0; ++k) {
             const double from = std::max(begin, k * period);
             const double to = std::min(end, k * period + dash);
-            if (from <= to) strokes.push_back(strokeBetween(at(from), at(to), style));
+            if (from <= to) strokes.push_back(strokeBetween(at(from), at(to), style, from));
             if (length == 0.0) break;
         }
         begin = end;

@@ -30,9 +30,10 @@ public:
 
     /// Draws one view: the picture and the maps that settings.maps names. What is larger than settings.picture.tileSize
     /// is drawn in parts, so that graphics memory does not limit the size; the picture and the maps themselves are held
-    /// in memory. settings.load, .camera and .backend are not
-    /// looked at. The last scene's upload is kept for the next call.
+    /// in memory. settings.load but for its limits, .camera and .backend are not
+    /// looked at. The last scene's upload is kept for the next call, and the last brush.
     /// @throws Error  (Kind::Usage) if a setting of the picture is out of range, or the camera is unusable;
+    ///                (Kind::Input) if the brush of lines from object space cannot be read, or is no PNG;
     ///                (Kind::Runtime) if there is less memory than the picture and its maps take, or the context runs
     ///                out of memory, or is lost: then make a new Renderer
     [[nodiscard]] Maps render(const Scene&, const Camera&, const Settings& = {});

@@ -200,6 +200,7 @@ struct LineSettings {
     double simplify = 0.25;   ///< pixels that polylines in files may stray from those found; 0: every point is kept
     StrokeWidth strokeWidth = StrokeWidth::Constant;
     double strokeTaper = 0.0;  ///< pixels over which the ends of open lines run out to nothing
+    std::filesystem::path brush = {};  ///< a PNG, dark is ink, laid along lines from object space; empty: plain ink
     double fitCurves = 0.0;   ///< pixels that cubic Bezier curves may stray from the lines; 0: polylines; SVG only
     int subdivideAdaptive = 0;  ///< levels of refinement near contours, section 3.3, 0 to 6; 0: none
     Isolines isolines = {};

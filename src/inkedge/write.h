@@ -49,7 +49,7 @@ INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<
 /// Where widths vary a path is the filled outline of its strokes, all straight. Metadata holds a JSON object: camera, size,
 /// bounds, settings.
 /// @param title  UTF-8; what is not becomes U+FFFD
-/// @throws Error  (Kind::Usage) if lines.size has no pixel
+/// @throws Error  (Kind::Usage) if lines.size has no pixel, or settings.lines.brush is given: it needs pixels
 [[nodiscard]] INKEDGE_API std::string linesSvg(const Scene&, const Lines&, const Settings&,
                                                std::string_view title = "Line drawing");
 
@@ -63,7 +63,7 @@ INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<
 
 /// Writes linesSvg() or linesJson(), by the extension; an SVG's title is the file's name. The file appears whole or not
 /// at all.
-/// @throws Error  (Kind::Usage) if the extension is neither, or lines.size has no pixel; (Kind::Output) if the file cannot
+/// @throws Error  (Kind::Usage) as they do, or if the extension is neither; (Kind::Output) if the file cannot
 ///                be written
 INKEDGE_API void writeLines(const Scene&, const Lines&, const Settings&, const std::filesystem::path&);
 

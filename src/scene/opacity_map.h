@@ -14,4 +14,9 @@ namespace inkedge {
 [[nodiscard]] std::optional<Image<std::uint8_t>> decodeOpacity(std::span<const std::uint8_t> picture,
                                                                std::uint64_t mostPixels);
 
+/// How much ink each pixel of a PNG picture stands for: 255 where it is black, 0 where it is white or clear.
+/// @param mostPixels  the limit
+/// @throws Error      (Kind::Input) if it is no PNG, damaged, or larger than the limit
+[[nodiscard]] Image<std::uint8_t> decodeInk(std::span<const std::uint8_t> picture, std::uint64_t mostPixels);
+
 }  // namespace inkedge

@@ -89,6 +89,17 @@ TEST_F(BadInput, DeviceThatIsNotThere) {
     expectUsageFailure({"--device", "0", "--backend", "osmesa"}, "device: expected it with the egl backend only");
 }
 
+TEST_F(BadInput, BrushThatIsNone) {
+    const auto draw = [&](const std::string& brush, const std::string& output) {
+        return run({"render", roof(), "-o", output, "--size", "8x8", "--lines-from", "object", "--brush", brush});
+    };
+    expectFailure(draw("missing.png", "picture.png"), 3, HasSubstr("missing.png: expected a file, found none"));
+    const std::string text = file("brush.png", "hello there\n");
+    expectFailure(draw(text, "picture.png"), 3, HasSubstr(text + ": expected a PNG picture, found other text"));
+    for (const std::string output : {"lines.svg", "lines.SVG"})
+        expectFailure(draw(text, output), 2, HasSubstr("brush: expected a picture"));
+}
+
 TEST_F(BadInput, OutputOfAnUnknownKind) {
     for (const std::string name : {"picture.jpg", "picture", "picture.png.gz"}) {
         expectFailure(run({"render", roof(), "-o", name}), 2,

@@ -68,6 +68,7 @@ const std::map<std::string_view, Example>& examples() {
         {"stroke-width",
          {.value = "depth", .wrong = "thick", .shows = "/settings/stroke-width", .becomes = "\"depth\""}},
         {"stroke-taper", {.value = "20", .wrong = "-1", .shows = "/settings/stroke-taper", .becomes = "\"20\""}},
+        {"brush", {.value = "dry.png", .wrong = "", .shows = "/settings/brush", .becomes = "\"dry.png\""}},
         {"simplify", {.value = "0.5", .wrong = "-1", .shows = "/settings/simplify", .becomes = "\"0.5\""}},
         {"fit-curves", {.value = "0.3", .wrong = "0.001", .shows = "/settings/fit-curves", .becomes = "\"0.3\""}},
         {"isolines", {.value = "u:8,v:4", .wrong = "8.5", .shows = "/settings/isolines", .becomes = "\"u:8,v:4\""}},

@@ -172,6 +172,12 @@ TEST(LinesSvg, isAnEmptyDrawingWithoutLines) {
     expectError(Error::Kind::Usage, HasSubstr("at least one pixel"), [] { (void)linesJson(scene(), {}, {}); });
 }
 
+TEST(LinesSvg, refuseABrushWhichNeedsPixels) {
+    const Settings settings = settingsOf({{"brush", "dry.png"}});
+    expectError(Error::Kind::Usage, HasSubstr("brush: expected a picture of pixels, found SVG"),
+                [&] { (void)svg(linesOf({}), settings); });
+}
+
 TEST(LinesSvg, hasThePagesSizeAndWidthsThatHoldOnIt) {
     const Lines lines = linesOf({lineThrough({{1, 1}, {9, 9}})});
     EXPECT_THAT(svg(lines), HasSubstr(R"(width="200" height="100")"));
