@@ -159,13 +159,14 @@ TEST(Brush, liesAcrossTheStrokeWhateverItsWidth) {
     }
 }
 
-TEST(Brush, goesOnIntoTheCapsOfALinesEndsOnly) {
-    const Brush brush = brushOf({16, 16}, [](int, int y) { return y < 8 ? std::uint8_t{255} : std::uint8_t{0}; });
-    const auto strokes = strokesThrough({lineThrough({{50, 50}, {100, 50}})}, picture(30.0));
-    const Image<double> ink = inkOf(strokes, picture(30.0), brush);
-    for (const int x : {40, 110}) {
-        EXPECT_NEAR(ink.at(x, 47), 1.0, 0.01) << x;
-        EXPECT_NEAR(ink.at(x, 52), 0.0, 0.01) << x;
+TEST(Brush, goesOnIntoTheCapsOfALinesEnds) {
+    const auto strokes = strokesThrough({lineThrough({{50, 50}, {135, 50}})}, picture(30.0));
+    const Image<double> ink = inkOf(strokes, picture(30.0), striped());  // 30 pixels of ink, 30 without
+    for (const int y : {46, 50, 54}) {
+        EXPECT_NEAR(ink.at(40, y), 0.0, 0.01) << "9.5 before the first ink";
+        EXPECT_NEAR(ink.at(55, y), 1.0, 0.01);
+        EXPECT_NEAR(ink.at(132, y), 1.0, 0.01) << "22.5 into the second";
+        EXPECT_NEAR(ink.at(145, y), 0.0, 0.01) << "5.5 behind it";
     }
 }
 
