@@ -43,15 +43,21 @@ double millisecondsSince(Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
-// Fills {model} and {view}; {map} is filled by outputFiles().
-std::string expandTemplate(std::string text, const std::filesystem::path& model, const std::string& view) {
-    const std::pair<std::string, std::string> fields[]{{"{model}", model.stem().string()}, {"{view}", view}};
-    for (const auto& [field, value] : fields) {
-        for (std::size_t at = 0; (at = text.find(field, at)) != std::string::npos; at += value.size()) {
-            text.replace(at, field.size(), value);
-        }
+std::string expandField(std::string text, const std::string& field, const std::string& value) {
+    for (std::size_t at = 0; (at = text.find(field, at)) != std::string::npos; at += value.size()) {
+        text.replace(at, field.size(), value);
     }
     return text;
+}
+
+std::string expandTemplate(const std::string& text, const std::filesystem::path& model, const std::string& view) {
+    return expandField(expandField(text, "{model}", model.stem().string()), "{view}", view);
+}
+
+// outputFiles() fills {map} of pictures.
+std::filesystem::path outputOf(const RenderArguments& arguments, const View& view) {
+    const std::string output = expandTemplate(arguments.output, arguments.model, view.name);
+    return holdsLines(output) ? expandField(output, "{map}", "outline") : output;
 }
 
 std::vector<View> viewsFrom(const RenderArguments& arguments, const Settings& settings) {
@@ -84,7 +90,7 @@ void expectFolderOf(const std::filesystem::path& file) {
 }
 
 void checkOutputs(const RenderArguments& arguments, const Settings& settings, const View& view) {
-    const std::filesystem::path output = expandTemplate(arguments.output, arguments.model, view.name);
+    const std::filesystem::path output = outputOf(arguments, view);
     if (holdsLines(output)) {
         if (!settings.maps.empty())
             throw Error{Error::Kind::Usage,
@@ -129,12 +135,11 @@ Summary renderView(const RenderArguments& arguments, Settings settings, const Sc
     settings.camera = view.camera;
     const Camera camera = frameCamera(scene, settings.camera, settings.picture.size);
     Summary summary;
-    const std::filesystem::path output = expandTemplate(arguments.output, arguments.model, view.name);
+    const std::filesystem::path output = outputOf(arguments, view);
     Lines lines;
     Maps maps;
     if (holdsLines(output)) {
         lines = renderer.lines(scene, camera, settings);
-        maps.camera = lines.camera;
         maps.backend = lines.backend;
         maps.times = lines.times;
     } else {
@@ -154,7 +159,9 @@ Summary renderView(const RenderArguments& arguments, Settings settings, const Sc
     }
     maps.times.push_back({"write", millisecondsSince(begin)});
 
-    const std::string metadata = metadataJson(scene, maps, settings);
+    lines.times = maps.times;
+    const std::string metadata =
+        holdsLines(output) ? metadataJson(scene, lines, settings) : metadataJson(scene, maps, settings);
     if (!arguments.metadataFile.empty()) {
         writeFile(expandTemplate(arguments.metadataFile, arguments.model, view.name),
                   {reinterpret_cast<const std::uint8_t*>(metadata.data()), metadata.size()});

@@ -24,6 +24,9 @@ namespace inkedge {
 /// stage.
 [[nodiscard]] INKEDGE_API std::string metadataJson(const Scene&, const Maps&, const Settings&);
 
+/// The same of lines.
+[[nodiscard]] INKEDGE_API std::string metadataJson(const Scene&, const Lines&, const Settings&);
+
 /// The files that writeMaps() writes: first the picture's, then one for each map if the format holds one map a file.
 /// "{map}" in output stands for "outline" or the map's name; without it a map's name goes before the extension
 /// ("gear.png", "gear.depth.png"). Formats by extension: .png, .tif, .tiff; .exr holds every map in one file.

@@ -31,6 +31,26 @@ Json timesJson(const std::vector<StageTime>& times) {
     return json;
 }
 
+// Of one view.
+struct Drawn {
+    const Camera& camera;
+    Size size;
+    const BackendInfo& backend;
+    const std::vector<StageTime>& times;
+};
+
+std::string metadataOf(const Scene& scene, const Drawn& drawn, const Settings& settings) {
+    const Json json{{"camera", io::cameraJson(drawn.camera, drawn.size)},
+                    {"size", {drawn.size.width, drawn.size.height}},
+                    {"bounds", io::boundsJson(scene.bounds())},
+                    {"triangles", scene.triangleCount()},
+                    {"settings", io::settingsJson(settings)},
+                    {"warnings", scene.warnings()},
+                    {"backend", backendJson(drawn.backend)},
+                    {"milliseconds", timesJson(drawn.times)}};
+    return io::textOf(json, 2) + '\n';
+}
+
 }  // namespace
 
 namespace io {
@@ -68,16 +88,11 @@ std::string textOf(const Json& json, int indent) { return json.dump(indent, ' ',
 }  // namespace io
 
 std::string metadataJson(const Scene& scene, const Maps& maps, const Settings& settings) {
-    const Size size = maps.picture.size;
-    const Json json{{"camera", io::cameraJson(maps.camera, size)},
-                    {"size", {size.width, size.height}},
-                    {"bounds", io::boundsJson(scene.bounds())},
-                    {"triangles", scene.triangleCount()},
-                    {"settings", io::settingsJson(settings)},
-                    {"warnings", scene.warnings()},
-                    {"backend", backendJson(maps.backend)},
-                    {"milliseconds", timesJson(maps.times)}};
-    return io::textOf(json, 2) + '\n';
+    return metadataOf(scene, {maps.camera, maps.picture.size, maps.backend, maps.times}, settings);
+}
+
+std::string metadataJson(const Scene& scene, const Lines& lines, const Settings& settings) {
+    return metadataOf(scene, {lines.camera, lines.size, lines.backend, lines.times}, settings);
 }
 
 }  // namespace inkedge

@@ -152,6 +152,11 @@ TEST_F(Places, DiskThatIsFull) {
                             HasSubstr("; ")));
         expectNothingLeft();
     }
+    for (const char* output : {"a.svg", "a.json"}) {
+        expectFailure(runWith(full, {"render", roof(), "-o", output}), 5,
+                      AllOf(HasSubstr(output), HasSubstr("cannot be written: expected room for the file, found: ")));
+        expectNothingLeft();
+    }
 }
 
 TEST_F(Places, DiskThatIsFullKeepsTheOlderPicture) {
@@ -168,15 +173,16 @@ void obeyModes() {
 }
 
 TEST_F(Places, FolderThatIsReadOnly) {
-    std::filesystem::permissions(folder_.path(), std::filesystem::perms{0555});
-    const Outcome outcome = runWith(obeyModes, {"render", roof(), "-o", "a.png"});
-    std::filesystem::permissions(folder_.path(), std::filesystem::perms{0755});
-    if (outcome.exitCode == cannotObeyModes) GTEST_SKIP() << "root may write to every folder here";
-    expectFailure(
-        outcome, 5,
-        HasSubstr("a.png: cannot be written: expected a place that may be written to, found: Permission denied; "
-                  "choose another or change its mode"));
-    expectNothingLeft();
+    for (const std::string output : {"a.png", "a.svg", "a.json"}) {
+        std::filesystem::permissions(folder_.path(), std::filesystem::perms{0555});
+        const Outcome outcome = runWith(obeyModes, {"render", roof(), "-o", output});
+        std::filesystem::permissions(folder_.path(), std::filesystem::perms{0755});
+        if (outcome.exitCode == cannotObeyModes) GTEST_SKIP() << "root may write to every folder here";
+        expectFailure(outcome, 5,
+                      HasSubstr(output + ": cannot be written: expected a place that may be written to, found: "
+                                         "Permission denied; choose another or change its mode"));
+        expectNothingLeft();
+    }
 }
 
 TEST_F(Places, FileThatIsReadOnly) {

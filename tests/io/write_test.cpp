@@ -555,3 +555,11 @@ TEST(MetadataJson, tellsTheSceneTheBackendAndTheTimes) {
     EXPECT_EQ(json.at("milliseconds").at("draw"), 2.5);
     EXPECT_EQ(json.at("milliseconds").at("read back"), 2.0);
 }
+
+TEST(MetadataJson, tellsOfLinesWhatItTellsOfAPicture) {
+    Maps maps = smallMaps();
+    maps.backend.backend = "osmesa";
+    maps.times = {{"draw", 1.5}};
+    const Lines lines{{}, maps.picture.size, maps.camera, maps.backend, maps.times};
+    EXPECT_EQ(metadataJson(triangle(), lines, {}), metadataJson(triangle(), maps, {}));
+}

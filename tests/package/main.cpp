@@ -1,4 +1,5 @@
-// draw MODEL OUT.png OUT.exr: draws a model with the installed library; exit status 0 if the picture has lines.
+// draw MODEL OUT.png OUT.exr OUT.svg: draws a model with the installed library; exit status 0 if the picture has lines
+// and lines are found.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -24,8 +25,8 @@ bool hasLines(const inkedge::Image<std::uint8_t>& picture) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 4) {
-        std::fprintf(stderr, "expected MODEL OUT.png OUT.exr, found %d arguments\n", argc - 1);
+    if (argc != 5) {
+        std::fprintf(stderr, "expected MODEL OUT.png OUT.exr OUT.svg, found %d arguments\n", argc - 1);
         return 2;
     }
     try {
@@ -41,6 +42,11 @@ int main(int argc, char** argv) {
 
         inkedge::writeMaps(maps, {}, argv[2]);
         inkedge::writeMaps(maps, settings.maps, argv[3]);
+
+        const inkedge::Lines lines = renderer.lines(scene, camera, settings);
+        inkedge::writeLines(scene, lines, settings, argv[4]);
+        std::printf("%zu lines\n", lines.lines.size());
+        if (lines.lines.empty()) return 1;
         return hasLines(maps.picture) ? 0 : 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());

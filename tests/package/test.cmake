@@ -15,6 +15,7 @@ endfunction()
 
 set(png 89504e47)
 set(exr 762f3101)
+set(xml 3c3f786d)
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/made)
@@ -32,9 +33,10 @@ if(NOT found MATCHES "=${WORK}/prefix/")
   message(FATAL_ERROR "expected find_package to find inkedge under ${WORK}/prefix, found ${found}")
 endif()
 
-run(${WORK}/build/draw ${MODEL} ${WORK}/drawn.png ${WORK}/drawn.exr)
+run(${WORK}/build/draw ${MODEL} ${WORK}/drawn.png ${WORK}/drawn.exr ${WORK}/drawn.svg)
 expect_start(${WORK}/drawn.png ${png})
 expect_start(${WORK}/drawn.exr ${exr})
+expect_start(${WORK}/drawn.svg ${xml})
 
 run(${WORK}/prefix/bin/inkedge render ${MODEL} --detector classic --size 64x64 --output ${WORK}/commanded.exr)
 expect_start(${WORK}/commanded.exr ${exr})

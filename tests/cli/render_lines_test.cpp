@@ -1,0 +1,303 @@
+// inkedge render with lines from object space, and lines as files.
+#include <array>
+#include <map>
+#include <set>
+
+#include "cli/command.h"
+#include "cli/decode_png.h"
+#include "io/well_formed.h"
+
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::Each;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::UnorderedElementsAre;
+
+class RenderLines : public Command {
+protected:
+    /// inkedge render ASSET -o OUTPUT, 64 x 48, and these.
+    Outcome draw(const std::string& model, const std::string& output, const Arguments& more = {}) const {
+        Arguments arguments{"render", asset(model), "-o", output};
+        if (std::ranges::find(more, "--size") == more.end()) arguments.insert(arguments.end(), {"--size", "64x48"});
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run(arguments);
+    }
+
+    std::string text(const std::string& name) const { return contents(folder_ / name); }
+    json lines(const std::string& name) const { return json::parse(text(name)); }
+
+    /// An SVG without its title and metadata.
+    std::string drawing(const std::string& name) const {
+        const std::string all = text(name);
+        expectWellFormed(all);
+        return all.substr(std::min(all.find("</metadata>"), all.size()));
+    }
+
+    /// The share of pixels that differ by more than a tenth.
+    double differing(const std::string& a, const std::string& b) const {
+        return json::parse(run({"compare", a, b, "--level", "0.1", "--json"}).out).at("share_over_level");
+    }
+};
+
+const Arguments seesNothing{"--lines-from", "object", "--hidden", "solid", "--camera-position", "0,0,9",
+                            "--camera-direction", "0,0,1"};
+
+std::vector<std::string> keysOf(const json& object) {
+    std::vector<std::string> keys;
+    for (const auto& item : object.items()) keys.push_back(item.key());
+    return keys;
+}
+
+std::set<std::string> typesOf(const json& drawing) {
+    std::set<std::string> types;
+    for (const json& line : drawing.at("lines")) types.insert(line.at("type"));
+    return types;
+}
+
+/// The length of all lines in the picture, pixels.
+double lengthOf(const json& drawing) {
+    double length = 0.0;
+    for (const json& line : drawing.at("lines")) {
+        const json& places = line.at("places");
+        for (std::size_t i = line.at("closed") ? 0 : 1; i < places.size(); ++i) {
+            const json& from = places.at(i > 0 ? i - 1 : places.size() - 1);
+            length += std::hypot(places.at(i).at(0).get<double>() - from.at(0).get<double>(),
+                                 places.at(i).at(1).get<double>() - from.at(1).get<double>());
+        }
+    }
+    return length;
+}
+
+std::array<double, 4> multiplied(const json& rows, const std::array<double, 4>& column) {
+    std::array<double, 4> result{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t k = 0; k < 4; ++k) result[i] += rows.at(i).at(k).get<double>() * column[k];
+    }
+    return result;
+}
+
+TEST_F(RenderLines, SvgHasAGroupATypeAndVisibility) {
+    const Outcome outcome = draw("cube.glb", "cube.svg", {"--hidden", "dashed", "--line-width", "2"});
+    expectSuccess(outcome);
+    EXPECT_EQ(outcome.out + outcome.error, "");
+    EXPECT_THAT(folder_.names(), ElementsAre("cube.svg"));
+    EXPECT_THAT(text("cube.svg"),
+                AllOf(HasSubstr(R"(width="64" height="48" viewBox="0 0 64 48")"), HasSubstr("<title>cube.svg</title>")));
+    const std::string groups = drawing("cube.svg");
+    const std::vector<std::size_t> places{
+        groups.find(
+            R"(<g class="inkedge crease hidden" stroke="#000000" stroke-width="1" stroke-dasharray="6 4">)"),
+        groups.find(R"(<g class="inkedge crease visible" stroke="#000000" stroke-width="2">)"),
+        groups.find(R"(<g class="inkedge outline visible" stroke="#000000" stroke-width="2">)")};
+    EXPECT_THAT(places, Each(testing::Lt(groups.size()))) << groups;
+    EXPECT_TRUE(std::ranges::is_sorted(places)) << "what covers last";
+    EXPECT_THAT(groups, HasSubstr(R"(data-object="1")"));
+}
+
+TEST_F(RenderLines, SvgFillsAPageOfPaper) {
+    expectSuccess(draw("cube.glb", "page.svg", {"--page-size", "A5-landscape", "--line-width", "0.5mm"}));
+    EXPECT_THAT(text("page.svg"), HasSubstr(R"(width="210mm" height="148mm")"));
+    expectWellFormed(text("page.svg"));
+}
+
+TEST_F(RenderLines, JsonIsWhatTheReadmeSays) {
+    expectSuccess(draw("teapot.glb", "teapot.json", {"--hidden", "solid"}));
+    EXPECT_THAT(folder_.names(), ElementsAre("teapot.json"));
+    const json all = lines("teapot.json");
+    EXPECT_THAT(keysOf(all),
+                UnorderedElementsAre("format", "version", "units", "size", "camera", "bounds", "settings", "lines"));
+    EXPECT_EQ(all.at("format"), "inkedge lines");
+    EXPECT_EQ(all.at("version"), 1);
+    EXPECT_EQ(all.at("size"), json({64, 48}));
+    EXPECT_EQ(all.at("settings").at("hidden"), "solid");
+    ASSERT_GT(all.at("lines").size(), 10U);
+    std::set<bool> visible;
+    std::set<int> objects;
+    for (const json& line : all.at("lines")) {
+        ASSERT_THAT(keysOf(line),
+                    UnorderedElementsAre("type", "visible", "closed", "object", "patch", "places", "points"));
+        visible.insert(line.at("visible").get<bool>());
+        objects.insert(line.at("object").get<int>());
+        EXPECT_GE(line.at("patch"), 1);
+        ASSERT_EQ(line.at("places").size(), line.at("points").size());
+        ASSERT_GE(line.at("places").size(), 2U);
+    }
+    EXPECT_EQ(visible, (std::set<bool>{false, true}));
+    EXPECT_EQ(objects, (std::set<int>{1, 2, 3, 4})) << "its four nodes";
+}
+
+TEST_F(RenderLines, JsonPlacesArePointsAsItsCameraSeesThem) {
+    for (const Arguments& view : {Arguments{}, Arguments{"--camera-orthographic", "0"}}) {
+        expectSuccess(draw("teapot.glb", "teapot.json", view));
+        const json all = lines("teapot.json");
+        for (const json& line : all.at("lines")) {
+            for (std::size_t i = 0; i < line.at("places").size(); ++i) {
+                const json& point = line.at("points").at(i);
+                const auto eye = multiplied(all.at("camera").at("view"), {point.at(0), point.at(1), point.at(2), 1.0});
+                const auto clip = multiplied(all.at("camera").at("projection"), eye);
+                // Places are rounded to 0.001 pixel, points to a millionth of a model that is some 60 pixels wide.
+                ASSERT_NEAR((clip[0] / clip[3] + 1.0) / 2.0 * 64, line.at("places").at(i).at(0).get<double>(), 0.001);
+                ASSERT_NEAR((1.0 - clip[1] / clip[3]) / 2.0 * 48, line.at("places").at(i).at(1).get<double>(), 0.001);
+            }
+        }
+    }
+}
+
+// Those that meet in the corner away from the eye.
+TEST_F(RenderLines, HiddenOnesOfACubeAreItsThreeEdgesBehind) {
+    expectSuccess(draw("cube.glb", "cube.json", {"--hidden", "dashed"}));
+    const json all = lines("cube.json");
+    const json& eye = all.at("camera").at("eye");
+    std::map<int, double> lengths;  // by axis
+    for (const json& line : all.at("lines")) {
+        const json& points = line.at("points");
+        for (std::size_t i = 1; i < points.size() && !line.at("visible"); ++i) {
+            int along = -1;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double from = points.at(i - 1).at(axis);
+                const double to = points.at(i).at(axis);
+                if (from != to) {
+                    EXPECT_EQ(along, -1) << "not along an axis: " << line;
+                    along = axis;
+                    lengths[axis] += std::abs(to - from);
+                } else {
+                    EXPECT_NEAR(to, eye.at(axis) > 0.0 ? -0.5 : 0.5, 1e-6) << line;
+                }
+            }
+        }
+    }
+    EXPECT_EQ(lengths.size(), 3U);
+    for (const auto& [axis, length] : lengths) EXPECT_NEAR(length, 1.0, 1e-5) << axis;
+    expectSuccess(draw("cube.glb", "seen.json"));
+    for (const json& line : lines("seen.json").at("lines")) EXPECT_TRUE(line.at("visible"));
+}
+
+TEST_F(RenderLines, AreDrawnFromSeveralViews) {
+    expectSuccess(draw("gear.glb", "{view}.svg", {"--views", "turntable:3", "--elevation", "10"}));
+    EXPECT_THAT(folder_.names(), ElementsAre("000.svg", "001.svg", "002.svg"));
+    EXPECT_NE(drawing("000.svg"), drawing("001.svg"));
+    expectSuccess(draw("gear.glb", "one.svg", {"--azimuth", "120", "--elevation", "10"}));
+    EXPECT_EQ(drawing("001.svg"), drawing("one.svg"));
+}
+
+TEST_F(RenderLines, FillTheFieldsOfTheOutputsName) {
+    expectSuccess(draw("cube.glb", "{model}-{view}-{map}.svg"));
+    EXPECT_THAT(folder_.names(), ElementsAre("cube-0-outline.svg"));
+}
+
+TEST_F(RenderLines, HaveNoMapsInAFileOfLines) {
+    for (const std::string output : {"x.svg", "x.json", "{map}.SVG"}) {
+        expectFailure(draw("cube.glb", output, {"--maps", "depth"}), 2,
+                      HasSubstr("--maps: expected a picture as --output, found " + output + ", which holds lines"));
+    }
+    EXPECT_THAT(folder_.names(), IsEmpty());
+}
+
+TEST_F(RenderLines, FromObjectSpaceLeaveTheMapsAsTheyAre) {
+    expectSuccess(draw("gear.glb", "image.png", {"--maps", "types,depth,ids"}));
+    expectSuccess(draw("gear.glb", "object.png", {"--maps", "types,depth,ids", "--lines-from", "object"}));
+    for (const char* map : {".types.png", ".depth.png", ".ids.png"}) {
+        EXPECT_GT(text(std::string{"image"} + map).size(), 100U) << map;
+        EXPECT_EQ(text(std::string{"image"} + map), text(std::string{"object"} + map)) << map;
+    }
+    EXPECT_NE(text("image.png"), text("object.png"));
+}
+
+TEST_F(RenderLines, OfACameraThatSeesNothingAreAnEmptyDrawing) {
+    for (const char* output : {"none.svg", "none.json", "none.png"}) {
+        const Outcome outcome = draw("cube.glb", output, seesNothing);
+        expectSuccess(outcome);
+        EXPECT_EQ(outcome.error, "");
+    }
+    EXPECT_THAT(drawing("none.svg"), AllOf(Not(HasSubstr("<g")), Not(HasSubstr("<path"))));
+    EXPECT_EQ(lines("none.json").at("lines"), json::array());
+    EXPECT_EQ(decodePng(text("none.png")).grey, std::string(64 * 48, '\xff'));
+}
+
+TEST_F(RenderLines, ByTheGaussMapNeedAnOrthographicCamera) {
+    for (const char* output : {"gauss.svg", "gauss.json", "gauss.png"}) {
+        expectFailure(draw("gear.glb", output, {"--contour-finder", "gauss", "--lines-from", "object"}), 2,
+                      HasSubstr("--contour-finder: expected an orthographic camera for gauss"));
+    }
+    EXPECT_THAT(folder_.names(), IsEmpty());
+    expectSuccess(draw("gear.glb", "gauss.svg", {"--camera-orthographic", "0", "--contour-finder", "gauss"}));
+    expectSuccess(draw("gear.glb", "every.svg", {"--camera-orthographic", "0"}));
+    EXPECT_EQ(drawing("gauss.svg"), drawing("every.svg"));
+}
+
+TEST_F(RenderLines, FromImageSpaceAreFilesToo) {
+    expectSuccess(draw("cube.glb", "image.svg", {"--lines-from", "image"}));
+    EXPECT_THAT(drawing("image.svg"), AllOf(HasSubstr("<g class=\"inkedge outline visible\""), HasSubstr("<path")));
+    expectSuccess(draw("cube.glb", "image.json", {"--lines-from", "image", "--size", "256x256"}));
+    expectSuccess(draw("cube.glb", "object.json", {"--size", "256x256"}));
+    EXPECT_EQ(typesOf(lines("image.json")), (std::set<std::string>{"outline", "crease"}));
+    // Three ends of the inner edges, and the corners, are found up to a pixel off: of 1200 pixels.
+    EXPECT_NEAR(lengthOf(lines("image.json")) / lengthOf(lines("object.json")), 1.0, 0.01);
+    expectFailure(draw("cube.glb", "classic.svg", {"--lines-from", "image", "--detector", "classic"}), 2,
+                  HasSubstr("lines from image: expected the planes detector, found classic"));
+}
+
+TEST_F(RenderLines, AreToldOfInMetadataAndJson) {
+    const Outcome outcome = draw("cube.glb", "cube.svg", {"--metadata", "m.json", "--json"});
+    expectSuccess(outcome);
+    const json told = json::parse(outcome.out);
+    EXPECT_EQ(told.at("files"), json{"cube.svg"});
+    const json metadata = json::parse(text("m.json"));
+    EXPECT_EQ(told.at("camera"), metadata.at("camera"));
+    EXPECT_EQ(metadata.at("size"), json({64, 48}));
+    EXPECT_EQ(metadata.at("triangles"), 12);
+    for (const char* stage : {"load", "prepare", "context", "prepare lines", "visibility", "write"}) {
+        EXPECT_GE(metadata.at("milliseconds").value(stage, -1.0), 0.0) << stage;
+    }
+    expectSuccess(draw("cube.glb", "cube.png", {"--metadata", "picture.json"}));
+    const json picture = json::parse(text("picture.json"));
+    for (const char* key : {"camera", "size", "bounds", "backend"}) EXPECT_EQ(metadata.at(key), picture.at(key)) << key;
+}
+
+TEST_F(RenderLines, VerboseNamesTheBackendStagesAndFile) {
+    for (const char* from : {"object", "image"}) {
+        const Outcome outcome = draw("cube.glb", "cube.svg", {"-v", "--lines-from", from, "--metadata", "m.json"});
+        expectSuccess(outcome);
+        const json backend = json::parse(text("m.json")).at("backend");
+        for (const char* part : {"backend", "platform", "renderer", "version"}) {
+            EXPECT_FALSE(backend.at(part).get<std::string>().empty()) << part;
+            EXPECT_THAT(outcome.error, HasSubstr(backend.at(part).get<std::string>())) << part;
+        }
+        EXPECT_THAT(outcome.error, AllOf(HasSubstr("load"), HasSubstr("write"), HasSubstr("wrote cube.svg")));
+    }
+}
+
+TEST_F(RenderLines, ToStandardOutputArePng) {
+    expectSuccess(draw("cube.glb", "cube.png", {"--lines-from", "object"}));
+    const Outcome outcome = draw("cube.glb", "-", {"--lines-from", "object"});
+    expectSuccess(outcome);
+    EXPECT_EQ(outcome.out, text("cube.png"));
+    EXPECT_EQ(decodePng(outcome.out).width, 64U);
+}
+
+TEST_F(RenderLines, NeedAFolder) {
+    put(folder_ / "file", "");
+    for (const std::string output : {"missing/cube.svg", "missing/cube.json", "file/cube.svg"}) {
+        expectFailure(draw("cube.glb", output), 5, HasSubstr(output + ": cannot be written: expected a folder"));
+    }
+    EXPECT_THAT(folder_.names(), ElementsAre("file"));
+}
+
+// Fast visibility takes seen and hidden from pixels: where a line runs out behind a surface its end may lie a pixel
+// off. 0.0005 is 20 pixels, a few such ends; a line that is lost has more.
+TEST_F(RenderLines, SeenFastAreThoseSeenExactly) {
+    for (const std::string model : {"gear.glb", "torus_knot.glb", "touching_solids.glb"}) {
+        for (const char* visibility : {"exact", "fast"}) {
+            expectSuccess(draw(model, std::string{visibility} + ".png",
+                               {"--lines-from", "object", "--visibility", visibility, "--size", "200x200"}));
+        }
+        EXPECT_LE(differing("exact.png", "fast.png"), 0.0005) << model;
+    }
+}
+
+}  // namespace

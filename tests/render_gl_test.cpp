@@ -1,0 +1,154 @@
+// Renderer::lines() as a library's user calls it.
+#include <inkedge/renderer.h>
+
+#include <set>
+#include <thread>
+
+#include "gl/gl_test.h"
+#include "io/expect_error.h"
+#include "scenes.h"
+
+namespace inkedge {
+namespace {
+
+INKEDGE_ON_EACH_BACKEND(RendererLines);
+
+using testing::HasSubstr;
+
+constexpr Size size{200, 150};
+
+Settings settingsOf(LinesFrom from, Visibility visibility = Visibility::Exact) {
+    Settings settings;
+    settings.picture.size = size;
+    settings.lines.from = from;
+    settings.lines.visibility = visibility;
+    settings.lines.hidden = HiddenLines::Solid;
+    return settings;
+}
+
+const std::vector<Settings>& everyWay() {
+    static const std::vector<Settings> all{settingsOf(LinesFrom::Auto), settingsOf(LinesFrom::Object),
+                                           settingsOf(LinesFrom::Object, Visibility::Fast),
+                                           settingsOf(LinesFrom::Image)};
+    return all;
+}
+
+Lines linesOf(Renderer& renderer, const Scene& scene, const Settings& settings) {
+    return renderer.lines(scene, frameCamera(scene, {}, size), settings);
+}
+
+void expectSame(const Lines& a, const Lines& b) {
+    ASSERT_EQ(a.lines.size(), b.lines.size());
+    for (std::size_t i = 0; i < a.lines.size(); ++i) {
+        const Line& one = a.lines[i];
+        const Line& other = b.lines[i];
+        EXPECT_EQ(one.type, other.type);
+        EXPECT_EQ(one.visible, other.visible);
+        ASSERT_EQ(one.points.size(), other.points.size());
+        for (std::size_t k = 0; k < one.points.size(); ++k) EXPECT_EQ(one.points[k].place, other.points[k].place);
+    }
+}
+
+TEST_P(RendererLines, tellWhatFoundThem) {
+    const Scene scene = scenes::sceneOf(scenes::cube());
+    for (const Settings& settings : everyWay()) {
+        const Lines found = linesOf(renderer(), scene, settings);
+        EXPECT_EQ(found.size, size);
+        EXPECT_EQ(found.camera.view, frameCamera(scene, {}, size).view);
+        EXPECT_EQ(found.backend.backend, gl_test::backendName(GetParam()));
+        EXPECT_FALSE(found.backend.version.empty());
+        EXPECT_FALSE(found.times.empty());
+        std::set<LineType> seen;
+        bool hidden = false;
+        for (const Line& line : found.lines) {
+            if (line.visible) seen.insert(line.type);
+            hidden = hidden || !line.visible;
+            EXPECT_GE(line.points.size(), 2U);
+            EXPECT_EQ(line.object, 1U);
+        }
+        EXPECT_EQ(seen, (std::set{LineType::Outline, LineType::Crease}));
+        EXPECT_EQ(hidden, settings.lines.from != LinesFrom::Image) << "the planes detector sees no hidden lines";
+    }
+}
+
+TEST_P(RendererLines, rememberNothingOfTheSceneBefore) {
+    const Scene first = scenes::sceneOf(scenes::sphere());
+    const Scene second = scenes::sceneOf(scenes::cube());
+    for (const Settings& settings : everyWay()) {
+        Renderer fresh{BackendSettings{GetParam(), {}}};
+        const Lines alone = linesOf(fresh, second, settings);
+        EXPECT_NE(linesOf(renderer(), first, settings).lines.size(), alone.lines.size());
+        expectSame(linesOf(renderer(), second, settings), alone);
+        (void)renderer().render(first, frameCamera(first, {}, size), settings);
+        expectSame(linesOf(renderer(), second, settings), alone);
+    }
+}
+
+TEST_P(RendererLines, ofASceneThatStandsWhereADeadOneStoodAreItsOwn) {
+    for (const Settings& settings : everyWay()) {
+        Camera camera;
+        std::vector<double> reach;
+        for (const double side : {0.5, 1.5}) {
+            const Scene scene = scenes::sceneOf(scenes::cube(side));
+            if (reach.empty()) camera = frameCamera(scenes::sceneOf(scenes::cube(2.0)), {}, size);
+            double most = 0.0;
+            for (const Line& line : renderer().lines(scene, camera, settings).lines) {
+                for (const LinePoint& p : line.points) most = std::max(most, p.point.x);
+            }
+            reach.push_back(most);
+        }
+        // In image space a corner is placed to a pixel, a hundredth of this picture.
+        EXPECT_NEAR(reach.at(1) / reach.at(0), 3.0, 0.15);
+    }
+}
+
+TEST_P(RendererLines, leaveTheCallersContextCurrent) {
+    const Scene scene = scenes::sceneOf(scenes::cube());
+    const gl::Current outer{context()};
+    float value = 0.0F;
+    for (const Settings& settings : everyWay()) {
+        value += 0.125F;
+        context().api().ClearColor(value, 0, 0, 0);
+        (void)linesOf(renderer(), scene, settings);
+        GLfloat color[4]{-1.0F};
+        context().api().GetFloatv(GL_COLOR_CLEAR_VALUE, color);
+        EXPECT_EQ(color[0], value);
+    }
+}
+
+TEST_P(RendererLines, leaveTheCallersContextCurrentWhenTheyFail) {
+    const Scene scene = scenes::sceneOf(scenes::cube());
+    const gl::Current outer{context()};
+    context().api().ClearColor(0.375F, 0, 0, 0);
+    Settings classic = settingsOf(LinesFrom::Image);
+    classic.detector.detector = Detector::Classic;
+    expectError(Error::Kind::Usage, HasSubstr("lines from image: expected the planes detector, found classic"),
+                [&] { (void)linesOf(renderer(), scene, classic); });
+    Settings gauss = settingsOf(LinesFrom::Object);
+    gauss.lines.contourFinder = ContourFinder::Gauss;
+    expectError(Error::Kind::Usage, HasSubstr("expected an orthographic camera for gauss"),
+                [&] { (void)linesOf(renderer(), scene, gauss); });
+    GLfloat color[4]{-1.0F};
+    context().api().GetFloatv(GL_COLOR_CLEAR_VALUE, color);
+    EXPECT_EQ(color[0], 0.375F);
+}
+
+TEST_P(RendererLines, areFoundOnSeveralThreadsWithARendererEach) {
+    const Scene scene = scenes::sceneOf(scenes::sphere());
+    for (const Settings& settings : everyWay()) {
+        const Lines alone = linesOf(renderer(), scene, settings);
+        std::vector<Lines> results(2);
+        std::vector<std::thread> threads;
+        for (Lines& result : results) {
+            threads.emplace_back([&] {
+                Renderer own{BackendSettings{GetParam(), {}}};
+                result = linesOf(own, scene, settings);
+            });
+        }
+        for (std::thread& thread : threads) thread.join();
+        for (const Lines& result : results) expectSame(result, alone);
+    }
+}
+
+}  // namespace
+}  // namespace inkedge
