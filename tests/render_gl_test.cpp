@@ -77,10 +77,11 @@ TEST_P(RendererLines, rememberNothingOfTheSceneBefore) {
     for (const Settings& settings : everyWay()) {
         Renderer fresh{BackendSettings{GetParam(), {}}};
         const Lines alone = linesOf(fresh, second, settings);
-        EXPECT_NE(linesOf(renderer(), first, settings).lines.size(), alone.lines.size());
-        expectSame(linesOf(renderer(), second, settings), alone);
-        (void)renderer().render(first, frameCamera(first, {}, size), settings);
-        expectSame(linesOf(renderer(), second, settings), alone);
+        Renderer used{BackendSettings{GetParam(), {}}};
+        EXPECT_NE(linesOf(used, first, settings).lines.size(), alone.lines.size());
+        expectSame(linesOf(used, second, settings), alone);
+        (void)used.render(first, frameCamera(first, {}, size), settings);
+        expectSame(linesOf(used, second, settings), alone);
     }
 }
 
