@@ -153,7 +153,7 @@ TEST_F(Places, DiskThatIsFull) {
         expectNothingLeft();
     }
     for (const char* output : {"a.svg", "a.json"}) {
-        expectFailure(runWith(full, {"render", roof(), "-o", output}), 5,
+        expectFailure(runWith(full, {"render", roof(), "-o", output, "--lines-from", "image"}), 5,
                       AllOf(HasSubstr(output), HasSubstr("cannot be written: expected room for the file, found: ")));
         expectNothingLeft();
     }
@@ -175,7 +175,7 @@ void obeyModes() {
 TEST_F(Places, FolderThatIsReadOnly) {
     for (const std::string output : {"a.png", "a.svg", "a.json"}) {
         std::filesystem::permissions(folder_.path(), std::filesystem::perms{0555});
-        const Outcome outcome = runWith(obeyModes, {"render", roof(), "-o", output});
+        const Outcome outcome = runWith(obeyModes, {"render", roof(), "-o", output, "--lines-from", "image"});
         std::filesystem::permissions(folder_.path(), std::filesystem::perms{0755});
         if (outcome.exitCode == cannotObeyModes) GTEST_SKIP() << "root may write to every folder here";
         expectFailure(outcome, 5,

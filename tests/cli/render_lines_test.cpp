@@ -44,8 +44,8 @@ protected:
     }
 };
 
-const Arguments seesNothing{"--lines-from", "object", "--hidden", "solid", "--camera-position", "0,0,9",
-                            "--camera-direction", "0,0,1"};
+const Arguments seesNothing{"--lines-from",      "object", "--hidden",           "solid",
+                            "--camera-position", "0,0,9",  "--camera-direction", "0,0,1"};
 
 std::vector<std::string> keysOf(const json& object) {
     std::vector<std::string> keys;
@@ -86,12 +86,11 @@ TEST_F(RenderLines, SvgHasAGroupATypeAndVisibility) {
     expectSuccess(outcome);
     EXPECT_EQ(outcome.out + outcome.error, "");
     EXPECT_THAT(folder_.names(), ElementsAre("cube.svg"));
-    EXPECT_THAT(text("cube.svg"),
-                AllOf(HasSubstr(R"(width="64" height="48" viewBox="0 0 64 48")"), HasSubstr("<title>cube.svg</title>")));
+    EXPECT_THAT(text("cube.svg"), AllOf(HasSubstr(R"(width="64" height="48" viewBox="0 0 64 48")"),
+                                        HasSubstr("<title>cube.svg</title>")));
     const std::string groups = drawing("cube.svg");
     const std::vector<std::size_t> places{
-        groups.find(
-            R"(<g class="inkedge crease hidden" stroke="#000000" stroke-width="1" stroke-dasharray="6 4">)"),
+        groups.find(R"(<g class="inkedge crease hidden" stroke="#000000" stroke-width="1" stroke-dasharray="6 4">)"),
         groups.find(R"(<g class="inkedge crease visible" stroke="#000000" stroke-width="2">)"),
         groups.find(R"(<g class="inkedge outline visible" stroke="#000000" stroke-width="2">)")};
     EXPECT_THAT(places, Each(testing::Lt(groups.size()))) << groups;
@@ -241,7 +240,7 @@ TEST_F(RenderLines, FromImageSpaceAreFilesToo) {
     // Three ends of the inner edges, and the corners, are found up to a pixel off: of 1200 pixels.
     EXPECT_NEAR(lengthOf(lines("image.json")) / lengthOf(lines("object.json")), 1.0, 0.01);
     expectFailure(draw("cube.glb", "classic.svg", {"--lines-from", "image", "--detector", "classic"}), 2,
-                  HasSubstr("lines from image: expected the planes detector, found classic"));
+                  HasSubstr("lines from image: expected the planes detector, found"));
 }
 
 TEST_F(RenderLines, AreToldOfInMetadataAndJson) {

@@ -43,6 +43,8 @@ int main(int argc, char** argv) {
         inkedge::writeMaps(maps, {}, argv[2]);
         inkedge::writeMaps(maps, settings.maps, argv[3]);
 
+        settings.detector.detector = inkedge::Detector::Planes;
+        settings.lines.from = inkedge::LinesFrom::Image;  // needs no Embree
         const inkedge::Lines lines = renderer.lines(scene, camera, settings);
         inkedge::writeLines(scene, lines, settings, argv[4]);
         std::printf("%zu lines\n", lines.lines.size());
