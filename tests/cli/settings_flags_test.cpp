@@ -104,7 +104,7 @@ const std::map<std::string_view, Example>& examples() {
         {"max-image-pixels", limitExample("max-image-pixels", "1M", "1 M")},
         {"function",
          {.value = "height:levels=4;depth",
-          .wrong = "height:levels=0",
+          .wrong = "colour",
           .shows = "picture.edges.png",
           .beside = {"--detector", "none"}}},
         {"profile-limit",

@@ -50,6 +50,7 @@ std::vector<std::string> samples(const SettingDescription& row) {
     if (row.values == "HEIGHT" || row.values == "FACTOR" || row.values == "T") return {"0.25", "2", "1000"};
     if (row.name == "dpi") return {"72", "300.5"};
     if (row.values == "PX" && row.group == "lines") return {"0", "0.25", "2.5"};
+    if (row.group == "detector" && (row.values == "PX" || row.values == "X")) return {"0.25", "2.5"};
     if (row.values == "PX") return {"0.5", "2.25", "0.35mm"};
     if (row.values == "TYPE,...") return {"none", "crease", "outline,object"};
     if (row.values == "TYPE:width=W,color=C;...") return {"crease:width=1", "outline:width=0.5mm,color=#123456"};
@@ -60,6 +61,7 @@ std::vector<std::string> samples(const SettingDescription& row) {
     if (row.group == "limits") return {"1", "123456"};
     if (row.range == "0 to 6") return {"0", "6"};
     if (row.values == "N|u:N,v:N") return {"8", "u:4,v:12"};
+    if (row.name == "function") return {"depth", "height:levels=4;normal:kernel=farid"};
     if (row.values == "N") return {"0", "7"};
     ADD_FAILURE() << "--" << row.name << " takes " << row.values << ", for which this test knows no samples";
     return {};
