@@ -1,4 +1,5 @@
 #include "lines/intersections.h"
+#include "lines/views.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,23 +30,6 @@ std::map<std::uint32_t, int> endsAtNodes(const std::vector<IntersectionSegment>&
     return ends;
 }
 
-// In n x n cells about the origin in the plane y = 0; without normals.
-Mesh table(double side, std::uint32_t n = 1) {
-    Mesh mesh;
-    mesh.name = "table";
-    for (std::uint32_t i = 0; i <= n; ++i)
-        for (std::uint32_t j = 0; j <= n; ++j)
-            mesh.positions.emplace_back(side * (double(i) / n - 0.5), 0.0, side * (double(j) / n - 0.5));
-    for (std::uint32_t i = 0; i < n; ++i) {
-        for (std::uint32_t j = 0; j < n; ++j) {
-            const std::uint32_t a = i * (n + 1) + j;
-            const std::uint32_t b = a + n + 1;
-            mesh.indices.insert(mesh.indices.end(), {a, a + 1, b, b, a + 1, b + 1});
-        }
-    }
-    return mesh;
-}
-
 Mesh joined(const Mesh& a, const Mesh& b, const glm::dmat4& placeOfB) {
     Mesh mesh = a;
     mesh.normals.clear();
@@ -62,7 +46,7 @@ std::array<Scene, 2> bothWays(const Mesh& a, const Mesh& b, const glm::dmat4& pl
 }
 
 TEST(Intersections, OfABoxThatSinksIntoATableAreItsFourSides) {
-    for (const Scene& scene : bothWays(table(10.0, 3), box({2, 1, 3}), translation({0.1, 0.2, 0.3}))) {
+    for (const Scene& scene : bothWays(lines::views::sheet(10.0, 3), box({2, 1, 3}), translation({0.1, 0.2, 0.3}))) {
         const auto segments = findIntersections(scene);
         EXPECT_NEAR(totalLength(segments), 10.0, 1e-5);  // positions are floats
         for (const IntersectionSegment& s : segments) {
@@ -108,7 +92,7 @@ TEST(Intersections, NeedMoreThanTouch) {
     for (const double off : {0.0, 4e-7, -4e-7}) {
         for (const std::uint32_t cells : {1U, 2U, 7U}) {
             for (const Scene& scene :
-                 bothWays(table(10.0, cells), box({2, 1, 2}), translation({0, 0.5 + off, 0}) * turned))
+                 bothWays(lines::views::sheet(10.0, cells), box({2, 1, 2}), translation({0, 0.5 + off, 0}) * turned))
                 EXPECT_THAT(findIntersections(scene), IsEmpty()) << cells << " cells, off by " << off;
         }
     }
@@ -123,11 +107,11 @@ TEST(Intersections, NeedMoreThanTouch) {
     expectNone(unit, unit, translation({0.5, 1.0, 0.5}), "corner over the middle");
     expectNone(unit, cube(0.5), translation({0.25, 0.75, 0.0}), "on top, flush with a side");
     expectNone(unit, cube(0.5), translation({0.25, 0.25, 0.25}), "inside, flush with three sides");
-    expectNone(table(2.0, 3), table(2.0, 2), translation({0.3, 0, 0.2}), "layers in one plane");
-    expectNone(table(4.0, 3), table(2.0, 2), rotation(90.0, {1, 0, 0}) * translation({0, 0, -1}), "a wall on a floor");
-    expectNone(table(2.0, 3), table(2.0, 2), rotation(10.0, {1, 0, 0}), "planes nearly the same");
+    expectNone(lines::views::sheet(2.0, 3), lines::views::sheet(2.0, 2), translation({0.3, 0, 0.2}), "layers in one plane");
+    expectNone(lines::views::sheet(4.0, 3), lines::views::sheet(2.0, 2), rotation(90.0, {1, 0, 0}) * translation({0, 0, -1}), "a wall on a floor");
+    expectNone(lines::views::sheet(2.0, 3), lines::views::sheet(2.0, 2), rotation(10.0, {1, 0, 0}), "planes nearly the same");
     // The pole, a corner of many faces, and then a tip, touch the table.
-    expectNone(table(4.0, 3), sphere(1.0, 32), translation({0.1, 1, 0.1}), "a sphere on a table");
+    expectNone(lines::views::sheet(4.0, 3), sphere(1.0, 32), translation({0.1, 1, 0.1}), "a sphere on a table");
 }
 
 TEST(Intersections, OfWhatIsThereTwiceAreNone) {
@@ -136,7 +120,7 @@ TEST(Intersections, OfWhatIsThereTwiceAreNone) {
         for (const Scene& scene : bothWays(one, one, glm::dmat4{1.0})) EXPECT_THAT(findIntersections(scene), IsEmpty());
     }
     // A face that repeats another takes part once.
-    Mesh twice = table(10.0);
+    Mesh twice = lines::views::sheet(10.0);
     twice.indices.insert(twice.indices.end(), twice.indices.begin(), twice.indices.end());
     const auto segments = findIntersections(sceneOf(onePart(twice, cube(1.0), rotation(10.0, {0, 1, 0}))));
     EXPECT_NEAR(totalLength(segments), 4.0, 1e-5);
@@ -147,19 +131,19 @@ TEST(Intersections, WhereAnEdgeLiesInAFaceAreOneLineOfTwo) {
     const Mesh ball = sphere(1.0, 16);
     const double ring = 16.0 * 2.0 * std::sin(std::numbers::pi / 16.0);
     for (const std::uint32_t cells : {1U, 2U, 5U}) {
-        for (const Scene& scene : bothWays(table(4.0, cells), ball, glm::dmat4{1.0})) {
+        for (const Scene& scene : bothWays(lines::views::sheet(4.0, cells), ball, glm::dmat4{1.0})) {
             const auto segments = findIntersections(scene);
             EXPECT_NEAR(totalLength(segments), ring, 1e-5) << cells;
             for (const auto& [node, ends] : endsAtNodes(segments)) EXPECT_EQ(ends, 2) << cells;
         }
     }
     // A cube's edges are lines themselves.
-    for (const Scene& scene : bothWays(table(4.0), cube(1.0), rotation(45.0, {0, 0, 1}) * rotation(90.0, {1, 0, 0})))
+    for (const Scene& scene : bothWays(lines::views::sheet(4.0), cube(1.0), rotation(45.0, {0, 0, 1}) * rotation(90.0, {1, 0, 0})))
         EXPECT_NEAR(totalLength(findIntersections(scene)), 2.0 * std::sqrt(2.0), 1e-5);
 }
 
 TEST(Intersections, KeepToTheirInstances) {
-    const Mesh both = onePart(table(4.0), cube(1.0), rotation(10.0, {0, 1, 0}));
+    const Mesh both = onePart(lines::views::sheet(4.0), cube(1.0), rotation(10.0, {0, 1, 0}));
     std::vector<std::pair<Mesh, glm::dmat4>> placed;
     Scene::Data data;
     data.meshes.push_back(both);
@@ -187,7 +171,7 @@ TEST(Intersections, KeepToTheirInstances) {
 TEST(Intersections, AreFoundBetweenMirroredScaledAndDistortedInstances) {
     for (const glm::dmat4& transform :
          {scaling({-2, 2, 2}), scaling({1, 3, 0.5}), rotation(33, {1, 2, 3}) * scaling(glm::dvec3{1e-3})}) {
-        const Scene scene = sceneOf({{table(4.0, 2), transform}, {cube(1.0), transform * rotation(10.0, {0, 1, 0})}});
+        const Scene scene = sceneOf({{lines::views::sheet(4.0, 2), transform}, {cube(1.0), transform * rotation(10.0, {0, 1, 0})}});
         const auto segments = findIntersections(scene);
         const glm::dmat3 linear{transform};
         double expected = 0.0;
@@ -202,7 +186,7 @@ TEST(Intersections, AreFoundBetweenMirroredScaledAndDistortedInstances) {
 TEST(Intersections, AreThoseThatEveryPairOfFacesHas) {
     // Leaves of a bumpy sheet, folded over itself: the tree must not lose any.
     const auto sheet = [](double phase) {
-        Mesh mesh = table(2.0, 40);
+        Mesh mesh = lines::views::sheet(2.0, 40);
         for (glm::vec3& p : mesh.positions)
             p.y = static_cast<float>(0.2 * std::sin(7.0 * double{p.x} + phase) * std::cos(6.0 * double{p.z}));
         return mesh;
