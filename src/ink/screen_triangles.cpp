@@ -57,7 +57,7 @@ void ScreenTriangles::collectLayerBorders() {
     }
 }
 
-bool ScreenTriangles::touch(SceneTriangle a, SceneTriangle b) const {
+bool ScreenTriangles::touch(SceneFace a, SceneFace b) const {
     if (a.instance != b.instance) return false;
     const auto& points = scene_.topology(scene_.instances()[a.instance].mesh).points;
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -85,13 +85,13 @@ std::optional<double> ScreenTriangles::layerBorder(std::uint32_t patch, glm::dve
     return {};
 }
 
-SceneTriangle ScreenTriangles::locate(std::uint32_t number) const {
+SceneFace ScreenTriangles::locate(std::uint32_t number) const {
     const auto after = std::ranges::upper_bound(firstTriangles_, number);
     const auto instance = static_cast<std::uint32_t>(after - firstTriangles_.begin()) - 1;
     return {instance, number - firstTriangles_[instance]};
 }
 
-std::uint32_t ScreenTriangles::patchOf(SceneTriangle t) const {
+std::uint32_t ScreenTriangles::patchOf(SceneFace t) const {
     const PatchNumbers& patches = scene_.patchNumbers();
     const std::uint32_t mesh = scene_.instances()[t.instance].mesh;
     return patches.number[patches.base[t.instance] + scene_.topology(mesh).patches[t.triangle]];
@@ -102,7 +102,7 @@ glm::dvec3 ScreenTriangles::corner(std::uint32_t instance, std::uint32_t c) cons
     return toPixels_[instance] * glm::dvec4{glm::dvec3{mesh.positions[mesh.indices[c]]}, 1.0};
 }
 
-ScreenTriangles::EdgeLines ScreenTriangles::edgeLines(SceneTriangle t) const {
+ScreenTriangles::EdgeLines ScreenTriangles::edgeLines(SceneFace t) const {
     const glm::dvec3 a = corner(t.instance, 3 * t.triangle);
     const glm::dvec3 b = corner(t.instance, 3 * t.triangle + 1);
     const glm::dvec3 c = corner(t.instance, 3 * t.triangle + 2);
@@ -114,7 +114,7 @@ ScreenTriangles::EdgeLines ScreenTriangles::edgeLines(SceneTriangle t) const {
     return lines;
 }
 
-ScreenTriangles::Plane ScreenTriangles::plane(SceneTriangle t, glm::dvec2 at) const {
+ScreenTriangles::Plane ScreenTriangles::plane(SceneFace t, glm::dvec2 at) const {
     const glm::dvec3 a = corner(t.instance, 3 * t.triangle);
     const glm::dvec3 b = corner(t.instance, 3 * t.triangle + 1);
     const glm::dvec3 c = corner(t.instance, 3 * t.triangle + 2);
@@ -131,11 +131,11 @@ ScreenTriangles::Plane ScreenTriangles::plane(SceneTriangle t, glm::dvec2 at) co
     return {glm::dot(plane, glm::dvec3{at, 1.0}), plane.x, plane.y};
 }
 
-ScreenTriangles::Walk ScreenTriangles::walk(SceneTriangle from, glm::dvec2 start, glm::dvec2 goal) const {
+ScreenTriangles::Walk ScreenTriangles::walk(SceneFace from, glm::dvec2 start, glm::dvec2 goal) const {
     const MeshTopology& topology = scene_.topology(scene_.instances()[from.instance].mesh);
     const glm::dvec3 p{start, 1.0};
     const glm::dvec3 q{goal, 1.0};
-    SceneTriangle at = from;
+    SceneFace at = from;
     std::uint32_t entry = noHalfEdge;
     double reached = 0.0;
     for (int step = 0; step < longestWalk; ++step) {

@@ -12,13 +12,9 @@
 
 #include <inkedge/camera.h>
 
-namespace inkedge {
+#include "scene/scene_face.h"
 
-/// A triangle of the scene.
-struct SceneTriangle {
-    std::uint32_t instance;
-    std::uint32_t triangle;  ///< of the instance's mesh
-};
+namespace inkedge {
 
 /// The scene's triangles as one camera projects them. Coordinates are pixels, (0, 0) the whole picture's top left
 /// corner.
@@ -28,10 +24,10 @@ public:
     ScreenTriangles(const Scene&, const std::vector<std::uint32_t>& firstTriangles, const Camera&, Size);
 
     /// @param number  of a triangle of the scene, from 0
-    [[nodiscard]] SceneTriangle locate(std::uint32_t number) const;
+    [[nodiscard]] SceneFace locate(std::uint32_t number) const;
 
     /// The patch's number (PatchNumbers::number).
-    [[nodiscard]] std::uint32_t patchOf(SceneTriangle) const;
+    [[nodiscard]] std::uint32_t patchOf(SceneFace) const;
 
     /// What ends the surface that a walk across it meets.
     enum class End {
@@ -49,7 +45,7 @@ public:
     };
     /// Walks in the picture from a point on a triangle towards another, from triangle to triangle. Neither if the
     /// triangles on the way are too many to follow.
-    [[nodiscard]] Walk walk(SceneTriangle from, glm::dvec2 start, glm::dvec2 goal) const;
+    [[nodiscard]] Walk walk(SceneFace from, glm::dvec2 start, glm::dvec2 goal) const;
 
     /// What linear function of the picture a triangle is: w and its slopes a pixel, as PlaneBuffers::planes, but in
     /// scene units and to double precision.
@@ -58,10 +54,10 @@ public:
         double dx;
         double dy;
     };
-    [[nodiscard]] Plane plane(SceneTriangle, glm::dvec2 at) const;
+    [[nodiscard]] Plane plane(SceneFace, glm::dvec2 at) const;
 
     /// Whether two triangles of one mesh are the same or touch each other.
-    [[nodiscard]] bool touch(SceneTriangle, SceneTriangle) const;
+    [[nodiscard]] bool touch(SceneFace, SceneFace) const;
 
     /// Where, from 0 at start to 1 at goal, the border of a coplanar layer lies between them, whichever layer is seen
     /// there.
@@ -80,7 +76,7 @@ private:
         glm::dvec3 line[3];
     };
     [[nodiscard]] glm::dvec3 corner(std::uint32_t instance, std::uint32_t c) const;
-    [[nodiscard]] EdgeLines edgeLines(SceneTriangle) const;
+    [[nodiscard]] EdgeLines edgeLines(SceneFace) const;
 
     const Scene& scene_;
     const std::vector<std::uint32_t>& firstTriangles_;

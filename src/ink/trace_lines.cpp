@@ -109,7 +109,7 @@ private:
     using Walk = ScreenTriangles::Walk;
 
     [[nodiscard]] bool isBackground(Sample s) const { return buffers_.triangles.at(s.x, s.y) == 0; }
-    [[nodiscard]] SceneTriangle triangle(Sample s) const {
+    [[nodiscard]] SceneFace triangle(Sample s) const {
         return triangles_.locate(buffers_.triangles.at(s.x, s.y) - 1);
     }
     // In the whole picture.
@@ -196,7 +196,7 @@ private:
     // ends on another triangle than the one seen there, the patch runs into itself.
     [[nodiscard]] bool goesOnSmoothly(const Walk& way, Sample far) const {
         if (way.exit) return false;
-        const SceneTriangle seen = triangle(far);
+        const SceneFace seen = triangle(far);
         return !way.arrivedAt || triangles_.touch({seen.instance, *way.arrivedAt}, seen);
     }
 
@@ -390,7 +390,7 @@ Image<std::uint32_t> traceIds(const LineBuffers& buffers, const Scene& scene, co
     for (int y = part.y; y < part.y + part.size.height; ++y) {
         for (int x = part.x; x < part.x + part.size.width; ++x) {
             if (const std::uint32_t number = buffers.triangles.at(x, y); number != 0) {
-                const SceneTriangle t = triangles.locate(number - 1);
+                const SceneFace t = triangles.locate(number - 1);
                 const Instance& instance = scene.instances()[t.instance];
                 const auto& materials = scene.meshes()[instance.mesh].materials;
                 ids.at(x, y, 0) = triangles.patchOf(t);

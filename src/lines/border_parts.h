@@ -9,7 +9,7 @@
 #include <inkedge/scene.h>
 
 #include "lines/mesh_edges.h"
-#include "lines/scene_face.h"
+#include "scene/scene_face.h"
 
 namespace inkedge::lines {
 

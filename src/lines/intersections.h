@@ -8,7 +8,7 @@
 
 #include <inkedge/scene.h>
 
-#include "lines/scene_face.h"
+#include "scene/scene_face.h"
 
 namespace inkedge {
 

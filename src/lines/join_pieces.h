@@ -9,7 +9,7 @@
 #include <inkedge/lines.h>
 #include <inkedge/scene.h>
 
-#include "lines/scene_face.h"
+#include "scene/scene_face.h"
 #include "lines/screen.h"
 
 namespace inkedge::lines {

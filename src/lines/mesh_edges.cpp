@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "scene/union_find.h"
+#include "scene/closed_surface.h"
 
 namespace inkedge::lines {
 
@@ -51,42 +51,6 @@ void collectMany(const MeshTopology& topology, MeshEdges& edges) {
     for (std::uint32_t i = 0; i < many.size(); ++i)
         if (i == 0 || ends(many[i]) != ends(many[i - 1])) edges.manyBegins.push_back(i);
     edges.manyBegins.push_back(static_cast<std::uint32_t>(many.size()));
-}
-
-double signedVolume(const Mesh& mesh, std::uint32_t t) {
-    const auto corner = [&](std::uint32_t k) { return glm::dvec3{mesh.positions[mesh.indices[3 * std::size_t{t} + k]]}; };
-    return glm::dot(corner(0), glm::cross(corner(1), corner(2)));
-}
-
-std::vector<std::int8_t> findClosedParts(const Mesh& mesh, const MeshTopology& topology) {
-    const auto count = static_cast<std::uint32_t>(topology.originals.size());
-    UnionFind parts{count};
-    std::vector<bool> open(count, false);
-    for (std::uint32_t t = 0; t < count; ++t) {
-        if (!takesPart(topology, t)) continue;
-        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-            const std::uint32_t twin = topology.twins[h];
-            if (!isHalfEdge(twin)) {
-                open[t] = true;
-                continue;
-            }
-            if (topology.points[h] == topology.points[twin]) open[t] = true;
-            parts.unite(t, twin / 3);
-        }
-    }
-    std::vector<double> volumes(count, 0.0);
-    for (std::uint32_t t = 0; t < count; ++t) {
-        if (!takesPart(topology, t)) continue;
-        if (open[t]) open[parts.root(t)] = true;
-        volumes[parts.root(t)] += signedVolume(mesh, t);
-    }
-    std::vector<std::int8_t> closed(count, 0);
-    for (std::uint32_t t = 0; t < count; ++t) {
-        const std::uint32_t root = parts.root(t);
-        if (!takesPart(topology, t) || open[root] || volumes[root] == 0.0) continue;
-        closed[t] = volumes[root] > 0.0 ? 1 : -1;
-    }
-    return closed;
 }
 
 // The face that a thin one is a part of.
@@ -159,7 +123,7 @@ MeshEdges findEdges(const Mesh& mesh, const MeshTopology& topology, double creas
         if (thin && takesPart(topology, h / 3)) edges.thinBorders.push_back(h);
     }
     collectMany(topology, edges);
-    edges.closed = findClosedParts(mesh, topology);
+    edges.closed = closedParts(mesh, topology);
     return edges;
 }
 

@@ -30,9 +30,7 @@ struct MeshEdges {
 
     std::vector<glm::dvec3> faceNormals;  ///< as MeshTopology::faceNormals
 
-    /// One a face: 1 or -1 if the part that hangs together with it is closed, consistently wound and outward or inward;
-    /// else 0.
-    std::vector<std::int8_t> closed;
+    std::vector<std::int8_t> closed;  ///< as closedParts() gives them
 };
 
 /// Whether the file marks a half-edge, or its twin.

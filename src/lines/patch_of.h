@@ -4,7 +4,7 @@
 
 #include <inkedge/scene.h>
 
-#include "lines/scene_face.h"
+#include "scene/scene_face.h"
 #include "scene/patch_numbers.h"
 #include "scene/topology.h"
 

@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "lines/scene_face.h"
+#include "scene/scene_face.h"
 
 namespace inkedge::lines {
 

@@ -8,7 +8,7 @@
 
 #include <inkedge/image.h>
 
-#include "lines/scene_face.h"
+#include "scene/scene_face.h"
 #include "lines/screen.h"
 #include "samples.h"
 
