@@ -18,20 +18,7 @@ layout(location = 3) uniform vec2 centre;         // of the whole picture, pixel
 layout(location = 0) out uvec4 marks;
 
 #include "shared/marks.glsl"
-
-// The face normal, turned to the eye, up to a positive factor; n.xy in pixels, as the picture's axes run.
-vec3 normalOf(vec4 plane, vec2 fromCentre) {
-    return orthographic ? vec3(plane.yz * focalLength, 1.0)
-                        : vec3(plane.yz * focalLength, plane.x - dot(plane.yz, fromCentre));
-}
-
-bool jumps(float wp, float wq, float gp, float gq) {
-    float rp = wq - (wp + gp);
-    float rq = wp - (wq - gq);
-    if (rp * rq >= 0.0) return false;  // the planes meet between p and q
-    float footprints = orthographic ? focalLength : focalLength / max(wp, wq);
-    return min(abs(rp), abs(rq)) * footprints > 1.0 + min(abs(gp), abs(gq)) * footprints;
-}
+#include "shared/planes.glsl"
 
 uint pairMarks(vec4 p, vec4 q, vec3 np, vec3 nq, float gp, float gq) {
     if (p.w == 0.0 || q.w == 0.0) return p.w == q.w ? 0u : BACKGROUND;

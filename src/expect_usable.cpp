@@ -22,6 +22,8 @@ std::uint64_t bytesPerPixel(const Settings& settings) {
                                                 {Map::Ids, 16}};
     for (const auto& [map, cost] : costs) bytes += wants(settings, map) ? cost : 0;
     if (!settings.detector.functions.empty() || settings.detector.detector == Detector::SaitoTakahashi) ++bytes;  // ink
+    if (settings.style.style == Style::Hatch || settings.style.style == Style::Sumi) ++bytes;
+    if (settings.style.style == Style::Pencil) bytes += 8;  // what it draws over, and what it draws
     return bytes;
 }
 

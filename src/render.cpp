@@ -27,9 +27,13 @@
 #include "passes/draw_planes.h"
 #include "passes/draw_surface.h"
 #include "passes/function_edges.h"
+#include "passes/hatch.h"
 #include "passes/ink_over.h"
+#include "passes/pencil.h"
 #include "passes/placement.h"
 #include "passes/read_maps.h"
+#include "passes/sumi.h"
+#include "scene/typical_bend.h"
 #include "tiles.h"
 
 namespace inkedge {
@@ -48,6 +52,7 @@ struct View {
 // Where the picture's lines come from.
 enum class Source { Planes, Classic, Profiles, Object, None };
 Source sourceOf(const Settings& settings) {
+    if (settings.style.style == Style::Sumi) return Source::None;
     if (settings.lines.from == LinesFrom::Object) return Source::Object;
     switch (settings.detector.detector) {
         case Detector::Planes:
@@ -66,14 +71,18 @@ bool findsPlaneLines(const Settings& settings) { return settings.detector.detect
 bool findsClassicEdges(const Settings& settings) { return settings.detector.detector == Detector::Classic; }
 bool drawsFunctions(const Settings& settings) { return !settings.detector.functions.empty(); }
 
-bool needsPlanes(const Settings& settings) {
+bool needsPlaneLines(const Settings& settings) {
     return sourceOf(settings) == Source::Planes || wantsAny(settings, {Map::Types, Map::Ids}) ||
            (findsPlaneLines(settings) && wants(settings, Map::Edges));
 }
 
+bool needsPlanes(const Settings& settings) {
+    return needsPlaneLines(settings) || settings.style.style == Style::Hatch;
+}
+
 bool needsSurface(const Settings& settings) {
     return sourceOf(settings) == Source::Classic || (findsClassicEdges(settings) && wants(settings, Map::Edges)) ||
-           sourceOf(settings) == Source::Profiles ||
+           sourceOf(settings) == Source::Profiles || settings.style.style == Style::Sumi ||
            wantsAny(settings, {Map::Depth, Map::Normal, Map::DepthEdges, Map::NormalEdges});
 }
 
@@ -169,7 +178,7 @@ lines::ViewBuffers drawViewBuffers(const View& view) {
             unitLength(scene)};
 }
 
-// What covers a tile's pixels besides strokes: functions' edges and profiles.
+// What covers a tile's pixels besides strokes: functions' edges, profiles, and what styles add.
 Image<std::uint8_t> renderInk(const View& view, const Tile& tile, const Geometry& geometry, gl::StageClock& clock) {
     const auto& [gpu, upload, inputs, scene, camera, settings] = view;
     const int samples = settings.picture.supersampling;
@@ -184,6 +193,16 @@ Image<std::uint8_t> renderInk(const View& view, const Tile& tile, const Geometry
                      detectProfiles(gpu, geometry.surface->surface, camera, settings.detector, pixels));
         clock.finish("profiles");
     }
+    if (settings.style.style == Style::Hatch) {
+        ink = darker(std::move(ink), meanOf(hatch(gpu, geometry.planes->planes, tile, camera, unitLength(scene),
+                                                  settings.style, samples),
+                                            samples));
+        clock.finish("hatch");
+    }
+    if (settings.style.style == Style::Sumi) {
+        ink = darker(std::move(ink), sumi(gpu, geometry.surface->surface, camera, settings.style));
+        clock.finish("sumi");
+    }
     return ink;
 }
 
@@ -193,19 +212,25 @@ struct Ink {
     Image<std::uint8_t> cover;  // how much of each pixel is covered besides, 0 to 255; empty: none
 };
 
+// Samples around a tile that its passes need.
+int reachOf(const Settings& settings) {
+    if (settings.style.style != Style::Sumi) return tileMargin;
+    return std::max(tileMargin, sumiReach(settings.style) * settings.picture.supersampling);
+}
+
 // Draws tile by tile. Strokes reach over tiles' borders: they are painted when all are there.
 Ink renderTiles(const View& view, TracePlaces places, gl::StageClock& clock, Maps& maps) {
     const auto& [gpu, upload, inputs, scene, camera, settings] = view;
     const PictureSettings& picture = settings.picture;
     const Size samples = samplesOf(picture);
     std::optional<ScreenTriangles> triangles;
-    if (needsPlanes(settings)) triangles.emplace(scene, upload.firstTriangles(), camera, samples);
+    if (needsPlaneLines(settings)) triangles.emplace(scene, upload.firstTriangles(), camera, samples);
     Ink ink;
     TracedLines& traced = ink.traced;
-    for (const Tile& tile : tilesOf(samples, picture.tileSize)) {
+    for (const Tile& tile : tilesOf(samples, picture.tileSize, reachOf(settings))) {
         Maps part;
         const Geometry geometry = drawGeometry(view, tile, clock);
-        if (geometry.planes) {
+        if (triangles) {
             const TracedLines more = renderPlanes(view, tile, *geometry.planes, *triangles, places, clock, part);
             traced.strokes.insert(traced.strokes.end(), more.strokes.begin(), more.strokes.end());
             traced.places.insert(traced.places.end(), more.places.begin(), more.places.end());
@@ -228,6 +253,7 @@ std::vector<Line> traceImageLines(const View& view, gl::StageClock& clock) {
     Settings linesOnly = settings;
     linesOnly.maps.clear();
     linesOnly.detector.functions.clear();
+    linesOnly.style.style = Style::Ink;
     Maps none;
     const TracedLines traced =
         renderTiles({gpu, upload, inputs, scene, camera, linesOnly}, TracePlaces::Keep, clock, none).traced;
@@ -245,6 +271,14 @@ std::vector<Line> traceImageLines(const View& view, gl::StageClock& clock) {
                           {instance, place.triangle - 1 - upload.firstTriangles()[instance]}});
     }
     return lines::joinPieces(pieces, scene, screen);
+}
+
+// What the passes are asked for: what the scene decides is filled in, and what a pencil draws over lies on nothing.
+Settings completed(Settings settings, const Scene& scene) {
+    if (settings.style.style == Style::Hatch && !settings.style.hatchBend)
+        settings.style.hatchBend = typicalBend(scene);
+    if (settings.style.style == Style::Pencil) settings.picture.background.reset();
+    return settings;
 }
 
 }  // namespace
@@ -341,10 +375,11 @@ Lines Renderer::lines(const Scene& scene, const Camera& camera, const Settings& 
     return found;
 }
 
-Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& settings) {
-    expectUsable(settings.picture);
+Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& asked) {
+    expectUsable(asked.picture);
     expectUsable(camera);
-    expectMemory(settings);
+    expectMemory(asked);
+    const Settings settings = completed(asked, scene);
     Maps maps;
     maps.camera = camera;
     maps.backend = backend();
@@ -364,7 +399,6 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
         clock.finish("upload");
         ink = renderTiles(view, TracePlaces::Drop, clock, maps);
         if (sourceOf(settings) == Source::Planes) strokes = std::move(ink.traced.strokes);
-        state_->gpu->textures.trim();
     }
     if (sourceOf(settings) != Source::Classic) {
         maps.picture = paintStrokes(strokes, settings.picture, brush);
@@ -373,6 +407,12 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     inkOver(ink.cover, settings.picture, maps.picture);
     if (wants(settings, Map::Edges) && (!ink.cover.empty() || maps.edges.empty()))
         maps.edges = darker(std::move(maps.edges), maskOf(ink.cover, settings.picture.size));
+    if (settings.style.style == Style::Pencil) {
+        maps.picture = onBackground(pencil(*state_->gpu, maps.picture, settings.style, settings.picture.tileSize),
+                                    asked.picture);
+        clock.finish("pencil");
+    }
+    state_->gpu->textures.trim();
     return maps;
 }
 

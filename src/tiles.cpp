@@ -13,13 +13,13 @@ struct Span {
 
 constexpr int downTo(int multiple, int value) { return value / multiple * multiple; }
 
-// Parts of one length that begin at multiples of the margin, the last of which ends where the picture does: hence a
+// Parts of one length that begin at multiples of tileMargin, the last of which ends where the picture does: hence a
 // length that leaves the same remainder as the picture's.
-std::vector<Span> spansOf(int whole, int most) {
+std::vector<Span> spansOf(int whole, int most, int margin) {
     if (whole <= most) return {{0, whole, 0, whole}};
     const int remainder = whole % tileMargin;
     int length = downTo(tileMargin, most - remainder) + remainder;
-    const auto stepOf = [&](int l) { return downTo(tileMargin, l) - 2 * tileMargin; };
+    const auto stepOf = [&](int l) { return downTo(tileMargin, l) - 2 * margin; };
     const auto countOf = [&](int l) { return 1 + (whole - l + stepOf(l) - 1) / stepOf(l); };
     const int count = countOf(length);
     while (stepOf(length - tileMargin) > 0 && countOf(length - tileMargin) == count) length -= tileMargin;
@@ -27,7 +27,7 @@ std::vector<Span> spansOf(int whole, int most) {
     std::vector<Span> spans;
     for (int i = 0; i < count; ++i) {
         const int drawn = std::min(i * stepOf(length), whole - length);
-        const int kept = i == 0 ? 0 : drawn + tileMargin;
+        const int kept = i == 0 ? 0 : drawn + margin;
         if (i > 0) spans.back().keptLength = kept - spans.back().kept;
         spans.push_back({drawn, length, kept, whole - kept});
     }
@@ -45,10 +45,12 @@ int viewportStart(int whole, int drawn, int drawnLength) {
 
 }  // namespace
 
-std::vector<Tile> tilesOf(Size whole, int mostSide) {
+std::vector<Tile> tilesOf(Size whole, int mostSide, int reach) {
+    const int margin = (reach + tileMargin - 1) / tileMargin * tileMargin;
+    const int most = std::max(mostSide, 4 * margin);
     std::vector<Tile> tiles;
-    const std::vector<Span> columns = spansOf(whole.width, mostSide);
-    for (const Span& y : spansOf(whole.height, mostSide)) {
+    const std::vector<Span> columns = spansOf(whole.width, most, margin);
+    for (const Span& y : spansOf(whole.height, most, margin)) {
         for (const Span& x : columns) {
             tiles.push_back({whole,
                              {x.drawn, y.drawn, {x.drawnLength, y.drawnLength}},

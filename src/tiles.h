@@ -27,15 +27,16 @@ struct Tile {
     [[nodiscard]] Rectangle keptInDrawn() const noexcept { return {kept.x - drawn.x, kept.y - drawn.y, kept.size}; }
 };
 
-/// Samples around what a tile keeps, but at the picture's edge: more than the reach of any pass (Farid's kernels: 2;
+/// Samples around what a tile keeps, but at the picture's edge: more than the reach of any detector (Farid's kernels: 2;
 /// the filter of pinholes and the cells of the ink: 3). Every tile begins at a multiple of it, so that drivers work on
 /// the same blocks of samples as in one piece.
 inline constexpr int tileMargin = 64;
 
 /// The tiles of a picture, row by row; one if no side is over mostSide. All draw parts of one size, so that one set of
 /// buffers serves them.
-/// @param mostSide  of what is drawn at once; at least 4 tileMargin
-[[nodiscard]] std::vector<Tile> tilesOf(Size whole, int mostSide);
+/// @param mostSide  of what is drawn at once, at least 4 tileMargin; but 4 times the reach, if that is more
+/// @param reach     samples around what a tile keeps that passes need; over 0
+[[nodiscard]] std::vector<Tile> tilesOf(Size whole, int mostSide, int reach = tileMargin);
 
 /// The same tile counted in pixels of so many samples along each axis, which its lengths are multiples of.
 [[nodiscard]] Tile inPixels(const Tile&, int samplesPerPixel) noexcept;

@@ -89,17 +89,24 @@ void expectFolderOf(const std::filesystem::path& file) {
                             exists ? "a file in its way; choose another place" : "none; create it first")};
 }
 
+// What makes no lines does not go into a file of lines.
+void expectLinesOnly(const RenderArguments& arguments, const Settings& settings, const std::filesystem::path& output) {
+    const auto refuseIf = [&](bool given, std::string_view flag, std::string_view why) {
+        if (!given) return;
+        throw Error{Error::Kind::Usage, fmt::format("{0}: expected a picture as --output, found {1}, which {2}; write a "
+                                                    ".png, or leave {0} out",
+                                                    flag, arguments.output, why)};
+    };
+    refuseIf(!settings.maps.empty(), "--maps", "holds lines");
+    refuseIf(settings.style.style != Style::Ink, "--style", "holds lines");
+    refuseIf(!settings.detector.functions.empty(), "--function", "holds lines");
+    refuseIf(!settings.lines.brush.empty() && output.extension() == ".svg", "--brush", "has no textures");
+}
+
 void checkOutputs(const RenderArguments& arguments, const Settings& settings, const View& view) {
     const std::filesystem::path output = outputOf(arguments, view);
     if (holdsLines(output)) {
-        if (!settings.maps.empty())
-            throw Error{Error::Kind::Usage,
-                        fmt::format("--maps: expected a picture as --output, found {}, which holds lines", arguments.output)};
-        if (!settings.lines.brush.empty() && output.extension() == ".svg")
-            throw Error{Error::Kind::Usage,
-                        fmt::format("--brush: expected a picture as --output, found {}, which has no textures; leave "
-                                    "--brush out, or write a .png",
-                                    arguments.output)};
+        expectLinesOnly(arguments, settings, output);
         expectFolderOf(output);
     } else if (output != "-") {
         for (const auto& file : outputFiles(output, settings.maps)) expectFolderOf(file);

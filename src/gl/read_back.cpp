@@ -64,6 +64,11 @@ Image<std::uint8_t> readPacked(const Api& api, const Texture& texture) {
     return read<std::uint8_t>(api, Framebuffer{api, {&texture}}, 16, GL_RGBA_INTEGER, GL_UNSIGNED_INT);
 }
 
+Image<std::uint8_t> readBytes(const Api& api, const Texture& texture, int channels) {
+    return read<std::uint8_t>(api, Framebuffer{api, {&texture}}, channels,
+                              colorFormats[static_cast<std::size_t>(channels - 1)], GL_UNSIGNED_BYTE);
+}
+
 Image<float> readDepth(const Api& api, const Texture& texture) {
     return read<float>(api, Framebuffer{api, {}, &texture}, 1, GL_DEPTH_COMPONENT, GL_FLOAT);
 }

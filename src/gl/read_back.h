@@ -20,6 +20,8 @@ namespace inkedge::gl {
 [[nodiscard]] Samples<std::uint32_t> readIntegers(const Api&, const Texture&, std::span<const Rectangle>);
 /// An RGBA32UI texture as 16 bytes a texel, the low byte of the first component first (on little-endian hosts).
 [[nodiscard]] Image<std::uint8_t> readPacked(const Api&, const Texture&);
+/// A texture of 8-bit channels.
+[[nodiscard]] Image<std::uint8_t> readBytes(const Api&, const Texture&, int channels);
 /// A depth texture's values.
 [[nodiscard]] Image<float> readDepth(const Api&, const Texture&);
 

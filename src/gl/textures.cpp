@@ -12,6 +12,15 @@ Texture::~Texture() {
     if (name_.id() != 0) pool_->free_.push_back({std::move(name_), size_, format_, 0});
 }
 
+void writeBytes(const Api& api, const Image<std::uint8_t>& image, const Rectangle& part, const Texture& texture) {
+    api.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    api.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    api.PixelStorei(GL_UNPACK_ROW_LENGTH, image.size.width);
+    api.TextureSubImage2D(texture.id(), 0, 0, 0, part.size.width, part.size.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                          &image.at(part.x, part.y));
+    api.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+}
+
 Texture TexturePool::acquire(Size size, GLenum format) {
     const auto found = std::ranges::find_if(free_, [&](const Free& f) { return f.size == size && f.format == format; });
     if (found != free_.end()) {

@@ -6,6 +6,7 @@
 #include <inkedge/image.h>
 
 #include "gl/objects.h"
+#include "rectangle.h"
 
 namespace inkedge::gl {
 
@@ -32,6 +33,10 @@ private:
     Size size_;
     GLenum format_;
 };
+
+/// Fills an RGBA8 texture with a part of an image, of its size.
+/// @param image  4 channels
+void writeBytes(const Api&, const Image<std::uint8_t>& image, const Rectangle& part, const Texture&);
 
 /// Textures that views of one size draw into again and again, allocated once. Must outlive its textures.
 class TexturePool {

@@ -11,6 +11,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "settings/picture_channels.h"
+
 namespace inkedge {
 namespace {
 
@@ -284,11 +286,10 @@ std::vector<Coat> coatsOf(const std::array<Pen, penCount>& all) {
     return coats;
 }
 
-// As many channels as the picture needs.
-Image<std::uint8_t> emptyPicture(const PictureSettings& settings, bool grey) {
+Image<std::uint8_t> emptyPicture(const PictureSettings& settings) {
     const Color behind = settings.background.value_or(settings.lineColor);
-    if (grey) return {settings.size, 1, behind.red};
-    Image<std::uint8_t> picture{settings.size, settings.background ? 3 : 4};
+    if (pictureChannels(settings) == 1) return {settings.size, 1, behind.red};
+    Image<std::uint8_t> picture{settings.size, pictureChannels(settings)};
     const std::uint8_t channels[3]{behind.red, behind.green, behind.blue};
     for (std::size_t i = 0; i < picture.pixels.size(); i += static_cast<std::size_t>(picture.channels)) {
         std::copy_n(channels, 3, picture.pixels.begin() + static_cast<std::ptrdiff_t>(i));
@@ -416,10 +417,8 @@ void paint(Strip& strip, std::span<const BoxedStroke> strokes, std::span<const C
 Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureSettings& settings,
                                  const Brush* brush) {
     const auto allPens = pens(settings);
-    const bool grey = settings.background && settings.background->grey() &&
-                      std::ranges::all_of(allPens, [](const Pen& pen) { return pen.color.grey(); });
     const std::vector<Coat> coats = coatsOf(allPens);
-    Image<std::uint8_t> picture = emptyPicture(settings, grey);
+    Image<std::uint8_t> picture = emptyPicture(settings);
     const Size stripSize{settings.size.width, stripRows};
     Strip strip{0, {stripSize, picture.channels}, {stripSize, 1}};
     std::optional<BrushWork> work;

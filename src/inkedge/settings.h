@@ -247,6 +247,28 @@ struct Thresholds {
 };
 [[nodiscard]] INKEDGE_API Thresholds thresholds(const DetectorSettings&) noexcept;
 
+/// What lines are drawn with: the effects of Hertzmann 1999, Figure 2, and reference 5.
+enum class Style {
+    Ink,     ///< lines as they were found
+    Hatch,   ///< and hatch marks between them, where facets of the mesh bend: edges of the faceted normal map
+    Sumi,    ///< in place of lines a soft brush: gradients of depth and normals, smeared along the edges
+    Pencil,  ///< lines drawn several times over, each time a little off
+};
+struct StyleSettings {
+    Style style = Style::Ink;
+    /// Degrees, 0.1 to 90: facets that bend by this much give a dark mark in half light; none: the median bend of all
+    /// edges within smooth surfaces of the scene, by their length.
+    std::optional<double> hatchBend;
+    double hatchShade = 1.0;          ///< 0 to 1: how much fewer marks there are in the light than in the dark
+    double hatchWidth = 0.75;         ///< pixels, 0.25 to 2
+    double sumiWidth = 6.0;           ///< pixels, 1 to 32: of the brush
+    double sumiLength = 24.0;         ///< pixels, 0 to 100: how far ink is smeared along an edge, each way
+    int sumiStreaks = 0;              ///< steps that depth is sampled in, each a streak; 0: none
+    int pencilStrokes = 3;            ///< 1 to 8: times that a line is drawn
+    double pencilLooseness = 3.0;     ///< pixels, 0 to 32: how far strokes stray
+    int pencilSeed = 1;               ///< of chance: the same strays the same way in every picture
+};
+
 /// A map that a render can give beside the picture.
 enum class Map { Depth, Normal, DepthEdges, NormalEdges, Edges, Types, Ids };
 inline constexpr int mapCount = 7;
@@ -268,6 +290,7 @@ struct Settings {
     PictureSettings picture;
     DetectorSettings detector;
     LineSettings lines;
+    StyleSettings style;
     std::vector<Map> maps;
     BackendSettings backend;
 };

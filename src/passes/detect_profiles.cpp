@@ -1,10 +1,7 @@
 #include "passes/detect_profiles.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "gl/draw.h"
-#include "gl/read_back.h"
+#include "passes/read_ink.h"
 
 namespace inkedge {
 
@@ -18,11 +15,7 @@ Image<std::uint8_t> detectProfiles(gl::Gpu& gpu, const gl::Texture& surface, con
     gpu.api.ProgramUniform1f(id, 3, static_cast<float>(settings.edgeLimit));
     const gl::Texture darkness = gpu.textures.acquire(surface.size(), GL_R32F);
     gl::drawFullscreen(gpu, program, gl::Framebuffer{gpu.api, {&darkness}}, {&surface});
-    const Image<float> shares = gl::readFloats(gpu.api, darkness, 1);
-    Image<std::uint8_t> ink{shares.size, 1};
-    std::ranges::transform(shares.pixels, ink.pixels.begin(),
-                           [](float share) { return static_cast<std::uint8_t>(std::lround(255.0F * share)); });
-    return ink;
+    return readInk(gpu.api, darkness);
 }
 
 }  // namespace inkedge

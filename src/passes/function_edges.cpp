@@ -3,6 +3,7 @@
 #include "gl/draw.h"
 #include "gl/read_back.h"
 #include "passes/draw_function.h"
+#include "passes/ink_over.h"
 
 namespace inkedge {
 namespace {
@@ -12,21 +13,6 @@ void markEdges(const Image<float>& magnitude, float threshold, Image<std::uint8_
     for (std::size_t i = 0; i < magnitude.pixels.size(); ++i) {
         if (magnitude.pixels[i] >= threshold) edges.pixels[i] = 255;
     }
-}
-
-// The mean of each pixel's samples.
-Image<std::uint8_t> meanOf(Image<std::uint8_t> image, int samples) {
-    if (samples == 1) return image;
-    Image<std::uint8_t> means{{image.size.width / samples, image.size.height / samples}, 1};
-    for (int y = 0; y < means.size.height; ++y) {
-        for (int x = 0; x < means.size.width; ++x) {
-            int sum = samples * samples / 2;
-            for (int i = 0; i < samples * samples; ++i)
-                sum += image.at(samples * x + i % samples, samples * y + i / samples);
-            means.at(x, y) = static_cast<std::uint8_t>(sum / (samples * samples));
-        }
-    }
-    return means;
 }
 
 }  // namespace

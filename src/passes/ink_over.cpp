@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "settings/picture_channels.h"
+
 namespace inkedge {
 namespace {
 
@@ -16,6 +18,20 @@ std::uint8_t mixed(int from, int to, int share) {
 Channels channelsOf(Color color, std::uint8_t alpha) { return {color.red, color.green, color.blue, alpha}; }
 
 }  // namespace
+
+Image<std::uint8_t> meanOf(Image<std::uint8_t> image, int samples) {
+    if (samples == 1) return image;
+    Image<std::uint8_t> means{{image.size.width / samples, image.size.height / samples}, 1};
+    for (int y = 0; y < means.size.height; ++y) {
+        for (int x = 0; x < means.size.width; ++x) {
+            int sum = samples * samples / 2;
+            for (int i = 0; i < samples * samples; ++i)
+                sum += image.at(samples * x + i % samples, samples * y + i / samples);
+            means.at(x, y) = static_cast<std::uint8_t>(sum / (samples * samples));
+        }
+    }
+    return means;
+}
 
 Image<std::uint8_t> darker(Image<std::uint8_t> one, const Image<std::uint8_t>& other) {
     if (one.empty()) return other;
@@ -43,6 +59,19 @@ void inkOver(const Image<std::uint8_t>& ink, const PictureSettings& settings, Im
             pixel[c] = mixed(pixel[c], line[c], weight);
         if (channels == 4) pixel[3] = mixed(pixel[3], 255, share);
     }
+}
+
+Image<std::uint8_t> onBackground(Image<std::uint8_t> drawing, const PictureSettings& settings) {
+    if (!settings.background) return drawing;
+    const Channels behind = channelsOf(*settings.background, 255);
+    Image<std::uint8_t> picture{drawing.size, pictureChannels(settings)};
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    for (std::size_t i = 0; i < drawing.pixels.size() / 4; ++i) {
+        const std::uint8_t* const drawn = &drawing.pixels[4 * i];
+        for (std::size_t c = 0; c < channels; ++c)
+            picture.pixels[i * channels + c] = mixed(behind[c], drawn[c], drawn[3]);
+    }
+    return picture;
 }
 
 }  // namespace inkedge

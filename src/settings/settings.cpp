@@ -189,6 +189,8 @@ constexpr std::array hiddenChoices{Choice{"none", HiddenLines::None}, Choice{"da
                                    Choice{"solid", HiddenLines::Solid}};
 constexpr std::array strokeWidthChoices{Choice{"constant", StrokeWidth::Constant}, Choice{"depth", StrokeWidth::Depth},
                                         Choice{"curvature", StrokeWidth::Curvature}};
+constexpr std::array styleChoices{Choice{"ink", Style::Ink}, Choice{"hatch", Style::Hatch}, Choice{"sumi", Style::Sumi},
+                                  Choice{"pencil", Style::Pencil}};
 
 template <class T, std::size_t n>
 T parseChoice(const std::array<Choice<T>, n>& choices, std::string_view text) {
@@ -485,6 +487,44 @@ constexpr std::array table{
                        "lines at N steps of each texture coordinate's unit; lines from object",
                        [](S& s, Text t) { s.lines.isolines = parseIsolines(t); },
                        [](const S& s) { return text(s.lines.isolines); }},
+
+    SettingDescription{"style", "", "style", "ink|hatch|sumi|pencil", "one of these", "ink",
+                       "ink: lines as found; hatch: and marks where facets bend; sumi: a soft brush in place of lines; "
+                       "pencil: loose strokes; pictures only",
+                       [](S& s, Text t) { s.style.style = parseChoice(styleChoices, t); },
+                       [](const S& s) { return choiceName(styleChoices, s.style.style); }},
+    SettingDescription{"hatch-bend", "", "style", "DEG", "0.1 to 90", "the mesh's typical bend",
+                       "facets that bend by this much give a dark mark in half light; hatch",
+                       [](S& s, Text t) { s.style.hatchBend = parseNumber(t, 0.1, 90.0); },
+                       [](const S& s) { return text(s.style.hatchBend); }},
+    SettingDescription{"hatch-shade", "", "style", "X", "0 to 1", "1",
+                       "0: marks everywhere alike; 1: few in the light, from the upper left, many in the dark; hatch",
+                       [](S& s, Text t) { s.style.hatchShade = parseNumber(t, 0.0, 1.0); },
+                       [](const S& s) { return text(s.style.hatchShade); }},
+    SettingDescription{"hatch-width", "", "style", "PX", "0.25 to 2", "0.75", "width of marks; hatch",
+                       [](S& s, Text t) { s.style.hatchWidth = parseNumber(t, 0.25, 2.0); },
+                       [](const S& s) { return text(s.style.hatchWidth); }},
+    SettingDescription{"sumi-width", "", "style", "PX", "1 to 32", "6", "width of the brush; sumi",
+                       [](S& s, Text t) { s.style.sumiWidth = parseNumber(t, 1.0, 32.0); },
+                       [](const S& s) { return text(s.style.sumiWidth); }},
+    SettingDescription{"sumi-length", "", "style", "PX", "0 to 100", "24",
+                       "how far ink is smeared along an edge, each way; sumi",
+                       [](S& s, Text t) { s.style.sumiLength = parseNumber(t, 0.0, 100.0); },
+                       [](const S& s) { return text(s.style.sumiLength); }},
+    SettingDescription{"sumi-streaks", "", "style", "N", "0 to 4096", "0",
+                       "steps that depth is sampled in, each of which leaves a streak; 0: none; sumi",
+                       [](S& s, Text t) { s.style.sumiStreaks = parseCount(t, 0, 4096); },
+                       [](const S& s) { return text(s.style.sumiStreaks); }},
+    SettingDescription{"pencil-strokes", "", "style", "N", "1 to 8", "3", "how often each line is drawn; pencil",
+                       [](S& s, Text t) { s.style.pencilStrokes = parseCount(t, 1, 8); },
+                       [](const S& s) { return text(s.style.pencilStrokes); }},
+    SettingDescription{"pencil-looseness", "", "style", "PX", "0 to 32", "3", "how far strokes stray; pencil",
+                       [](S& s, Text t) { s.style.pencilLooseness = parseNumber(t, 0.0, 32.0); },
+                       [](const S& s) { return text(s.style.pencilLooseness); }},
+    SettingDescription{"pencil-seed", "", "style", "N", "0 to 65535", "1",
+                       "of chance: strokes stray the same way in every picture of one seed; pencil",
+                       [](S& s, Text t) { s.style.pencilSeed = parseCount(t, 0, 65535); },
+                       [](const S& s) { return text(s.style.pencilSeed); }},
 
     SettingDescription{"camera-position", "eye", "camera", "X,Y,Z", "any point", "frames the model",
                        "where the camera stands, world space", [](S& s, Text t) { s.camera.position = parseVector(t); },

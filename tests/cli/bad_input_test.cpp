@@ -100,6 +100,15 @@ TEST_F(BadInput, BrushThatIsNone) {
         expectFailure(draw(text, output), 2, HasSubstr("brush: expected a picture"));
 }
 
+TEST_F(BadInput, WhatMarksPixelsForAFileOfLines) {
+    for (const std::string output : {"lines.svg", "lines.json"}) {
+        expectFailure(run({"render", roof(), "-o", output, "--style", "sumi"}), 2,
+                      HasSubstr("--style: expected a picture as --output, found " + output));
+        expectFailure(run({"render", roof(), "-o", output, "--function", "height"}), 2,
+                      HasSubstr("--function: expected a picture as --output, found " + output));
+    }
+}
+
 TEST_F(BadInput, OutputOfAnUnknownKind) {
     for (const std::string name : {"picture.jpg", "picture", "picture.png.gz"}) {
         expectFailure(run({"render", roof(), "-o", name}), 2,

@@ -31,6 +31,7 @@ Example limitExample(const std::string& name, const std::string& value, const st
 }
 
 const std::map<std::string_view, Example>& examples() {
+    const Arguments hatched{"--style", "hatch"};
     static const std::map<std::string_view, Example> all{
         {"maps", {.value = "depth,edges", .wrong = "depth,colour", .shows = "picture.depth.png"}},
         {"size", {.value = "40x30", .wrong = "40x", .shows = "/size", .becomes = "[40,30]"}},
@@ -107,6 +108,16 @@ const std::map<std::string_view, Example>& examples() {
           .wrong = "colour",
           .shows = "picture.edges.png",
           .beside = {"--detector", "none"}}},
+        {"style", {.value = "hatch", .wrong = "ink pen", .shows = "picture.png", .asset = "statue"}},
+        {"hatch-bend", {.value = "40", .wrong = "0", .shows = "picture.png", .beside = hatched, .asset = "statue"}},
+        {"hatch-shade", {.value = "0.2", .wrong = "1.1", .shows = "picture.png", .beside = hatched, .asset = "statue"}},
+        {"hatch-width", {.value = "2", .wrong = "0.1", .shows = "picture.png", .beside = hatched, .asset = "statue"}},
+        {"sumi-width", {.value = "3", .wrong = "0", .shows = "picture.png", .beside = {"--style", "sumi"}}},
+        {"sumi-length", {.value = "5", .wrong = "-1", .shows = "picture.png", .beside = {"--style", "sumi"}}},
+        {"sumi-streaks", {.value = "16", .wrong = "0.5", .shows = "picture.png", .beside = {"--style", "sumi"}}},
+        {"pencil-strokes", {.value = "1", .wrong = "0", .shows = "picture.png", .beside = {"--style", "pencil"}}},
+        {"pencil-looseness", {.value = "8", .wrong = "33", .shows = "picture.png", .beside = {"--style", "pencil"}}},
+        {"pencil-seed", {.value = "7", .wrong = "-1", .shows = "picture.png", .beside = {"--style", "pencil"}}},
         {"profile-limit",
          {.value = "2", .wrong = "0", .shows = "picture.png", .beside = {"--detector", "saito-takahashi"}}},
         {"edge-limit",

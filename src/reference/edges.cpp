@@ -12,7 +12,7 @@
 
 #include <inkedge/error.h>
 
-#include "reference_raster.h"
+#include "reference/raster.h"
 
 namespace inkedge::reference {
 namespace {

@@ -1,0 +1,16 @@
+// What the planes that draw_planes.frag writes say of the surface. Reads focalLength and orthographic.
+
+// The face normal, turned to the eye, up to a positive factor; n.xy in pixels, as the picture's axes run, and turned about.
+vec3 normalOf(vec4 plane, vec2 fromCentre) {
+    return orthographic ? vec3(plane.yz * focalLength, 1.0)
+                        : vec3(plane.yz * focalLength, plane.x - dot(plane.yz, fromCentre));
+}
+
+// From p to q, whose slopes along the step are gp and gq.
+bool jumps(float wp, float wq, float gp, float gq) {
+    float rp = wq - (wp + gp);
+    float rq = wp - (wq - gq);
+    if (rp * rq >= 0.0) return false;  // the planes meet between p and q
+    float footprints = orthographic ? focalLength : focalLength / max(wp, wq);
+    return min(abs(rp), abs(rq)) * footprints > 1.0 + min(abs(gp), abs(gq)) * footprints;
+}

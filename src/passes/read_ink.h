@@ -1,0 +1,13 @@
+#pragma once
+
+#include <inkedge/image.h>
+
+#include "gl/gpu.h"
+
+namespace inkedge {
+
+/// Shares from 0 to 1 as bytes from 0 to 255.
+/// @param ink  one channel of floats
+[[nodiscard]] Image<std::uint8_t> readInk(const gl::Api&, const gl::Texture& ink);
+
+}  // namespace inkedge

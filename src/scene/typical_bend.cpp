@@ -1,0 +1,71 @@
+#include "scene/typical_bend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "scene/topology.h"
+
+namespace inkedge {
+namespace {
+
+constexpr std::size_t mostLooked = 1U << 18U;  // half-edges of a scene
+constexpr double flat = 0.05;                  // degrees: rounding bends faces by less
+
+glm::dvec3 place(const Mesh& mesh, std::size_t corner) { return mesh.positions[mesh.indices[corner]]; }
+
+glm::dvec3 faceNormal(const Mesh& mesh, std::size_t halfEdge) {
+    const std::size_t first = halfEdge / 3 * 3;
+    const glm::dvec3 a = place(mesh, first);
+    return glm::cross(place(mesh, first + 1) - a, place(mesh, first + 2) - a);
+}
+
+double bendBetween(const glm::dvec3& one, const glm::dvec3& other) {
+    // Faces may be wound against each other.
+    const double angle = std::atan2(glm::length(glm::cross(one, other)), glm::dot(one, other));
+    return glm::degrees(std::min(angle, glm::radians(180.0) - angle));
+}
+
+struct Edge {
+    double bend;  // degrees
+    double length;
+};
+
+void collect(const Mesh& mesh, const MeshTopology& topology, std::size_t stride, std::vector<Edge>& edges) {
+    for (std::size_t h = 0; h < topology.twins.size(); h += stride) {
+        const std::uint32_t twin = topology.twins[h];
+        if (!isHalfEdge(twin) || topology.creases[h]) continue;
+        if (isInner(mesh, static_cast<std::uint32_t>(h), twin)) continue;
+        const double bend = bendBetween(faceNormal(mesh, h), faceNormal(mesh, twin));
+        const double length = glm::distance(place(mesh, h), place(mesh, nextHalfEdge(static_cast<std::uint32_t>(h))));
+        if (bend > flat && length > 0.0) edges.push_back({bend, length});
+    }
+}
+
+}  // namespace
+
+double typicalBend(const Scene& scene) {
+    std::size_t all = 0;
+    for (std::size_t i = 0; i < scene.meshes().size(); ++i) all += scene.topology(i).twins.size();
+    std::size_t stride = all / mostLooked + 1;
+    if (stride % 3 == 0) ++stride;  // else one side only of every triangle
+    std::vector<Edge> edges;
+    for (std::size_t i = 0; i < scene.meshes().size(); ++i)
+        collect(scene.meshes()[i], scene.topology(i), stride, edges);
+    std::ranges::sort(edges, {}, &Edge::bend);
+    double sum = 0.0;
+    for (const Edge& edge : edges) sum += edge.length;
+    double before = 0.0;
+    for (const Edge& edge : edges) {
+        before += edge.length;
+        if (before >= 0.5 * sum) return edge.bend;
+    }
+    return 1.0;
+}
+
+}  // namespace inkedge
