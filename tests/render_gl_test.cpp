@@ -1,8 +1,12 @@
 // Renderer::lines() as a library's user calls it.
 #include <inkedge/renderer.h>
 
+#include <algorithm>
 #include <set>
 #include <thread>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "gl/gl_test.h"
 #include "io/expect_error.h"
@@ -148,6 +152,43 @@ TEST_P(RendererLines, areFoundOnSeveralThreadsWithARendererEach) {
         }
         for (std::thread& thread : threads) thread.join();
         for (const Lines& result : results) expectSame(result, alone);
+    }
+}
+
+// Steep narrow facets that lie between two pixels: what the pixels see does not go on, but the surface does.
+TEST_P(RendererLines, fromImageHaveNoneWhereASteepSurfaceGoesOn) {
+    LoadSettings smooth;
+    smooth.creaseAngle = 90.0;
+    const Scene scene = loadScene(INKEDGE_SOURCE_DIR "/assets/statue.glb", smooth);
+    const Size whole{320, 480};
+    for (const double azimuth : {160.0, 35.0, -30.0, 90.0}) {
+        CameraSettings wish;
+        wish.azimuthAngle = azimuth;
+        wish.elevationAngle = 8.0;
+        const Camera camera = frameCamera(scene, wish, whole);
+        Settings settings = settingsOf(LinesFrom::Object);
+        settings.picture.size = whole;
+        Image<std::uint8_t> near{whole, 1};  // a line of the mesh, seen or hidden, within two pixels
+        for (const Line& line : renderer().lines(scene, camera, settings).lines) {
+            for (std::size_t i = 1; i < line.points.size(); ++i) {
+                const glm::dvec2 from = line.points[i - 1].place;
+                const glm::dvec2 way = line.points[i].place - from;
+                const int steps = 1 + static_cast<int>(2.0 * glm::length(way));
+                for (int k = 0; k <= steps; ++k) {
+                    const glm::ivec2 at{glm::floor(from + way * (static_cast<double>(k) / steps))};
+                    for (int y = std::max(at.y - 2, 0); y <= std::min(at.y + 2, whole.height - 1); ++y)
+                        for (int x = std::max(at.x - 2, 0); x <= std::min(at.x + 2, whole.width - 1); ++x)
+                            near.at(x, y) = 1;
+                }
+            }
+        }
+        settings.lines.from = LinesFrom::Image;
+        settings.maps = {Map::Edges};
+        const Image<std::uint8_t> edges = renderer().render(scene, camera, settings).edges;
+        int stray = 0;
+        for (std::size_t i = 0; i < edges.pixels.size(); ++i) stray += edges.pixels[i] != 0 && near.pixels[i] == 0 ? 1 : 0;
+        EXPECT_GT(std::ranges::count(edges.pixels, 255), 500);
+        EXPECT_EQ(stray, 0) << "from " << azimuth << " degrees";
     }
 }
 

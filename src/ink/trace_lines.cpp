@@ -160,7 +160,7 @@ private:
         const Sample far = swap ? p : q;
         const bool jumps = (marks & (PairMark::background | PairMark::jump)) != 0;
         const Walk way = walk(near, far);
-        if (marks == PairMark::bend && goesOnSmoothly(way, far)) return {};
+        if ((marks & ~(PairMark::bend | PairMark::jump)) == 0 && goesOnSmoothly(way, far)) return {};
 
         // A nearer surface that goes on to where it is not seen any more ends there, within the grid that vertices snap
         // to.
@@ -192,8 +192,9 @@ private:
         return static_cast<float>(std::abs(step) <= mostChange * std::abs(seen.w) ? seen.w + step : seen.w);
     }
 
-    // Faces of one patch may bend by more than the crease angle in several smooth steps: that is no line. Where the way
-    // ends on another triangle than the one seen there, the patch runs into itself.
+    // Faces of one patch may bend by more than the crease angle in several smooth steps, or fall off by more than their
+    // planes say where narrow ones lie between them: that is no line. Where the way ends on another triangle than the one
+    // seen there, the patch runs into itself.
     [[nodiscard]] bool goesOnSmoothly(const Walk& way, Sample far) const {
         if (way.exit) return false;
         const SceneFace seen = triangle(far);
