@@ -71,7 +71,8 @@ uint marksOfRow(int y) {
 }
 
 // Offsets must be constants, as in detect_edges.frag.
-#define SAMPLE(x, y) sampleOf(textureLodOffset(values, corner, 0.0, ivec2(x, y)))
+#define TEXEL(x, y) textureLodOffset(values, corner, 0.0, ivec2(x, y))
+#define SAMPLE(x, y) sampleOf(TEXEL(x, y))
 #if KERNEL == KERNEL_SOBEL
 #define ROW(y) \
     Sample[](SAMPLE(-1, y), SAMPLE(0, y), SAMPLE(1, y), SAMPLE(2, y), SAMPLE(3, y), SAMPLE(4, y))
@@ -83,6 +84,9 @@ uint marksOfRow(int y) {
 
 void main() {
     vec2 corner = (float(SIDE) * floor(gl_FragCoord.xy) + 0.5) / vec2(textureSize(values, 0));
+#ifndef WRAPPED
+    setDatum(TEXEL(0, 0), TEXEL(3, 0), TEXEL(0, 3), TEXEL(3, 3));
+#endif
 #if KERNEL == KERNEL_SOBEL
     sumRow(0, ROW(-1));
     sumRow(1, ROW(0));

@@ -13,14 +13,16 @@ void main() {
 #ifdef WRAPPED
     magnitude = wrappedMagnitude(pixel, TAPS * TAPS);
 #else
+    ivec2 block = pixel / 4 * 4;
+    setDatum(texelAt(block), texelAt(block + ivec2(3, 0)), texelAt(block + ivec2(0, 3)), texelAt(block + 3));
     Sample alongX[TAPS];
     Sample acrossX[TAPS];
     for (int y = 0; y < TAPS; ++y) {
         Sample row[TAPS];
-        for (int x = 0; x < TAPS; ++x) row[x] = sampleAt(pixel + ivec2(x, y) - RADIUS);
+        for (int x = 0; x < TAPS; ++x) row[x] = sampleOf(texelAt(pixel + ivec2(x, y) - RADIUS));
         alongX[y] = differentiated(row);
         acrossX[y] = smoothed(row);
     }
-    magnitude = magnitudeOf(smoothed(alongX), differentiated(acrossX), sampleAt(pixel));
+    magnitude = magnitudeOf(smoothed(alongX), differentiated(acrossX), sampleOf(texelAt(pixel)));
 #endif
 }

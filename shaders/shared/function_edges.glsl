@@ -15,18 +15,26 @@ float largestOf(VALUE channels) { return max(max(channels.r, channels.g), max(ch
 #endif
 
 struct Sample {
-    VALUE value;  // 0 where there is none
+    VALUE value;  // datum where there is none
     float there;  // 0 on the background of functions that have no value there, else 1
 };
 
-Sample sampleOf(vec4 texel) {
-    float there = texel.a > 1e29 ? 0.0 : 1.0;
-    return Sample(there * valueOf(texel), there);
+bool isThere(vec4 texel) { return texel.a < 1e29; }
+
+// Stands where there is no value: that of a corner of the block of 4 x 4 pixels, so that large values leave no rounding.
+VALUE datum = VALUE(0.0);
+
+void setDatum(vec4 a, vec4 b, vec4 c, vec4 d) {
+    vec4 texel = isThere(a) ? a : isThere(b) ? b : isThere(c) ? c : d;
+    datum = isThere(texel) ? valueOf(texel) : VALUE(0.0);
 }
 
-Sample sampleAt(ivec2 pixel) {
-    return sampleOf(texelFetch(values, clamp(pixel, ivec2(0), textureSize(values, 0) - 1), 0));
+Sample sampleOf(vec4 texel) {
+    bool there = isThere(texel);
+    return Sample(there ? valueOf(texel) : datum, there ? 1.0 : 0.0);
 }
+
+vec4 texelAt(ivec2 pixel) { return texelFetch(values, clamp(pixel, ivec2(0), textureSize(values, 0) - 1), 0); }
 
 SUMS_OF(VALUE)
 SUMS_OF(float)
@@ -58,10 +66,12 @@ float magnitudeOf(VALUE ix, VALUE iy, Sample centre) {
     return centre.there * sqrt(largestOf(squared));
 }
 
-// The sum of k (v - c) over what is there is that of k v less c times that of k: both are separable.
+// The sum of k (v - c) over what is there is that of k v over all, less (c - datum) times that of k over what is there,
+// since all k are 0 together: both are separable.
 float magnitudeOf(Sample x, Sample y, Sample centre) {
-    precise VALUE ix = x.value - x.there * centre.value;
-    precise VALUE iy = y.value - y.there * centre.value;
+    VALUE above = centre.value - datum;
+    precise VALUE ix = x.value - x.there * above;
+    precise VALUE iy = y.value - y.there * above;
     return magnitudeOf(ix, iy, centre);
 }
 
@@ -71,12 +81,12 @@ layout(location = 1) uniform float period;  // differences are taken modulo this
 // Tap by tap, as each pixel has differences of its own.
 // @param taps  TAPS * TAPS; with 0 the result means nothing
 float wrappedMagnitude(ivec2 pixel, int taps) {
-    Sample centre = sampleAt(pixel);
+    Sample centre = sampleOf(texelAt(pixel));
     VALUE ix = VALUE(0.0);
     VALUE iy = VALUE(0.0);
     for (int i = 0; i < taps; ++i) {
         ivec2 tap = ivec2(i % TAPS, i / TAPS);
-        Sample s = sampleAt(pixel + tap - RADIUS);
+        Sample s = sampleOf(texelAt(pixel + tap - RADIUS));
         VALUE d = s.value - centre.value;
         d = s.there * (d - period * roundEven(d / period));
         ix += DERIVATIVE[tap.x] * SMOOTHING[tap.y] * d;
