@@ -1,46 +1,28 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 
-// Gradient magnitude of a surface function's values: Hertzmann 1999, appendix A, equation 6. CPU definition: reference.h,
+// Gradient magnitude of a surface function's values, one pixel an invocation: the plain form of detect_function.frag, which
+// equals it bit for bit, or, where differences are wrapped, within rounding. CPU definition: reference.h,
 // functionMagnitude().
-#define KERNEL_SOBEL 0
-#define KERNEL_FARID 1
+#include "shared/function_edges.glsl"
 
-#include "shared/kernels.glsl"
-
-const int TAPS = 2 * RADIUS + 1;
-
-layout(binding = 0) uniform sampler2D values;  // as draw_function.frag writes them
-
-layout(location = 0) uniform float period;  // differences are taken modulo this; 0: as they are
-
-layout(location = 0) out float magnitude;  // the largest of the four channels
-
-bool isBackground(vec4 value) { return value.a > 1e29; }
-
-// Less the pixel's own value: kernels of derivatives do not see it, and what begins anew can be told from an edge. What is
-// not there differs from nothing.
-vec4 difference(vec4 value, vec4 centre) {
-    if (isBackground(value)) return vec4(0.0);
-    vec4 d = value - centre;
-    return period > 0.0 ? d - period * roundEven(d / period) : d;
-}
+layout(location = 0) out float magnitude;  // the largest of the channels
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec4 centre = texelFetch(values, pixel, 0);
-    magnitude = 0.0;
-    if (isBackground(centre)) return;
-    vec4 ix = vec4(0.0);
-    vec4 iy = vec4(0.0);
+#ifdef WRAPPED
+    magnitude = wrappedMagnitude(pixel, TAPS * TAPS);
+#else
+    ivec2 block = pixel / 4 * 4;
+    setDatum(texelAt(block), texelAt(block + ivec2(3, 0)), texelAt(block + ivec2(0, 3)), texelAt(block + 3));
+    Sample alongX[TAPS];
+    Sample acrossX[TAPS];
     for (int y = 0; y < TAPS; ++y) {
-        for (int x = 0; x < TAPS; ++x) {
-            ivec2 at = clamp(pixel + ivec2(x, y) - RADIUS, ivec2(0), textureSize(values, 0) - 1);
-            vec4 d = difference(texelFetch(values, at, 0), centre);
-            ix += DERIVATIVE[x] * SMOOTHING[y] * d;
-            iy += SMOOTHING[x] * DERIVATIVE[y] * d;
-        }
+        Sample row[TAPS];
+        for (int x = 0; x < TAPS; ++x) row[x] = sampleOf(texelAt(pixel + ivec2(x, y) - RADIUS));
+        alongX[y] = differentiated(row);
+        acrossX[y] = smoothed(row);
     }
-    vec4 squared = ix * ix + iy * iy;
-    magnitude = sqrt(max(max(squared.r, squared.g), max(squared.b, squared.a)));
+    magnitude = magnitudeOf(smoothed(alongX), differentiated(acrossX), sampleOf(texelAt(pixel)));
+#endif
 }

@@ -1,13 +1,7 @@
-// What the two forms of the edge pass share, so that they agree to the last bit: every sum is taken in one order, and
-// `precise` keeps drivers from another.
+// What the two forms of the edge pass share, so that they agree to the last bit.
 #include "shared/depth.glsl"
 
-#define KERNEL_SOBEL 0
-#define KERNEL_FARID 1
-
-#include "shared/kernels.glsl"
-
-const int TAPS = 2 * RADIUS + 1;
+#include "shared/row_sums.glsl"
 
 layout(binding = 0) uniform sampler2D surfaces;  // rgb: normal, a: eye-space depth; beyond the border it repeats it
 
@@ -17,17 +11,7 @@ layout(location = 3) uniform bool windowDepth;  // find depth edges in window de
 // The four channels that edges are found in.
 vec4 channels(vec4 surface) { return vec4(surface.rgb, scaledDepth(surface.a, windowDepth, depths)); }
 
-vec4 smoothed(vec4 s[TAPS]) {
-    precise vec4 sum = SMOOTHING[RADIUS] * s[RADIUS];
-    for (int i = 1; i <= RADIUS; ++i) sum += SMOOTHING[RADIUS + i] * (s[RADIUS - i] + s[RADIUS + i]);
-    return sum;
-}
-
-vec4 differentiated(vec4 s[TAPS]) {
-    precise vec4 sum = DERIVATIVE[RADIUS + 1] * (s[RADIUS + 1] - s[RADIUS - 1]);
-    for (int i = 2; i <= RADIUS; ++i) sum += DERIVATIVE[RADIUS + i] * (s[RADIUS + i] - s[RADIUS - i]);
-    return sum;
-}
+SUMS_OF(vec4)
 
 // Equation 6: of the depth map; of the normal map, the largest of its three channels.
 vec2 magnitudesOf(vec4 ix, vec4 iy) {

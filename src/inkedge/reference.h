@@ -96,7 +96,8 @@ struct PairMark {
 [[nodiscard]] INKEDGE_API Image<double> drawFunction(const Scene&, const Camera&, const FunctionSettings&, Size);
 
 /// Equation 6 on a function's values, the largest of its channels. Differences are taken from the pixel's own value, modulo
-/// wrapPeriod(); background without a value differs from nothing and has no magnitude. GPU twin: measure_function.frag.
+/// wrapPeriod(); background without a value differs from nothing and has no magnitude. GPU twins: detect_function.frag,
+/// measure_function.frag.
 /// @param values  4 channels, as drawFunction() returns them
 [[nodiscard]] INKEDGE_API Image<double> functionMagnitude(const Image<double>& values, const FunctionSettings&);
 

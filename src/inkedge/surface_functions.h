@@ -32,7 +32,8 @@ struct FunctionOption {
     std::span<const std::string_view> choices = {};  ///< in place of numbers: the value is the choice's place
 };
 
-/// What becomes of differences across which a function begins anew.
+/// What becomes of differences across which a function begins anew. One that does has values in its first two channels
+/// alone.
 enum class Wrapping {
     None,
     Unit,   ///< values are taken modulo 1, as coordinates of a repeated texture are; not of a picture

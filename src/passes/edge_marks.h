@@ -6,11 +6,12 @@
 
 namespace inkedge {
 
-/// What detect_edges.frag decided, in host memory: for each pixel two bits.
+/// What detect_edges.frag, or detect_function.frag, decided, in host memory: for each pixel two bits.
 struct EdgeMarks {
     static constexpr int blockSide = 4;  ///< pixels decided by one invocation along each axis
     static constexpr unsigned depthEdge = 1;
     static constexpr unsigned normalEdge = 2;
+    static constexpr unsigned functionEdge = 1;  ///< of functions on surfaces, the only one
 
     Size size;                    ///< of the picture
     Image<std::uint32_t> blocks;  ///< one value a block of 4 x 4 pixels, row by row, the first pixel in the lowest bits

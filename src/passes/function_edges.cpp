@@ -8,33 +8,58 @@
 namespace inkedge {
 namespace {
 
-// 255 where the magnitude is at least T: equation 7.
-void markEdges(const Image<float>& magnitude, float threshold, Image<std::uint8_t>& edges) {
-    for (std::size_t i = 0; i < magnitude.pixels.size(); ++i) {
-        if (magnitude.pixels[i] >= threshold) edges.pixels[i] = 255;
-    }
+// The program for a kernel and for whether differences are taken modulo a period.
+struct Programs {
+    gl::Program sobel;
+    gl::Program farid;
+    gl::Program wrappedSobel;
+    gl::Program wrappedFarid;
+};
+constexpr Programs detecting{gl::Program::DetectFunctionSobel, gl::Program::DetectFunctionFarid,
+                             gl::Program::DetectWrappedFunctionSobel, gl::Program::DetectWrappedFunctionFarid};
+constexpr Programs measuring{gl::Program::MeasureFunctionSobel, gl::Program::MeasureFunctionFarid,
+                             gl::Program::MeasureWrappedFunctionSobel, gl::Program::MeasureWrappedFunctionFarid};
+
+// Ready to draw, but for the threshold.
+gl::Program prepared(gl::Gpu& gpu, const Programs& programs, const FunctionSettings& function) {
+    const bool sobel = function.kernel == Kernel::Sobel;
+    const double period = wrapPeriod(function);
+    if (period == 0.0) return sobel ? programs.sobel : programs.farid;
+    const gl::Program program = sobel ? programs.wrappedSobel : programs.wrappedFarid;
+    gpu.api.ProgramUniform1f(gpu.programs.id(program), 1, static_cast<float>(period));
+    return program;
+}
+
+void add(const Image<std::uint32_t>& more, Image<std::uint32_t>& blocks) {
+    if (blocks.empty()) blocks = Image<std::uint32_t>{more.size, 1};
+    for (std::size_t i = 0; i < more.pixels.size(); ++i) blocks.pixels[i] |= more.pixels[i];
 }
 
 }  // namespace
 
+gl::Texture detectFunction(gl::Gpu& gpu, const gl::Texture& values, const FunctionSettings& function) {
+    const gl::Program program = prepared(gpu, detecting, function);
+    gpu.api.ProgramUniform1f(gpu.programs.id(program), 0, threshold(function));
+    gl::Texture marks = gpu.textures.acquire(blocksOf(values.size()), GL_R32UI);
+    gl::drawFullscreen(gpu, program, gl::Framebuffer{gpu.api, {&marks}}, {&values});
+    return marks;
+}
+
 gl::Texture measureFunction(gl::Gpu& gpu, const gl::Texture& values, const FunctionSettings& function) {
-    const gl::Program program =
-        function.kernel == Kernel::Sobel ? gl::Program::MeasureFunctionSobel : gl::Program::MeasureFunctionFarid;
-    gpu.api.ProgramUniform1f(gpu.programs.id(program), 0, static_cast<float>(wrapPeriod(function)));
     gl::Texture magnitude = gpu.textures.acquire(values.size(), GL_R32F);
-    gl::drawFullscreen(gpu, program, gl::Framebuffer{gpu.api, {&magnitude}}, {&values});
+    gl::drawFullscreen(gpu, prepared(gpu, measuring, function), gl::Framebuffer{gpu.api, {&magnitude}}, {&values});
     return magnitude;
 }
 
 Image<std::uint8_t> functionEdges(gl::Gpu& gpu, const gl::UploadedScene& upload, gl::FunctionInputs& inputs,
                                   const Scene& scene, const Camera& camera,
                                   const std::vector<FunctionSettings>& functions, const Tile& tile, int samples) {
-    Image<std::uint8_t> edges{tile.drawn.size, 1};
+    EdgeMarks marks{tile.drawn.size, {}};
     for (const FunctionSettings& function : functions) {
         const gl::Texture values = drawFunction(gpu, upload, inputs, scene, camera, function, tile);
-        markEdges(gl::readFloats(gpu.api, measureFunction(gpu, values, function), 1), threshold(function), edges);
+        add(gl::readIntegers(gpu.api, detectFunction(gpu, values, function)), marks.blocks);
     }
-    return meanOf(std::move(edges), samples);
+    return meanOf(mask(marks, EdgeMarks::functionEdge), samples);
 }
 
 }  // namespace inkedge

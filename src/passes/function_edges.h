@@ -6,12 +6,18 @@
 #include "gl/function_inputs.h"
 #include "gl/gpu.h"
 #include "gl/upload.h"
+#include "passes/edge_marks.h"
 #include "tiles.h"
 
 namespace inkedge {
 
-/// Gradient magnitude of a function's values, equation 6, R32F. Shader: measure_function.frag; CPU definition:
-/// reference::functionMagnitude().
+/// Where a function has an edge, equation 7: R32UI, EdgeMarks::functionEdge in what EdgeMarks::blocks holds. Shader:
+/// detect_function.frag.
+/// @param values  as drawFunction() returns them
+[[nodiscard]] gl::Texture detectFunction(gl::Gpu&, const gl::Texture& values, const FunctionSettings&);
+
+/// Gradient magnitude of a function's values, equation 6, R32F: what detectFunction() compares, bit for bit. Shader:
+/// measure_function.frag; CPU definition: reference::functionMagnitude().
 /// @param values  as drawFunction() returns them
 [[nodiscard]] gl::Texture measureFunction(gl::Gpu&, const gl::Texture& values, const FunctionSettings&);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <vector>
 
 #include "settings/picture_channels.h"
 
@@ -22,12 +24,17 @@ Channels channelsOf(Color color, std::uint8_t alpha) { return {color.red, color.
 Image<std::uint8_t> meanOf(Image<std::uint8_t> image, int samples) {
     if (samples == 1) return image;
     Image<std::uint8_t> means{{image.size.width / samples, image.size.height / samples}, 1};
+    const int count = samples * samples;
+    std::vector<int> sums(static_cast<std::size_t>(image.size.width));  // of columns of samples
     for (int y = 0; y < means.size.height; ++y) {
+        std::ranges::fill(sums, 0);
+        for (int row = samples * y; row < samples * (y + 1); ++row) {
+            const std::uint8_t* const from = &image.at(0, row);
+            for (std::size_t x = 0; x < sums.size(); ++x) sums[x] += from[x];
+        }
         for (int x = 0; x < means.size.width; ++x) {
-            int sum = samples * samples / 2;
-            for (int i = 0; i < samples * samples; ++i)
-                sum += image.at(samples * x + i % samples, samples * y + i / samples);
-            means.at(x, y) = static_cast<std::uint8_t>(sum / (samples * samples));
+            const auto first = sums.begin() + samples * x;
+            means.at(x, y) = static_cast<std::uint8_t>(std::accumulate(first, first + samples, count / 2) / count);
         }
     }
     return means;

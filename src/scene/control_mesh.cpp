@@ -100,6 +100,7 @@ void addFace(ControlMesh& control, const Mesh& mesh, const Vertices& vertices, s
         control.corners.push_back(static_cast<std::int32_t>(vertices.ofCorner[h]));
         if (!mesh.textureCoordinates.empty())
             control.coordinates.push_back(mesh.textureCoordinates[mesh.indices[h]]);
+        if (!mesh.paint.empty()) control.paint.push_back(mesh.paint[mesh.indices[h]]);
         if (!mesh.markedEdges.empty()) control.marked.push_back(mesh.markedEdges[h]);
     }
     control.firstTriangles.push_back(triangles.front());

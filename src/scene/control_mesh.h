@@ -26,6 +26,7 @@ struct ControlMesh {
     std::vector<std::int32_t> faceSizes;      ///< one a face: its corners, at least three; all three under Loop
     std::vector<std::int32_t> corners;        ///< into vertices, face after face
     std::vector<glm::vec2> coordinates;       ///< one a corner: Mesh::textureCoordinates there; or none
+    std::vector<VertexPaint> paint;           ///< one a corner: Mesh::paint there; or none
     std::vector<bool> marked;                 ///< one a corner: whether the edge from it to the next is marked; or none
     std::vector<std::int32_t> sharpEdges;     ///< two vertices each: creases. Borders are sharp anyway
     std::vector<std::int32_t> sharpVertices;  ///< corners that stay where they are
@@ -47,7 +48,7 @@ inline constexpr std::uint32_t noFace = ~0U;
 
 /// Some faces of a control mesh, with their vertices renumbered. What lay at their borders is border now.
 /// @param chosen  faces, ascending
-/// @return        without faces, coordinates and marks; firstTriangles as they were
+/// @return        without faces, coordinates, paint and marks; firstTriangles as they were
 [[nodiscard]] ControlMesh partOf(const ControlMesh&, const std::vector<std::uint32_t>& chosen);
 
 /// Vertices and indices of the triangles that so many levels of refinement make, but for vertices that creases split.

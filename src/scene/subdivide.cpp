@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 #include <numeric>
-#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -33,12 +33,22 @@ constexpr std::size_t cutBefore = 3;  // the same of the other triangle
 
 std::size_t cornersOf(SubdivisionScheme scheme) { return scheme == SubdivisionScheme::Loop ? 3 : 4; }
 
-// Makes several vertices of one where its corners differ in their texture coordinates.
+// What the corners of a vertex may differ in.
+struct CornerValues {
+    glm::vec2 coordinates{0.0F};
+    VertexPaint paint;
+    [[nodiscard]] std::array<float, 8> numbers() const {
+        return {coordinates.x, coordinates.y, paint.color.r, paint.color.g,
+                paint.color.b, paint.color.a, paint.place.x, paint.place.y};
+    }
+};
+
+// Makes several vertices of one where its corners differ.
 // @param ofIndices  one an index
-void setCoordinates(Mesh& mesh, const std::vector<glm::vec2>& ofIndices) {
+void setCornerValues(Mesh& mesh, const std::vector<CornerValues>& ofIndices, const RefinedFaces& faces) {
     std::vector<std::uint32_t> order(mesh.indices.size());
     std::iota(order.begin(), order.end(), 0U);
-    const auto key = [&](std::uint32_t c) { return std::tuple{mesh.indices[c], ofIndices[c].x, ofIndices[c].y}; };
+    const auto key = [&](std::uint32_t c) { return std::pair{mesh.indices[c], ofIndices[c].numbers()}; };
     std::ranges::sort(order, {}, key);
     Mesh split;
     std::vector<std::uint32_t> indices(order.size());
@@ -47,13 +57,15 @@ void setCoordinates(Mesh& mesh, const std::vector<glm::vec2>& ofIndices) {
         if (i == 0 || key(c) != key(order[i - 1])) {
             split.positions.push_back(mesh.positions[mesh.indices[c]]);
             split.normals.push_back(mesh.normals[mesh.indices[c]]);
-            split.textureCoordinates.push_back(ofIndices[c]);
+            if (!faces.coordinates.empty()) split.textureCoordinates.push_back(ofIndices[c].coordinates);
+            if (!faces.paint.empty()) split.paint.push_back(ofIndices[c].paint);
         }
         indices[c] = static_cast<std::uint32_t>(split.positions.size() - 1);
     }
     mesh.positions = std::move(split.positions);
     mesh.normals = std::move(split.normals);
     mesh.textureCoordinates = std::move(split.textureCoordinates);
+    mesh.paint = std::move(split.paint);
     mesh.indices = std::move(indices);
 }
 
@@ -61,7 +73,8 @@ Mesh trianglesOf(const RefinedFaces& faces, SubdivisionScheme scheme) {
     Mesh mesh;
     mesh.positions.assign(faces.positions.begin(), faces.positions.end());
     mesh.normals.assign(faces.normals.begin(), faces.normals.end());
-    std::vector<glm::vec2> coordinates;
+    std::vector<CornerValues> values;
+    const bool hasValues = !faces.coordinates.empty() || !faces.paint.empty();
     const std::size_t size = cornersOf(scheme);
     for (std::size_t f = 0; f < faces.parents.size(); ++f) {
         for (std::size_t i = 0; i < 3 * (size - 2); ++i) {
@@ -71,11 +84,14 @@ Mesh trianglesOf(const RefinedFaces& faces, SubdivisionScheme scheme) {
             mesh.sharpEdges.push_back(!inner && faces.creases[corner]);
             if (size == 4) mesh.innerEdges.push_back(inner);
             if (!faces.marked.empty()) mesh.markedEdges.push_back(!inner && faces.marked[corner]);
-            if (!faces.coordinates.empty()) coordinates.push_back(faces.coordinates[corner]);
+            if (!hasValues) continue;
+            CornerValues& value = values.emplace_back();
+            if (!faces.coordinates.empty()) value.coordinates = faces.coordinates[corner];
+            if (!faces.paint.empty()) value.paint = faces.paint[corner];
         }
     }
     if (std::ranges::find(mesh.sharpEdges, true) == mesh.sharpEdges.end()) mesh.sharpEdges.clear();
-    if (!coordinates.empty()) setCoordinates(mesh, coordinates);
+    if (hasValues) setCornerValues(mesh, values, faces);
     return mesh;
 }
 

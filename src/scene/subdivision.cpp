@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <numeric>
 #include <span>
@@ -24,11 +25,19 @@ namespace Sdc = OpenSubdiv::Sdc;
 
 using Refiner = std::unique_ptr<Far::TopologyRefiner>;
 
-struct Point {
-    glm::dvec3 v{0.0};
-    void Clear(void* = nullptr) { v = glm::dvec3{0.0}; }
-    void AddWithWeight(const Point& from, double weight) { v += weight * from.v; }
+// What OpenSubdiv mixes.
+template <class Vector>
+struct Mixed {
+    Vector v{0.0};
+    void Clear(void* = nullptr) { v = Vector{0.0}; }
+    void AddWithWeight(const Mixed& from, double weight) { v += weight * from.v; }
 };
+using Point = Mixed<glm::dvec3>;
+
+// How many corners have values of their own; 0: there are none but positions.
+std::size_t cornersWithValues(const ControlMesh& control) {
+    return std::max(control.coordinates.size(), control.paint.size());
+}
 
 Refiner makeRefiner(const ControlMesh& control) {
     const std::vector<float> sharpEdges(control.sharpEdges.size() / 2, Sdc::Crease::SHARPNESS_INFINITE);
@@ -46,7 +55,7 @@ Refiner makeRefiner(const ControlMesh& control) {
     descriptor.cornerWeights = sharpVertices.data();
 
     // A value for each corner: those of faces that go on into each other are the same where their ends are.
-    std::vector<int> ofCorners(control.coordinates.size());
+    std::vector<int> ofCorners(cornersWithValues(control));
     std::iota(ofCorners.begin(), ofCorners.end(), 0);
     Far::TopologyDescriptor::FVarChannel channel;
     channel.numValues = static_cast<int>(ofCorners.size());
@@ -261,24 +270,39 @@ private:
     RefinedFaces result_;
 };
 
-std::vector<glm::vec2> refinedCoordinates(const Far::TopologyRefiner& refiner, const ControlMesh& control) {
-    if (control.coordinates.empty()) return {};
+// Values of the last level's corners, from those of the control mesh's.
+template <class Vector, class Value, class Part>
+std::vector<Vector> refinedValues(const Far::TopologyRefiner& refiner, const std::vector<Value>& ofCorners, Part part) {
+    if (ofCorners.empty()) return {};
     const Far::PrimvarRefinerReal<double> primvars{refiner};
-    std::vector<Point> values(control.coordinates.size());
-    std::ranges::transform(control.coordinates, values.begin(), [](glm::vec2 c) { return Point{{c, 0.0}}; });
+    std::vector<Mixed<Vector>> values(ofCorners.size());
+    std::ranges::transform(ofCorners, values.begin(), [&](const Value& v) { return Mixed<Vector>{Vector{part(v)}}; });
     for (int level = 1; level <= refiner.GetMaxLevel(); ++level) {
-        std::vector<Point> next(static_cast<std::size_t>(refiner.GetLevel(level).GetNumFVarValues()));
+        std::vector<Mixed<Vector>> next(static_cast<std::size_t>(refiner.GetLevel(level).GetNumFVarValues()));
         primvars.InterpolateFaceVarying(level, values, next);
         values = std::move(next);
     }
     const Far::TopologyLevel& last = refiner.GetLevel(refiner.GetMaxLevel());
-    std::vector<glm::vec2> coordinates;
+    std::vector<Vector> refined;
     for (int f = 0; f < last.GetNumFaces(); ++f) {
         const auto corners = last.GetFaceFVarValues(f);
-        for (int k = 0; k < corners.size(); ++k)
-            coordinates.emplace_back(values[static_cast<std::size_t>(corners[k])].v);
+        for (int k = 0; k < corners.size(); ++k) refined.push_back(values[static_cast<std::size_t>(corners[k])].v);
     }
-    return coordinates;
+    return refined;
+}
+
+std::vector<glm::vec2> refinedCoordinates(const Far::TopologyRefiner& refiner, const ControlMesh& control) {
+    const auto refined = refinedValues<glm::dvec2>(refiner, control.coordinates, std::identity{});
+    return {refined.begin(), refined.end()};
+}
+
+std::vector<VertexPaint> refinedPaint(const Far::TopologyRefiner& refiner, const ControlMesh& control) {
+    const auto colors = refinedValues<glm::dvec4>(refiner, control.paint, [](const VertexPaint& p) { return p.color; });
+    const auto places = refinedValues<glm::dvec2>(refiner, control.paint, [](const VertexPaint& p) { return p.place; });
+    std::vector<VertexPaint> paint;
+    paint.reserve(colors.size());
+    for (std::size_t c = 0; c < colors.size(); ++c) paint.push_back({glm::vec4{colors[c]}, glm::vec2{places[c]}});
+    return paint;
 }
 
 // What a marked edge is cut into is marked.
@@ -337,6 +361,7 @@ RefinedFaces refine(const ControlMesh& control, int levels) {
         RefinedFaces faces = LimitSurface{*refiner, control}.faces();
         faces.parents = controlFaces(*refiner);
         faces.coordinates = refinedCoordinates(*refiner, control);
+        faces.paint = refinedPaint(*refiner, control);
         faces.marked = refinedMarks(*refiner, control);
         return faces;
     } catch (const std::exception& error) {
@@ -348,6 +373,6 @@ constexpr Subdivision functions{refine};
 
 }  // namespace
 
-const Subdivision* inkedge_subdivision_2() noexcept { return &functions; }
+const Subdivision* inkedge_subdivision_3() noexcept { return &functions; }
 
 }  // namespace inkedge

@@ -25,6 +25,7 @@ struct RefinedFaces {
     std::vector<bool> creases;              ///< one a corner: whether the edge from it to the next is sharp
     /// One a corner, if the control mesh has any: linear across its faces, so that seams stay where they are.
     std::vector<glm::vec2> coordinates;
+    std::vector<VertexPaint> paint;  ///< likewise
     /// One a corner, if the control mesh has any: whether the edge from it to the next is part of a marked one.
     std::vector<bool> marked;
     std::string failure;
@@ -38,8 +39,8 @@ struct Subdivision {
 
 /// The module's one symbol. Its number rises with every change in this file or in ControlMesh, so that a module of
 /// another build is refused instead of misread.
-extern "C" INKEDGE_API const Subdivision* inkedge_subdivision_2() noexcept;
-inline constexpr char subdivisionSymbol[] = "inkedge_subdivision_2";
+extern "C" INKEDGE_API const Subdivision* inkedge_subdivision_3() noexcept;
+inline constexpr char subdivisionSymbol[] = "inkedge_subdivision_3";
 inline constexpr char subdivisionFile[] = "inkedge_subdivision.so";
 
 /// Opens the module on first use.

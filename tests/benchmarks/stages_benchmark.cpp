@@ -27,8 +27,10 @@
 #include "passes/composite.h"
 #include "passes/detect_edges.h"
 #include "passes/detect_lines.h"
+#include "passes/draw_function.h"
 #include "passes/draw_planes.h"
 #include "passes/draw_surface.h"
+#include "passes/function_edges.h"
 #include "passes/placement.h"
 #include "passes/read_maps.h"
 #ifdef INKEDGE_OPENCV
@@ -380,6 +382,34 @@ void addPlanesDetector(Equipment& equipment, Size size) {
     });
 }
 
+// Of a function without a value on the background, and of one whose differences are wrapped.
+void addFunctions(Equipment& equipment, Size size) {
+    for (const auto& [text, name] : {std::pair{"height", "sobel"}, std::pair{"height:kernel=farid", "farid"},
+                                     std::pair{"uv", "wrapped-sobel"}, std::pair{"uv:kernel=farid", "wrapped-farid"}}) {
+        const FunctionSettings function = surfaceFunction(text);
+        const auto draw = [&equipment, size] {
+            gl::FunctionInputs inputs{equipment.api()};
+            return drawFunction(equipment.gpu(), equipment.upload(usualModel), inputs, equipment.scene(usualModel),
+                                equipment.camera(usualModel, size), surfaceFunction("height"), size);
+        };
+        if (name == std::string_view{"sobel"}) {
+            add("function/" + nameOf(size), [&equipment, draw](benchmark::State& state) {
+                repeat(state, [&] {
+                    const gl::Texture values = draw();
+                    equipment.api().Finish();
+                });
+            });
+        }
+        add(fmt::format("function-{}/{}", name, nameOf(size)), [&equipment, draw, function](benchmark::State& state) {
+            const gl::Texture values = draw();
+            repeat(state, [&] {
+                const gl::Texture marks = detectFunction(equipment.gpu(), values, function);
+                equipment.api().Finish();
+            });
+        });
+    }
+}
+
 void addOutput(Equipment& equipment, Size size) {
     add("composite/" + nameOf(size), [&equipment, size](benchmark::State& state) {
         const Buffers& buffers = equipment.buffers(size);
@@ -508,6 +538,7 @@ void addAll(Equipment& equipment) {
         addPlanesDetector(equipment, size);
         addClassic(equipment, Kernel::Sobel, "sobel", size);
         addClassic(equipment, Kernel::Farid, "farid", size);
+        addFunctions(equipment, size);
         addOutput(equipment, size);
     }
     addDevice(equipment, {3840, 2160});

@@ -460,6 +460,62 @@ TEST(Subdivide, cutsTextureCoordinatesEvenlyAndLeavesSeamsWhereTheyAre) {
     }
 }
 
+// Colours are a function of the place; each face's picture is its own, so that places have seams at every edge.
+Mesh paintedCube() {
+    Mesh mesh = texturedCube();
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const glm::vec3 share = 0.5F * (mesh.positions[i] + 1.0F);
+        mesh.paint.push_back({{share, share.x * share.y * share.z}, 2.0F * mesh.textureCoordinates[i]});
+    }
+    return mesh;
+}
+
+TEST(Subdivide, mixesColoursLinearlyAcrossTheFacesThatWere) {
+    for (const Mesh& cube : {paintedCube(), asTriangles(paintedCube())}) {
+        const Scene scene = refined(cube, levels(2));  // stays a cube
+        const Mesh& mesh = scene.meshes()[0];
+        ASSERT_EQ(mesh.paint.size(), mesh.positions.size());
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            const glm::vec3 share = 0.5F * (mesh.positions[i] + 1.0F);
+            const glm::vec4 color = mesh.paint[i].color;
+            EXPECT_LT(glm::distance(glm::vec3{color}, share), 1e-6F) << i;  // of floats of size 1
+            if (cube.innerEdges.empty()) continue;
+            EXPECT_NEAR(color.a, share.x * share.y * share.z, 1e-6F) << "bilinear across squares";
+        }
+    }
+}
+
+TEST(Subdivide, mixesColoursAlikeHoweverFacesBend) {
+    for (const Mesh& cube : {paintedCube(), asTriangles(paintedCube())}) {
+        const Mesh sharp = refined(cube, levels(2)).meshes()[0];
+        const Mesh round = refined(cube, levels(2, smoothAngle)).meshes()[0];
+        ASSERT_EQ(sharp.indices.size(), round.indices.size());
+        ASSERT_EQ(sharp.paint.size(), sharp.positions.size());
+        ASSERT_EQ(round.paint.size(), round.positions.size());
+        for (std::size_t c = 0; c < sharp.indices.size(); ++c) {
+            EXPECT_EQ(sharp.paint[sharp.indices[c]].color, round.paint[round.indices[c]].color);
+            EXPECT_EQ(sharp.paint[sharp.indices[c]].place, round.paint[round.indices[c]].place);
+        }
+    }
+}
+
+TEST(Subdivide, keepsThePlacesOfPicturesWithTheirSeams) {
+    for (Mesh cube : {paintedCube(), asTriangles(paintedCube())}) {
+        for (const bool coordinates : {true, false}) {
+            if (!coordinates) cube.textureCoordinates.clear();
+            const Mesh mesh = refined(cube, levels(2, smoothAngle)).meshes()[0];
+            ASSERT_EQ(mesh.paint.size(), mesh.positions.size());
+            EXPECT_EQ(mesh.textureCoordinates.size(), coordinates ? mesh.positions.size() : 0U);
+            for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
+                const auto at = [&](std::size_t k) { return glm::dvec2{mesh.paint[mesh.indices[3 * t + k]].place}; };
+                const glm::dvec2 a = at(1) - at(0);
+                const glm::dvec2 b = at(2) - at(0);
+                EXPECT_EQ(0.5 * (a.x * b.y - a.y * b.x), 4.0 / 32) << "of each face's 2 x 2, evenly";
+            }
+        }
+    }
+}
+
 TEST(Subdivide, marksWhatMarkedEdgesAreCutInto) {
     for (const Mesh& plain : {quadCube(), asTriangles(quadCube())}) {
         Mesh cube = plain;
