@@ -176,15 +176,6 @@ glm::dvec4 difference(const Image<double>& values, int x, int y, const glm::dvec
     return d;
 }
 
-// Depths around a pixel, less its own, in its footprints.
-using Depths = std::array<std::array<double, 5>, 5>;
-
-double gradient(const Depths& d, std::size_t x, std::size_t y) {
-    const auto across = [&](std::size_t row) { return d[row][x - 1] + 2.0 * d[row][x] + d[row][x + 1]; };
-    const auto along = [&](std::size_t column) { return d[y - 1][column] + 2.0 * d[y][column] + d[y + 1][column]; };
-    return (std::abs(across(y - 1) - across(y + 1)) + std::abs(along(x + 1) - along(x - 1))) / 8.0;
-}
-
 }  // namespace
 
 Image<double> drawFunction(const Scene& scene, const Camera& camera, const FunctionSettings& function, Size size) {
@@ -246,45 +237,6 @@ Image<double> functionMagnitude(const Image<double>& values, const FunctionSetti
         }
     }
     return magnitude;
-}
-
-Image<double> detectProfiles(const Image<double>& depth, const Image<double>& normal, const Camera& camera,
-                             const DetectorSettings& settings) {
-    constexpr double far = 1000.0;
-    const auto [width, height] = depth.size;
-    const double focal = camera.focalLength(depth.size);
-    const auto isBackground = [&](int x, int y) {
-        return normal.at(x, y, 0) == 0.0 && normal.at(x, y, 1) == 0.0 && normal.at(x, y, 2) == 0.0;
-    };
-    Image<double> ink{depth.size, 1};
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            if (isBackground(x, y)) continue;
-            const double centre = depth.at(x, y);
-            Depths d{};
-            for (int i = 0; i < 25; ++i) {
-                const int column = std::clamp(x + i % 5 - 2, 0, width - 1);
-                const int row = std::clamp(y + i / 5 - 2, 0, height - 1);
-                const double z = depth.at(column, row);
-                const double there = focal * (camera.orthographic() ? z - centre : 1.0 - centre / z);
-                d[static_cast<std::size_t>(i / 5)][static_cast<std::size_t>(i % 5)] =
-                    isBackground(column, row) ? far : std::clamp(there, -far, far);
-            }
-            double least = gradient(d, 2, 2);
-            double most = least;
-            double around = 0.0;
-            for (std::size_t i = 0; i < 9; ++i) {
-                const double g = gradient(d, 1 + i % 3, 1 + i / 3);
-                least = std::min(least, g);
-                most = std::max(most, g);
-                around += d[1 + i / 3][1 + i % 3];
-            }
-            const double profile = std::min((most - least) / settings.profileLimit, 1.0);
-            const double edge = std::min(std::abs(9.0 * d[2][2] - around) / 3.0 / settings.edgeLimit, 1.0);
-            ink.at(x, y) = std::max(profile, edge) * std::max(profile, edge);
-        }
-    }
-    return ink;
 }
 
 }  // namespace inkedge::reference
