@@ -1,5 +1,7 @@
 // inkedge render with lines from object space, and lines as files.
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 
@@ -279,6 +281,30 @@ TEST_F(RenderLines, NeedNoOpenGl) {
     expectFailure(draw("cube.glb", "cube.svg", {"--visibility", "fast"}, withoutBackends()), 4, none);
     expectFailure(draw("cube.glb", "cube.svg", {"--lines-from", "image"}, withoutBackends()), 4, none);
     expectFailure(draw("cube.glb", "cube.png", {"--lines-from", "object", "--maps", "ids"}, withoutBackends()), 4, none);
+}
+
+// A shared library that every process of a C++ program has open.
+std::filesystem::path someLibrary() {
+    std::ifstream maps{"/proc/self/maps"};
+    for (std::string line; std::getline(maps, line);) {
+        if (line.find("libstdc++.so") != std::string::npos) return line.substr(line.find('/'));
+    }
+    return {};
+}
+
+TEST_F(RenderLines, NameEmbreeWhereItIsMissingOrAnotherLibrary) {
+    const Environment here{{"LD_LIBRARY_PATH", (folder_ / "any").parent_path().string()}};  // looked through first
+    put(folder_ / "libembree3.so.3", "no library");
+    expectFailure(draw("cube.glb", "cube.svg", {}, here), 1,
+                  AllOf(HasSubstr("lines from object space: expected libembree3.so.3, found: "),
+                        HasSubstr("; install Embree 3.13, or use --lines-from image")));
+    expectSuccess(draw("cube.glb", "cube.svg", {"--lines-from", "image"}, here));
+    std::filesystem::remove(folder_ / "libembree3.so.3");
+    if (someLibrary().empty()) GTEST_SKIP() << "SKIPPED: no /proc";
+    std::filesystem::create_symlink(someLibrary(), folder_ / "libembree3.so.3");
+    expectFailure(draw("cube.glb", "other.svg", {}, here), 1,
+                  HasSubstr("lines from object space: expected rtcNewDevice in libembree3.so.3, found none; "
+                            "install Embree 3.13"));
 }
 
 TEST_F(RenderLines, VerboseNamesTheBackendStagesAndFile) {
