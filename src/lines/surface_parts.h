@@ -12,8 +12,8 @@
 
 namespace inkedge::lines {
 
-/// The parts of a scene's surface that hang together: faces across the edges that two of them share, and instances across
-/// the seams between them.
+/// The parts of a scene's surface that hang together: faces across the edges that two of them share, and instances
+/// across the seams between them.
 class SurfaceParts {
 public:
     /// O(n).

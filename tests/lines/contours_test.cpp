@@ -21,11 +21,12 @@ std::vector<glm::dvec3> pointsOf(const std::vector<Line>& lines) {
 
 std::vector<glm::dvec3> contourOf(const Scene& scene, double height, Contour contour, std::uint32_t object = 1) {
     const Camera camera = orthographic({2, 3, 9}, height);
-    return pointsOf(thoseOf(linesOf(scene, camera, {.contour = contour}),
-                            [&](const Line& line) { return line.object == object; }));
+    return pointsOf(
+        thoseOf(linesOf(scene, camera, {.contour = contour}), [&](const Line& line) { return line.object == object; }));
 }
 
-// Contour edges of a sphere of 64 segments are a fifteenth long or less: over 3 of 300 pixels for pictures of some 7 and less.
+// Contour edges of a sphere of 64 segments are a fifteenth long or less: over 3 of 300 pixels for pictures of some 7
+// and less.
 constexpr double small = 20.0;
 constexpr double large = 3.0;
 
@@ -39,7 +40,8 @@ TEST(Contours, OfSmallFacesAreSmoothThoseOfLargeOnesTheMeshs) {
 }
 
 TEST(Contours, AreChosenForEachPatch) {
-    const Scene scene = sceneOf({{sphere(1.0, 64), translation({-2, 0, 0})}, {sphere(1.0, 12), translation({2, 0, 0})}});
+    const Scene scene =
+        sceneOf({{sphere(1.0, 64), translation({-2, 0, 0})}, {sphere(1.0, 12), translation({2, 0, 0})}});
     EXPECT_EQ(contourOf(scene, small, Contour::Auto, 1), contourOf(scene, small, Contour::Smooth, 1));
     EXPECT_EQ(contourOf(scene, small, Contour::Auto, 2), contourOf(scene, small, Contour::Mesh, 2));
     EXPECT_NE(contourOf(scene, small, Contour::Auto, 2), contourOf(scene, small, Contour::Smooth, 2));

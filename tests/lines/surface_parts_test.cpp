@@ -17,7 +17,10 @@ struct Parts {
     SurfaceParts parts;
 
     explicit Parts(const std::vector<std::pair<Mesh, glm::dmat4>>& placed)
-        : scene{sceneOf(placed)}, edges{edgesOf(scene)}, borders{findBorderParts(scene, edges)}, parts{scene, borders} {}
+        : scene{sceneOf(placed)},
+          edges{edgesOf(scene)},
+          borders{findBorderParts(scene, edges)},
+          parts{scene, borders} {}
 
     static std::vector<MeshEdges> edgesOf(const Scene& scene) {
         std::vector<MeshEdges> edges;
@@ -38,7 +41,8 @@ TEST(SurfaceParts, HangTogetherAcrossEdgesSharpOrNot) {
 TEST(SurfaceParts, OfOneMeshMayBeSeveral) {
     Mesh two = cube(1.0);
     const Mesh other = box({1, 1, 4});
-    for (const std::uint32_t i : other.indices) two.indices.push_back(static_cast<std::uint32_t>(two.positions.size()) + i);
+    for (const std::uint32_t i : other.indices)
+        two.indices.push_back(static_cast<std::uint32_t>(two.positions.size()) + i);
     two.positions.insert(two.positions.end(), other.positions.begin(), other.positions.end());
     two.normals.clear();
     const Parts both{{{two, here}, {two, translation({9, 0, 0})}}};
