@@ -86,6 +86,15 @@ bool needsSurface(const Settings& settings) {
            wantsAny(settings, {Map::Depth, Map::Normal, Map::DepthEdges, Map::NormalEdges});
 }
 
+bool drawsTriangles(const Settings& settings) {
+    return needsPlanes(settings) || needsSurface(settings) || drawsFunctions(settings);
+}
+
+// Lines from object space, and pictures of nothing else, need none.
+bool needsContext(const Settings& settings) {
+    return drawsTriangles(settings) || settings.style.style == Style::Pencil;
+}
+
 Size samplesOf(const PictureSettings& picture) {
     return {picture.size.width * picture.supersampling, picture.size.height * picture.supersampling};
 }
@@ -283,20 +292,21 @@ Settings completed(Settings settings, const Scene& scene) {
 
 }  // namespace
 
-struct Renderer::State {
-    explicit State(const BackendSettings& wish) : context{gl::createContext(wish)} {
+// A context and what is kept in it.
+struct Renderer::Graphics {
+    explicit Graphics(const BackendSettings& wish) : context{gl::createContext(wish)} {
         const gl::Current current{*context};
         gpu = std::make_unique<gl::Gpu>(context->api());
         inputs = std::make_unique<gl::FunctionInputs>(context->api());
     }
-    ~State() {
+    ~Graphics() {
         const gl::Current current{*context};
         inputs.reset();
         upload.reset();
         gpu.reset();
     }
-    State(const State&) = delete;
-    State& operator=(const State&) = delete;
+    Graphics(const Graphics&) = delete;
+    Graphics& operator=(const Graphics&) = delete;
 
     const gl::UploadedScene& uploaded(const Scene& scene) {
         if (!upload || !upload->holds(scene)) {
@@ -304,6 +314,25 @@ struct Renderer::State {
             upload = std::make_unique<gl::UploadedScene>(gpu->api, scene);
         }
         return *upload;
+    }
+
+    std::unique_ptr<gl::Context> context;
+    std::unique_ptr<gl::Gpu> gpu;
+    std::unique_ptr<gl::UploadedScene> upload;
+    std::unique_ptr<gl::FunctionInputs> inputs;
+};
+
+struct Renderer::State {
+    explicit State(BackendSettings settings) : wish{std::move(settings)} {}
+
+    // Made now if it is not there yet; what that took goes into the times.
+    Graphics& graphics(std::vector<StageTime>& times) {
+        if (!made) {
+            gl::StageClock clock{times};
+            made.emplace(wish);
+            clock.finish("context");
+        }
+        return *made;
     }
 
     const lines::ObjectLines& prepared(const Scene& scene) {
@@ -324,52 +353,59 @@ struct Renderer::State {
         return &*brush;
     }
 
-    std::unique_ptr<gl::Context> context;
-    std::unique_ptr<gl::Gpu> gpu;
+    BackendSettings wish;
+    std::optional<Graphics> made;
     std::optional<Brush> brush;
     std::filesystem::path brushFile;
-    std::unique_ptr<gl::UploadedScene> upload;
-    std::unique_ptr<gl::FunctionInputs> inputs;
     std::unique_ptr<lines::ObjectLines> objectLines;
 };
 
-Renderer::Renderer(const BackendSettings& wish) : state_{std::make_unique<State>(wish)} {}
+Renderer::Renderer(const BackendSettings& wish, ContextTime when) : state_{std::make_unique<State>(wish)} {
+    std::vector<StageTime> untold;
+    if (when == ContextTime::AtOnce) (void)state_->graphics(untold);
+}
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
-const BackendInfo& Renderer::backend() const noexcept { return state_->context->info(); }
+const BackendInfo& Renderer::backend() const noexcept {
+    static const BackendInfo none;
+    return state_->made ? state_->made->context->info() : none;
+}
 
 Lines Renderer::lines(const Scene& scene, const Camera& camera, const Settings& settings) {
     expectUsable(settings.picture);
     expectUsable(camera);
     Lines found;
     std::vector<StageTime> before;
-    {
-        const gl::Current current{*state_->context};
-        gl::StageClock clock{state_->gpu->api, before};
-        if (settings.lines.from == LinesFrom::Image) {
-            const View view{*state_->gpu, state_->uploaded(scene), *state_->inputs, scene, camera, settings};
-            clock.finish("upload");
-            found.lines = traceImageLines(view, clock);
-            clock.finish("join");
-            state_->gpu->textures.trim();
-            found.size = settings.picture.size;
-            found.camera = camera;
-            found.backend = backend();
-            found.times = std::move(before);
-            return found;
-        }
-        const lines::ObjectLines& prepared = state_->prepared(scene);
-        clock.finish("prepare lines");
-        std::optional<lines::ViewBuffers> buffers;
-        if (settings.lines.visibility == Visibility::Fast && isOneTile(settings.picture)) {
-            buffers = drawViewBuffers({*state_->gpu, state_->uploaded(scene), *state_->inputs, scene, camera, settings});
-            state_->gpu->textures.trim();
-            clock.finish("buffers");
-        }
-        found = prepared.find(camera, settings, buffers ? &*buffers : nullptr);
+    if (settings.lines.from == LinesFrom::Image) {
+        Graphics& graphics = state_->graphics(before);
+        const gl::Current current{*graphics.context};
+        gl::StageClock clock{graphics.gpu->api, before};
+        const View view{*graphics.gpu, graphics.uploaded(scene), *graphics.inputs, scene, camera, settings};
+        clock.finish("upload");
+        found.lines = traceImageLines(view, clock);
+        clock.finish("join");
+        graphics.gpu->textures.trim();
+        found.size = settings.picture.size;
+        found.camera = camera;
+        found.backend = backend();
+        found.times = std::move(before);
+        return found;
     }
+    gl::StageClock preparing{before};
+    const lines::ObjectLines& prepared = state_->prepared(scene);
+    preparing.finish("prepare lines");
+    std::optional<lines::ViewBuffers> buffers;
+    if (settings.lines.visibility == Visibility::Fast && isOneTile(settings.picture)) {
+        Graphics& graphics = state_->graphics(before);
+        const gl::Current current{*graphics.context};
+        gl::StageClock clock{graphics.gpu->api, before};
+        buffers = drawViewBuffers({*graphics.gpu, graphics.uploaded(scene), *graphics.inputs, scene, camera, settings});
+        graphics.gpu->textures.trim();
+        clock.finish("buffers");
+    }
+    found = prepared.find(camera, settings, buffers ? &*buffers : nullptr);
     found.backend = backend();
     found.times.insert(found.times.begin(), before.begin(), before.end());
     return found;
@@ -382,7 +418,6 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     const Settings settings = completed(asked, scene);
     Maps maps;
     maps.camera = camera;
-    maps.backend = backend();
     Ink ink;
     std::vector<Stroke> strokes;
     const Brush* brush = nullptr;
@@ -392,10 +427,13 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
         maps.times = found.times;
         strokes = strokesOf(found, settings.picture, settings.lines);
     }
-    const gl::Current current{*state_->context};
-    gl::StageClock clock{state_->gpu->api, maps.times};
-    if (needsPlanes(settings) || needsSurface(settings) || drawsFunctions(settings)) {
-        const View view{*state_->gpu, state_->uploaded(scene), *state_->inputs, scene, camera, settings};
+    Graphics* const graphics = needsContext(settings) ? &state_->graphics(maps.times) : nullptr;
+    maps.backend = backend();
+    std::optional<gl::Current> current;
+    if (graphics != nullptr) current.emplace(*graphics->context);
+    gl::StageClock clock = graphics != nullptr ? gl::StageClock{graphics->gpu->api, maps.times} : gl::StageClock{maps.times};
+    if (drawsTriangles(settings)) {
+        const View view{*graphics->gpu, graphics->uploaded(scene), *graphics->inputs, scene, camera, settings};
         clock.finish("upload");
         ink = renderTiles(view, TracePlaces::Drop, clock, maps);
         if (sourceOf(settings) == Source::Planes) strokes = std::move(ink.traced.strokes);
@@ -408,11 +446,11 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     if (wants(settings, Map::Edges) && (!ink.cover.empty() || maps.edges.empty()))
         maps.edges = darker(std::move(maps.edges), maskOf(ink.cover, settings.picture.size));
     if (settings.style.style == Style::Pencil) {
-        maps.picture = onBackground(pencil(*state_->gpu, maps.picture, settings.style, settings.picture.tileSize),
+        maps.picture = onBackground(pencil(*graphics->gpu, maps.picture, settings.style, settings.picture.tileSize),
                                     asked.picture);
         clock.finish("pencil");
     }
-    state_->gpu->textures.trim();
+    if (graphics != nullptr) graphics->gpu->textures.trim();
     return maps;
 }
 

@@ -75,6 +75,37 @@ TEST_P(RendererLines, tellWhatFoundThem) {
     }
 }
 
+TEST(RendererContext, isMadeAtOnceOrWhenACallNeedsIt) {
+    const BackendSettings none{Backend::Egl, 4096};  // no machine has this device
+    const auto message = HasSubstr("expected an EGL device that");
+    expectError(Error::Kind::Usage, message, [&] { const Renderer renderer{none}; });
+    Renderer renderer{none, ContextTime::WhenNeeded};
+    EXPECT_EQ(renderer.backend().backend, "");
+    const Scene scene = scenes::sceneOf(scenes::cube());
+    const Lines found = linesOf(renderer, scene, settingsOf(LinesFrom::Object));
+    EXPECT_EQ(found.lines.empty(), false);
+    EXPECT_EQ(found.backend.backend, "");
+    const Camera camera = frameCamera(scene, {}, size);
+    const Maps maps = renderer.render(scene, camera, settingsOf(LinesFrom::Object));
+    EXPECT_EQ(maps.picture.size, size);
+    EXPECT_EQ(maps.backend.backend, "");
+    for (const Settings& settings : {settingsOf(LinesFrom::Image), settingsOf(LinesFrom::Object, Visibility::Fast)})
+        expectError(Error::Kind::Usage, message, [&] { (void)linesOf(renderer, scene, settings); });
+    expectError(Error::Kind::Usage, message, [&] { (void)renderer.render(scene, camera, settingsOf(LinesFrom::Image)); });
+}
+
+TEST_P(RendererLines, pictureIsTheSameWithoutAContext) {
+    const Scene scene = scenes::sceneOf(scenes::cube());
+    const Camera camera = frameCamera(scene, {}, size);
+    const Settings settings = settingsOf(LinesFrom::Object);
+    Renderer lazy{BackendSettings{GetParam(), {}}, ContextTime::WhenNeeded};
+    EXPECT_EQ(lazy.render(scene, camera, settings).picture.pixels, renderer().render(scene, camera, settings).picture.pixels);
+    EXPECT_EQ(lazy.backend().backend, "");
+    const Maps drawn = lazy.render(scene, camera, settingsOf(LinesFrom::Image));
+    EXPECT_EQ(drawn.backend.backend, gl_test::backendName(GetParam()));
+    EXPECT_EQ(drawn.times.front().stage, "context");
+}
+
 TEST_P(RendererLines, rememberNothingOfTheSceneBefore) {
     const Scene first = scenes::sceneOf(scenes::sphere());
     const Scene second = scenes::sceneOf(scenes::cube());

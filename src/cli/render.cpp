@@ -124,8 +124,10 @@ void startTimeout(const RenderArguments& arguments) {
 }
 
 void printSummary(const Maps& maps, const std::vector<std::filesystem::path>& files) {
-    tell("", fmt::format("drawn by {} ({}): {}, OpenGL {}", maps.backend.backend, maps.backend.platform,
-                         maps.backend.renderer, maps.backend.version));
+    const BackendInfo& by = maps.backend;
+    tell("", by.backend.empty() ? std::string{"drawn without OpenGL"}
+                                : fmt::format("drawn by {} ({}): {}, OpenGL {}", by.backend, by.platform, by.renderer,
+                                              by.version));
     for (const StageTime& time : maps.times) tell("", fmt::format("{:>10} {:8.1f} ms", time.stage, time.milliseconds));
     for (const auto& file : files) tell("wrote ", file.string());
 }
@@ -197,7 +199,7 @@ public:
             for (std::size_t i = 1; i < workers; ++i)
                 others.emplace_back([&] {
                     guarded([&] {
-                        Renderer renderer{backend};
+                        Renderer renderer{backend, ContextTime::WhenNeeded};
                         work(renderer);
                     });
                 });
@@ -257,23 +259,20 @@ int render(const RenderArguments& arguments) {
     const std::vector<View> views = viewsFrom(arguments, settings);
     for (const View& view : views) checkOutputs(arguments, settings, view);
 
-    auto begin = Clock::now();
+    const auto begin = Clock::now();
     const LoadSettings load = loadSettings(settings);
     const Scene scene = loadScene(arguments.model, load);
     const double loading = millisecondsSince(begin);
     std::vector<StageTime> before{{"load", loading - scene.preparationMilliseconds()},
                                   {"prepare", scene.preparationMilliseconds()}};
     warn(arguments, settings, scene);
-    begin = Clock::now();
-    Renderer renderer{settings.backend};
-    before.push_back({"context", millisecondsSince(begin)});
 
     ViewPool pool{views.size(), [&](std::size_t view, Renderer& itsRenderer) {
                       return renderView(arguments, settings, scene, views[view], itsRenderer,
                                         view == 0 ? before : std::vector<StageTime>{});
                   }};
     const std::vector<Summary> summaries =
-        pool.run(std::move(renderer), workersFor(arguments, views.size()), settings.backend);
+        pool.run(Renderer{settings.backend, ContextTime::WhenNeeded}, workersFor(arguments, views.size()), settings.backend);
 
     if (arguments.json) {
         nlohmann::ordered_json all = nlohmann::ordered_json::array();

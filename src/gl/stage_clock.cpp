@@ -9,8 +9,10 @@
 namespace inkedge::gl {
 
 void StageClock::finish(const char* stage) {
-    api_.Finish();
-    checkErrors(api_, fmt::format("the stage {}", stage), "ask for a smaller --size or --supersampling");
+    if (api_ != nullptr) {
+        api_->Finish();
+        checkErrors(*api_, fmt::format("the stage {}", stage), "ask for a smaller --size or --supersampling");
+    }
     const auto now = std::chrono::steady_clock::now();
     auto time = std::ranges::find(times_, stage, &StageTime::stage);
     if (time == times_.end()) time = times_.insert(time, {stage, 0.0});

@@ -12,14 +12,16 @@ namespace inkedge::gl {
 /// Times the stages of a render and stops at the first that left a GL error.
 class StageClock {
 public:
-    StageClock(const Api& api, std::vector<StageTime>& times) : api_{api}, times_{times} {}
+    StageClock(const Api& api, std::vector<StageTime>& times) : api_{&api}, times_{times} {}
+    /// For stages that draw nothing.
+    explicit StageClock(std::vector<StageTime>& times) : api_{nullptr}, times_{times} {}
 
     /// Waits for the stage's work to be done and adds its time to what the stage took before.
     /// @throws Error  (Kind::Runtime) if OpenGL reports an error or a lost context
     void finish(const char* stage);
 
 private:
-    const Api& api_;
+    const Api* api_;  // null: none to wait for
     std::vector<StageTime>& times_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };

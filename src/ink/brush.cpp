@@ -65,6 +65,12 @@ FittedBrush::FittedBrush(const Brush& brush, double penWidth) : ink_{unitInk(bru
     perPixel_ = static_cast<float>(needed.width / repeat);
 }
 
+float FittedBrush::stretchAround(float around) const noexcept {
+    if (!(around > 0.0F)) return 1.0F;
+    const float repeat = static_cast<float>(ink_.size.width) / perPixel_;
+    return std::max(1.0F, std::round(around / repeat)) * repeat / around;
+}
+
 float FittedBrush::inkAt(float along, float across) const noexcept {
     const auto width = static_cast<float>(ink_.size.width);
     const auto height = static_cast<float>(ink_.size.height);

@@ -158,6 +158,7 @@ struct PlaceInLine {
     std::uint32_t line;
     bool opensFrom;
     bool opensTo;
+    float around;  // pixels of way around a closed line; of an open one 0
 };
 
 struct BoxedStroke {
@@ -193,6 +194,7 @@ void coverBrushed(LineStrip& line, int firstRow, const BoxedStroke& boxed, Place
     const float length = glm::length(along);
     const glm::vec2 direction = length > 0.0F ? along / length : glm::vec2{1, 0};
     const glm::vec2 normal{-direction.y, direction.x};
+    const float stretch = brush.stretchAround(place.around);
     for (int y = box.y0; y <= box.y1; ++y) {
         for (int x = box.x0; x <= box.x1; ++x) {
             const glm::vec2 p = glm::vec2{static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F} - stroke.from;
@@ -212,7 +214,7 @@ void coverBrushed(LineStrip& line, int firstRow, const BoxedStroke& boxed, Place
             const float side = glm::dot(p, normal);
             const bool beyond = (way < 0.0F && place.opensFrom) || (way > length && place.opensTo);
             line.ink.at(x, y - firstRow) =
-                brush.inkAt(stroke.arc + (beyond ? way : wayOnStroke),
+                brush.inkAt(stretch * (stroke.arc + (beyond ? way : wayOnStroke)),
                             (beyond ? side : std::copysign(distance, side)) / std::max(width, leastOffset));
         }
     }
@@ -306,11 +308,15 @@ std::vector<PlaceInLine> placesIn(std::span<const Stroke> strokes) {
     for (std::size_t end = 1; end <= strokes.size(); ++end) {
         if (end < strokes.size() && strokes[end].arc != 0.0F) continue;
         const std::size_t count = end - begin;
+        const Stroke& last = strokes[end - 1];
+        const bool closed = last.to == strokes[begin].from;
+        const float around = closed ? last.arc + glm::distance(last.from, last.to) : 0.0F;
         for (std::size_t i = 0; i < count; ++i) {
             const Stroke& stroke = strokes[begin + i];
             const Stroke& before = strokes[begin + (i + count - 1) % count];  // of a closed line the last
             const Stroke& after = strokes[begin + (i + 1) % count];
-            places[begin + i] = {static_cast<std::uint32_t>(begin), before.to != stroke.from, after.from != stroke.to};
+            places[begin + i] = {static_cast<std::uint32_t>(begin), before.to != stroke.from, after.from != stroke.to,
+                                 around};
         }
         begin = end;
     }

@@ -58,12 +58,12 @@ double lengthOf(const std::vector<StrokePoint>& points) {
     return length;
 }
 
-// Ends that are the line's own run out to nothing over a length; a line shorter than two of them has its whole width
-// nowhere.
+// Free ends run out to nothing over a length; a line of two that is shorter than twice that has its whole width nowhere.
 std::vector<StrokePoint> tapered(const std::vector<StrokePoint>& points, double taper, bool begins, bool ends) {
     const double length = lengthOf(points);
+    if (begins != ends && length > 0.0) taper = std::min(taper, length);  // at its other end it keeps its width
     const double half = begins && ends ? 0.5 * length : length;
-    const double turnPoints[]{std::min(taper, half), std::max(length - taper, length - half)};
+    const double turnPoints[]{begins ? std::min(taper, half) : 0.0, ends ? std::max(length - taper, length - half) : length};
     const auto share = [&](double way) {
         const double fromEnd = std::min(begins ? way : taper, ends ? length - way : taper);
         return std::clamp(fromEnd / taper, 0.0, 1.0);
@@ -87,8 +87,9 @@ std::vector<StrokePoint> tapered(const std::vector<StrokePoint>& points, double 
 
 }  // namespace
 
-StrokeWidths::StrokeWidths(const Lines& lines, const LineSettings& settings)
+StrokeWidths::StrokeWidths(const Lines& lines, const PictureSettings& picture, const LineSettings& settings)
     : camera_{lines.camera}, kind_{settings.strokeWidth}, taper_{settings.strokeTaper} {
+    if (taper_ > 0.0) freeEnds_.emplace(lines, picture, settings);
     if (kind_ != StrokeWidth::Depth) return;
     least_ = std::numeric_limits<double>::infinity();
     most_ = -least_;
@@ -125,9 +126,11 @@ std::vector<StrokePoint> StrokeWidths::along(const Line& line, const Line& whole
     if (line.closed) points.push_back(points.front());
     if (kind_ == StrokeWidth::Depth) setByDepth(line, points);
     if (kind_ == StrokeWidth::Curvature) setByBends(points, line.closed);
-    if (taper_ == 0.0 || whole.closed) return points;
-    const bool begins = line.points.front().place == whole.points.front().place;
-    const bool ends = line.points.back().place == whole.points.back().place;
+    if (!freeEnds_ || whole.closed) return points;
+    const LinePoint& first = whole.points.front();
+    const LinePoint& last = whole.points.back();
+    const bool begins = line.points.front().place == first.place && freeEnds_->has(first);
+    const bool ends = line.points.back().place == last.place && freeEnds_->has(last);
     return begins || ends ? tapered(points, taper_, begins, ends) : points;
 }
 

@@ -63,7 +63,7 @@ StrokeMaker::StrokeMaker(const Lines& lines, const PictureSettings& picture, con
       settings_{settings},
       tolerance_{tolerance},
       pens_{pens(picture)},
-      widths_{lines, settings},
+      widths_{lines, picture, settings},
       size_{lines.size.width, lines.size.height} {}
 
 void StrokeMaker::add(const Line& line, std::vector<Stroke>& strokes) const {

@@ -35,7 +35,7 @@ struct Lines {
     std::vector<Line> lines;
     Size size;  ///< of the picture that the places are in
     Camera camera;
-    BackendInfo backend;  ///< empty where nothing was drawn to find them
+    BackendInfo backend;  ///< the renderer's; empty while it has no context, for nothing was drawn to find them
     std::vector<StageTime> times;
 };
 

@@ -15,6 +15,13 @@
 
 namespace inkedge {
 
+/// When a Renderer makes its context.
+enum class ContextTime {
+    AtOnce,     ///< in its constructor
+    WhenNeeded  ///< in the first call that draws with it: lines from object space, unless Visibility::Fast finds them,
+                ///< and pictures of them alone, without maps and functions, need no OpenGL on the machine
+};
+
 /// Owns one offscreen OpenGL context and draws any number of scenes and views with it.
 ///
 /// Use by one thread at a time; several renderers may work side by side. The context is current only during a call.
@@ -22,8 +29,10 @@ namespace inkedge {
 /// OSMesa, a call through the other of the two leaves none current.
 class INKEDGE_API Renderer {
 public:
-    /// @throws Error  (Kind::Context) if no context can be had; the message says why for each backend tried
-    explicit Renderer(const BackendSettings& = {});
+    /// @throws Error  (Kind::Context) if no context can be had; the message says why for each backend tried;
+    ///                (Kind::Usage) if the wish names a device that is not there. With ContextTime::WhenNeeded the call that
+    ///                needs the context throws, not the constructor.
+    explicit Renderer(const BackendSettings& = {}, ContextTime = ContextTime::AtOnce);
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
@@ -47,9 +56,11 @@ public:
     ///                runs out
     [[nodiscard]] Lines lines(const Scene&, const Camera&, const Settings& = {});
 
+    /// Empty while there is no context.
     [[nodiscard]] const BackendInfo& backend() const noexcept;
 
 private:
+    struct Graphics;
     struct State;
     std::unique_ptr<State> state_;
 };

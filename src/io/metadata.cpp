@@ -21,6 +21,7 @@ Json matrixJson(const glm::dmat4& matrix) {
 }
 
 Json backendJson(const BackendInfo& info) {
+    if (info.backend.empty()) return {};  // null: nothing was drawn with one
     return {{"backend", info.backend},   {"platform", info.platform}, {"vendor", info.vendor},
             {"renderer", info.renderer}, {"version", info.version},   {"software", info.software}};
 }

@@ -72,7 +72,7 @@ double footprints(double length, const ScreenSegment& s, const Screen& screen) {
 }  // namespace
 
 std::vector<Crossing> findCrossings(std::span<const Segment> segments, std::span<const ScreenSegment> screenSegments,
-                                    const Screen& screen) {
+                                    const Screen& screen, const SurfaceParts* parts) {
     const Grid grid{screen.size()};
     // Occluders by cell: counted, then filled in.
     std::vector<std::uint32_t> begins(grid.cells() + 1, 0);
@@ -89,7 +89,7 @@ std::vector<Crossing> findCrossings(std::span<const Segment> segments, std::span
         if (!segments[s].drawn) continue;
         const ScreenSegment& own = screenSegments[s];
         const glm::dvec2 along = own.ends[1].place - own.ends[0].place;
-        const double slack = leastStep + footprints(segments[s].slack, own, screen);
+        const Slack slack = slackOf(segments[s], footprints(segments[s].slack, own, screen), parts);
         const std::size_t before = crossings.size();
         grid.forEachCell(own, [&](std::size_t cell) {
             for (std::uint32_t i = begins[cell]; i < begins[cell + 1]; ++i) {
@@ -103,7 +103,8 @@ std::vector<Crossing> findCrossings(std::span<const Segment> segments, std::span
                 if (grid.cellOf(own.ends[0].place + u * along) != cell) continue;  // each crossing once
                 const double ownNearness = own.ends[0].nearness + u * (own.ends[1].nearness - own.ends[0].nearness);
                 const double itsNearness = other.ends[0].nearness + v * (other.ends[1].nearness - other.ends[0].nearness);
-                if (screen.footprintsBefore(itsNearness, ownNearness) <= slack) continue;
+                if (screen.footprintsBefore(itsNearness, ownNearness) <= leastStep + slack.of(segments[occluders[i]].faces[0]))
+                    continue;
                 if (!meet(segments[s], segments[occluders[i]])) crossings.push_back({s, u});
             }
         });

@@ -7,6 +7,7 @@
 #include "lines/chains.h"
 #include "lines/screen.h"
 #include "lines/segment.h"
+#include "lines/surface_parts.h"
 
 namespace inkedge::lines {
 
@@ -17,8 +18,10 @@ struct Crossing {
 };
 
 /// All of them, by segment and place: case 1 of section 3.4 of Hertzmann 1999, with segments sorted into a grid as
-/// Markosian et al. 1997 do. Segments that have an end in common do not cross. O(n + pairs in a cell).
+/// Markosian et al. 1997 do. Segments that have an end in common do not cross.
+/// @param parts  a smooth contour's slack is that of its own part only; null: all are one
+/// O(n + pairs in a cell).
 [[nodiscard]] std::vector<Crossing> findCrossings(std::span<const Segment>, std::span<const ScreenSegment>,
-                                                  const Screen&);
+                                                  const Screen&, const SurfaceParts* parts = nullptr);
 
 }  // namespace inkedge::lines

@@ -21,6 +21,7 @@
 #include "lines/patch_of.h"
 #include "lines/ray_caster.h"
 #include "lines/screen.h"
+#include "lines/surface_parts.h"
 #include "lines/visible_parts.h"
 #include "scene/parallel.h"
 #include "scene/patch_numbers.h"
@@ -55,6 +56,7 @@ struct View {
     const RayCaster& rays;
     const Screen& screen;
     const ViewBuffers* buffers;
+    const SurfaceParts* parts;  // null: all surface is one
     std::vector<Segment> segments;
     std::vector<ScreenSegment> projected;
 
@@ -103,11 +105,11 @@ struct View {
         if (buffers != nullptr) {
             const auto& ends = projected[s].ends;
             const ScreenPoint place{placeAt(s, at), glm::mix(ends[0].nearness, ends[1].nearness, at)};
-            const double slack = segment.slack / screen.footprint(point);
+            const Slack slack = slackOf(segment, segment.slack / screen.footprint(point), parts);
             const Guess guess = guessVisibility(*buffers, screen, place, outward(s), segment.faces, slack);
             if (guess != Guess::Unsure) return guess == Guess::Hidden;
         }
-        return rays.hides(screen, point, segment.faces, segment.slack);
+        return rays.hides(screen, point, segment.faces, slackOf(segment, segment.slack, parts));
     }
 
     [[nodiscard]] Seen judge(std::uint32_t s, double at) const {
@@ -227,6 +229,13 @@ struct ObjectLines::State {
         return *intersections_;
     }
 
+    // Those of smooth contours. Null: the scene's surface is one.
+    const SurfaceParts* parts() const {
+        const std::scoped_lock lock{mutex_};
+        if (!parts_) parts_.emplace(scene, borders);
+        return parts_->areOne() ? nullptr : &*parts_;
+    }
+
     /// One a mesh. Those for the last steps asked for are kept.
     std::shared_ptr<const std::vector<std::vector<IsolineSegment>>> isolines(Isolines steps) const {
         const std::scoped_lock lock{mutex_};
@@ -277,6 +286,7 @@ private:
     mutable std::mutex mutex_;
     mutable std::vector<ContourMemory> memories_;  // one an instance
     mutable std::optional<std::vector<IntersectionSegment>> intersections_;
+    mutable std::optional<SurfaceParts> parts_;
     mutable std::vector<std::optional<ControlMesh>> controls_;
     mutable std::shared_ptr<const std::vector<std::vector<IsolineSegment>>> isolines_;
     mutable Isolines isolineSteps_;
@@ -297,7 +307,7 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings, const Vi
     Stopwatch watch{result.times};
 
     const Screen screen{camera, scene.bounds().centre, settings.picture.size};
-    View view{scene, state_->rays, screen, buffers, {}, {}};
+    View view{scene, state_->rays, screen, buffers, nullptr, {}, {}};
     view.segments = state_->curves(screen,
                                    {settings.lines.contour, settings.lines.contourFinder, settings.lines.subdivideAdaptive,
                                     nullptr, settings.lines.hidden, standsOutside(scene, screen), settings.picture.lines},
@@ -309,7 +319,9 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings, const Vi
     view.projected = project(view.segments, screen);
     const std::vector<Chain> chains = chainSegments(view.segments, view.projected);
     watch.finish("chains");
-    const std::vector<Crossing> crossings = findCrossings(view.segments, view.projected, screen);
+    if (std::ranges::any_of(view.segments, [](const Segment& segment) { return segment.slack > 0.0; }))
+        view.parts = state_->parts();
+    const std::vector<Crossing> crossings = findCrossings(view.segments, view.projected, screen, view.parts);
     std::vector<std::uint32_t> firstCrossings(view.segments.size() + 1, 0);
     for (const Crossing& crossing : crossings) ++firstCrossings[crossing.segment + 1];
     for (std::size_t s = 0; s < view.segments.size(); ++s) firstCrossings[s + 1] += firstCrossings[s];

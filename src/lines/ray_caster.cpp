@@ -122,12 +122,14 @@ RayCaster::RayCaster(const Scene& scene) : state_{std::make_unique<State>(State{
 
 RayCaster::~RayCaster() = default;
 
-bool RayCaster::hides(const Screen& screen, glm::dvec3 point, std::span<const SceneFace> own, double slack) const {
+bool RayCaster::hides(const Screen& screen, glm::dvec3 point, std::span<const SceneFace> own,
+                      const Slack& slack) const {
     constexpr int mostHits = 64;  // own faces and those at the point itself; more is a pile of faces in one place
     const State::Ray ray = state_->rayTo(screen, point);
     const double length = glm::length(ray.along);
     const double distance = glm::length(screen.ray(point));
-    const double end = 1.0 - (leastStep * distance + slack) / length;
+    const double alike = slack.parts == nullptr ? slack.length : 0.0;  // what all faces have need not be asked of each
+    const double end = 1.0 - (leastStep * distance + alike) / length;
     double begin = ray.begin;
     for (int i = 0; i < mostHits && begin < end; ++i) {
         RTCRayHit hit = State::embreeRay(ray, begin, end);
@@ -137,7 +139,7 @@ bool RayCaster::hides(const Screen& screen, glm::dvec3 point, std::span<const Sc
         if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
         const SceneFace face{hit.hit.instID[0], hit.hit.primID};
         const bool counts = std::ranges::find(own, face) == own.end();
-        if (counts && state_->planeAt(ray, face, hit.ray.tfar) < end) return true;
+        if (counts && state_->planeAt(ray, face, hit.ray.tfar) < end - (slack.of(face) - alike) / length) return true;
         begin = std::nextafter(static_cast<double>(hit.ray.tfar) * (1.0 + 1e-6) + 1e-7, 2.0);
     }
     return false;

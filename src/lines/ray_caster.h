@@ -8,6 +8,7 @@
 
 #include "lines/screen.h"
 #include "lines/segment.h"
+#include "lines/surface_parts.h"
 
 namespace inkedge::lines {
 
@@ -25,9 +26,10 @@ public:
     /// Whether a face lies between the near plane and a point. A face counts if it is nearer than the point by over
     /// 1e-5 of its distance, worked out in double precision.
     /// @param own    faces that do not count
-    /// @param slack  world length: how much nearer still a face must be
+    /// @param slack  how much nearer still a face must be
     /// Thread-safe.
-    [[nodiscard]] bool hides(const Screen&, glm::dvec3 point, std::span<const SceneFace> own, double slack) const;
+    [[nodiscard]] bool hides(const Screen&, glm::dvec3 point, std::span<const SceneFace> own,
+                             const Slack& slack = {}) const;
 
     /// Whether the ray through a point meets any face beyond the near plane, before or behind the point. Thread-safe.
     [[nodiscard]] bool meets(const Screen&, glm::dvec3 point) const;

@@ -12,7 +12,7 @@ RayCaster::RayCaster(const Scene&) {
                 "INKEDGE_EMBREE=ON, or use --lines-from image"};
 }
 RayCaster::~RayCaster() = default;
-bool RayCaster::hides(const Screen&, glm::dvec3, std::span<const SceneFace>, double) const { return false; }
+bool RayCaster::hides(const Screen&, glm::dvec3, std::span<const SceneFace>, const Slack&) const { return false; }
 std::optional<glm::dvec3> RayCaster::firstNormal(glm::dvec3, glm::dvec3, std::span<const SceneFace>) const { return {}; }
 bool RayCaster::meets(const Screen&, glm::dvec3) const { return false; }
 

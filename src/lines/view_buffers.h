@@ -10,6 +10,7 @@
 
 #include "scene/scene_face.h"
 #include "lines/screen.h"
+#include "lines/surface_parts.h"
 #include "samples.h"
 
 namespace inkedge::lines {
@@ -31,7 +32,7 @@ enum class Guess { Seen, Hidden, Unsure };
 /// @param across  unit, across the line in the picture
 /// @param slack   pixels across: how much nearer what hides the place must be
 [[nodiscard]] Guess guessVisibility(const ViewBuffers&, const Screen&, const ScreenPoint&, glm::dvec2 across,
-                                    std::span<const SceneFace> own, double slack);
+                                    std::span<const SceneFace> own, const Slack& slack);
 
 /// Whether the pixel that a place lies in shows the background; what lies beyond the picture does not.
 [[nodiscard]] bool isBackground(const ViewBuffers&, glm::dvec2 place);

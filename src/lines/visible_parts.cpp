@@ -9,7 +9,8 @@
 namespace inkedge::lines {
 namespace {
 
-constexpr double fine = 0.25;  // pixels: how closely a change is placed; shorter pieces are not looked at
+constexpr double fine = 0.25;     // pixels: how closely a change is placed; shorter pieces are not looked at
+constexpr double lookBack = 0.5;  // pixels from a change to where it is looked at again
 
 class ChainParter {
 public:
@@ -47,6 +48,7 @@ public:
         }
         judgePiece(begin, static_cast<double>(chain_.links.size()));
         settleUnjudged();
+        settleEnds();
         clean();
         return std::move(parts_);
     }
@@ -133,10 +135,41 @@ private:
             if (unjudged_[i]) parts_[i].seen = last;
             last = parts_[i].seen;
         }
-        merge();
+        joinAlike();
     }
 
-    void merge() {
+    // A chain may also turn behind its own faces, at a joint and without a crossing: where a part's last bit is not as its
+    // samples are, it ends before.
+    void settleEnds() {
+        std::vector<Part> settled;
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            const Part& part = parts_[i];
+            const auto changes = [&](std::size_t j) { return isSeen(parts_[j].seen) != isSeen(part.seen); };
+            const double begin = lengthAt(part.begin);
+            const double end = lengthAt(part.end);
+            const double head = i > 0 && changes(i - 1) ? strayFrom(begin, end, part.seen) : begin;
+            const double tail = i + 1 < parts_.size() && changes(i + 1) ? strayFrom(end, head, part.seen) : end;
+            const double first = head > begin ? placeAt(head) : part.begin;
+            const double last = tail < end ? placeAt(tail) : part.end;
+            if (head > begin) settled.push_back({part.begin, first, parts_[i - 1].seen});
+            settled.push_back({first, last, part.seen});
+            if (tail < end) settled.push_back({last, part.end, parts_[i + 1].seen});
+        }
+        parts_ = std::move(settled);
+        joinAlike();
+    }
+
+    // How far from its end, towards another length, a part is not as it ought to be: the end itself where it is, or is too
+    // short to tell.
+    [[nodiscard]] double strayFrom(double end, double other, Seen seen) const {
+        const double step = other > end ? lookBack : -lookBack;
+        const int most = static_cast<int>(std::min(0.5 * std::abs(other - end), 0.5 * step_ + lookBack) / lookBack);
+        int strays = 0;
+        while (strays < most && isSeen(judge(end + (strays + 1) * step)) != isSeen(seen)) ++strays;
+        return strays == 0 ? end : end + (strays + 0.5) * step;
+    }
+
+    void joinAlike() {
         std::vector<Part> merged;
         for (const Part& part : parts_) {
             if (!merged.empty() && merged.back().seen == part.seen) {
@@ -146,6 +179,10 @@ private:
             }
         }
         parts_ = std::move(merged);
+    }
+
+    void merge() {
+        joinAlike();
         if (chain_.closed) joinAtStart();
     }
 
@@ -168,7 +205,24 @@ private:
         return parts_[(step < 0 ? i + count - 1 : i + 1) % count].seen;
     }
 
+    // Specks beside a gap that stays: no gap is filled from what goes on to them.
+    void dropSpecksAtGaps() {
+        double gap = 0.0;
+        const auto visit = [&](std::size_t i) {
+            const double own = length(parts_[i]);
+            const bool drops = own < leastPart && gap >= longestGap && !isSeen(beside(i, -1).value_or(Seen::Outline)) &&
+                               !isSeen(beside(i, 1).value_or(Seen::Outline));
+            if (drops) parts_[i].seen = Seen::Hidden;
+            gap = parts_[i].seen == Seen::Hidden ? gap + own : 0.0;
+        };
+        for (std::size_t i = 0; i < parts_.size(); ++i) visit(i);
+        gap = 0.0;
+        for (std::size_t i = parts_.size(); i-- > 0;) visit(i);
+        merge();
+    }
+
     void clean() {
+        dropSpecksAtGaps();
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             const bool isShort = parts_[i].seen == Seen::Hidden && length(parts_[i]) < longestGap;
             if (isShort && beside(i, -1) && beside(i, 1)) parts_[i].seen = *beside(i, -1);

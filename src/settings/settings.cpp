@@ -461,7 +461,7 @@ constexpr std::array table{
                        [](S& s, Text t) { s.lines.strokeWidth = parseChoice(strokeWidthChoices, t); },
                        [](const S& s) { return choiceName(strokeWidthChoices, s.lines.strokeWidth); }},
     SettingDescription{"stroke-taper", "", "lines", "PX", "0 to 1000", "0",
-                       "pixels over which a line's ends run out to nothing; lines from object",
+                       "pixels over which ends where no line goes on or meets run out to nothing; lines from object",
                        [](S& s, Text t) { s.lines.strokeTaper = parseNumber(t, 0.0, 1000.0); },
                        [](const S& s) { return text(s.lines.strokeTaper); }},
     SettingDescription{"brush", "", "lines", "FILE", "a PNG, dark is ink", "",

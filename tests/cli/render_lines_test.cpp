@@ -1,5 +1,7 @@
 // inkedge render with lines from object space, and lines as files.
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 
@@ -21,11 +23,12 @@ using testing::UnorderedElementsAre;
 class RenderLines : public Command {
 protected:
     /// inkedge render ASSET -o OUTPUT, 64 x 48, and these.
-    Outcome draw(const std::string& model, const std::string& output, const Arguments& more = {}) const {
+    Outcome draw(const std::string& model, const std::string& output, const Arguments& more = {},
+                 const Environment& environment = {}) const {
         Arguments arguments{"render", asset(model), "-o", output};
         if (std::ranges::find(more, "--size") == more.end()) arguments.insert(arguments.end(), {"--size", "64x48"});
         arguments.insert(arguments.end(), more.begin(), more.end());
-        return run(arguments);
+        return run(arguments, environment);
     }
 
     std::string text(const std::string& name) const { return contents(folder_ / name); }
@@ -252,17 +255,63 @@ TEST_F(RenderLines, AreToldOfInMetadataAndJson) {
     EXPECT_EQ(told.at("camera"), metadata.at("camera"));
     EXPECT_EQ(metadata.at("size"), json({64, 48}));
     EXPECT_EQ(metadata.at("triangles"), 12);
-    for (const char* stage : {"load", "prepare", "context", "prepare lines", "visibility", "write"}) {
+    for (const char* stage : {"load", "prepare", "prepare lines", "visibility", "write"}) {
         EXPECT_GE(metadata.at("milliseconds").value(stage, -1.0), 0.0) << stage;
     }
+    EXPECT_FALSE(metadata.at("milliseconds").contains("context"));
+    EXPECT_EQ(metadata.at("backend"), nullptr);
     expectSuccess(draw("cube.glb", "cube.png", {"--metadata", "picture.json"}));
     const json picture = json::parse(text("picture.json"));
-    for (const char* key : {"camera", "size", "bounds", "backend"}) EXPECT_EQ(metadata.at(key), picture.at(key)) << key;
+    for (const char* key : {"camera", "size", "bounds"}) EXPECT_EQ(metadata.at(key), picture.at(key)) << key;
+}
+
+TEST_F(RenderLines, NeedNoOpenGl) {
+    for (const char* output : {"cube.svg", "cube.json", "cube.png"}) {
+        expectSuccess(draw("cube.glb", output, {"--lines-from", "object"}));
+        const std::string expected = text(output);
+        std::filesystem::remove(folder_ / output);
+        const Outcome outcome = draw("cube.glb", output, {"--lines-from", "object", "-v"}, withoutBackends());
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
+        EXPECT_THAT(outcome.error, HasSubstr("drawn without OpenGL"));
+        EXPECT_EQ(text(output), expected) << output;
+    }
+    expectSuccess(draw("cube.glb", "{view}.svg", {"--views", "turntable:9"}, withoutBackends()));
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "008.svg"));
+    const auto none = HasSubstr("expected a context for offscreen OpenGL 4.5, found none");
+    expectFailure(draw("cube.glb", "cube.svg", {"--visibility", "fast"}, withoutBackends()), 4, none);
+    expectFailure(draw("cube.glb", "cube.svg", {"--lines-from", "image"}, withoutBackends()), 4, none);
+    expectFailure(draw("cube.glb", "cube.png", {"--lines-from", "object", "--maps", "ids"}, withoutBackends()), 4, none);
+}
+
+// A shared library that every process of a C++ program has open.
+std::filesystem::path someLibrary() {
+    std::ifstream maps{"/proc/self/maps"};
+    for (std::string line; std::getline(maps, line);) {
+        if (line.find("libstdc++.so") != std::string::npos) return line.substr(line.find('/'));
+    }
+    return {};
+}
+
+TEST_F(RenderLines, NameEmbreeWhereItIsMissingOrAnotherLibrary) {
+    const Environment here{{"LD_LIBRARY_PATH", (folder_ / "any").parent_path().string()}};  // looked through first
+    put(folder_ / "libembree3.so.3", "no library");
+    expectFailure(draw("cube.glb", "cube.svg", {}, here), 1,
+                  AllOf(HasSubstr("lines from object space: expected libembree3.so.3, found: "),
+                        HasSubstr("; install Embree 3.13, or use --lines-from image")));
+    expectSuccess(draw("cube.glb", "cube.svg", {"--lines-from", "image"}, here));
+    std::filesystem::remove(folder_ / "libembree3.so.3");
+    if (someLibrary().empty()) GTEST_SKIP() << "SKIPPED: no /proc";
+    std::filesystem::create_symlink(someLibrary(), folder_ / "libembree3.so.3");
+    expectFailure(draw("cube.glb", "other.svg", {}, here), 1,
+                  HasSubstr("lines from object space: expected rtcNewDevice in libembree3.so.3, found none; "
+                            "install Embree 3.13"));
 }
 
 TEST_F(RenderLines, VerboseNamesTheBackendStagesAndFile) {
-    for (const char* from : {"object", "image"}) {
-        const Outcome outcome = draw("cube.glb", "cube.svg", {"-v", "--lines-from", from, "--metadata", "m.json"});
+    for (const Arguments& how : {Arguments{"--visibility", "fast"}, Arguments{"--lines-from", "image"}}) {
+        Arguments more{"-v", "--metadata", "m.json"};
+        more.insert(more.end(), how.begin(), how.end());
+        const Outcome outcome = draw("cube.glb", "cube.svg", more);
         expectSuccess(outcome);
         const json backend = json::parse(text("m.json")).at("backend");
         for (const char* part : {"backend", "platform", "renderer", "version"}) {

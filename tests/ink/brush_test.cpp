@@ -159,6 +159,38 @@ TEST(Brush, liesAcrossTheStrokeWhateverItsWidth) {
     }
 }
 
+TEST(Brush, goesAWholeNumberOfTimesAroundAClosedLine) {
+    // Around rectangles whose way is no multiple of the period: stripes are as long everywhere, across the start too.
+    for (const double high : {33.0, 35.0, 37.0, 40.0, 43.0}) {
+        const std::vector<glm::dvec2> corners{{50, 20}, {150, 20}, {150, 20 + high}, {50, 20 + high}};
+        const double around = 2.0 * (100.0 + high);
+        const auto strokes = strokesThrough({curves::closedThrough(corners)}, picture());
+        const Image<double> ink = inkOf(strokes, picture(), striped());
+        const double fitted = around / std::round(around / period);
+        for (double s = 2.0; s < around - 2.0; s += 0.5) {
+            const double scaled = s * period / fitted;
+            if (!isAwayFromAnEdge(scaled)) continue;
+            double before = 0.0;
+            for (std::size_t i = 0; i < 4; ++i) {
+                const glm::dvec2 from = corners[i];
+                const glm::dvec2 to = corners[(i + 1) % 4];
+                const double length = glm::distance(from, to);
+                if (s > before + 1.0 && s < before + length - 1.0) {
+                    EXPECT_NEAR(ink_measures::inkAt(ink, glm::mix(from, to, (s - before) / length)),
+                                isInk(scaled) ? 1.0 : 0.0, 0.01)
+                        << s << " of " << around;
+                }
+                before += length;
+            }
+        }
+    }
+    // Shorter than half a texture: once.
+    const FittedBrush brush{striped(), 8.0};
+    EXPECT_FLOAT_EQ(brush.stretchAround(4.0F), 4.0F);
+    EXPECT_FLOAT_EQ(brush.stretchAround(40.0F), 1.2F);
+    EXPECT_FLOAT_EQ(brush.stretchAround(0.0F), 1.0F);
+}
+
 TEST(Brush, goesOnIntoTheCapsOfALinesEnds) {
     const auto strokes = strokesThrough({lineThrough({{50, 50}, {135, 50}})}, picture(30.0));
     const Image<double> ink = inkOf(strokes, picture(30.0), striped());  // 30 pixels of ink, 30 without

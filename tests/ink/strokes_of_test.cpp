@@ -201,5 +201,17 @@ TEST(StrokesOf, runOutAtTheEndsOfOpenLinesOnly) {
     EXPECT_EQ(strokesOf(linesOf({lineThrough({{5, 5}, {5, 5}})}), picture(4.0), settings).size(), 1U);
 }
 
+TEST(StrokesOf, keepTheirWidthWhereAnotherLineGoesOn) {
+    LineSettings settings;
+    settings.strokeTaper = 20.0;
+    Line second{.type = LineType::Crease, .points = {{{60, 50}, {1, 60, 50}}, {{110, 50}, {2, 110, 50}}}};
+    const auto strokes = strokesOf(linesOf({lineThrough({{10, 50}, {60, 50}}), second}), picture(4.0), settings);
+    ASSERT_EQ(strokes.size(), 4U);
+    EXPECT_EQ(strokes[0].widthFrom, 0);
+    EXPECT_EQ(strokes[1].widthTo, fullWidth);
+    EXPECT_EQ(strokes[2].widthFrom, fullWidth);
+    EXPECT_EQ(strokes[3].widthTo, 0);
+}
+
 }  // namespace
 }  // namespace inkedge

@@ -51,6 +51,22 @@ TEST(Crossings, NeedADifferenceInDepth) {
     EXPECT_THAT((Crossed{{smooth, segment({0, -10, 1.06}, {0, 10, 1.06})}}.crossings), SizeIs(1));
 }
 
+TEST(Crossings, GiveASmoothContourItsSlackOnItsOwnPartOnly) {
+    const Mesh one = scenes::cube(1.0);
+    const Scene scene = scenes::sceneOf({{one, glm::dmat4{1.0}}, {one, scenes::translation({3, 0, 0})}});
+    const SurfaceParts parts{scene, {}};
+    auto smooth = segment({-10, 0, 0}, {30, 0, 0});
+    smooth.slack = 1.0;
+    smooth.faces[0] = {0, 2};
+    auto before = segment({0, -10, 0.5}, {0, 10, 0.5});
+    for (const std::uint32_t instance : {0U, 1U}) {
+        before.faces[0] = {instance, 3};
+        std::vector<Segment> both{smooth, before};
+        const auto projected = project(both, flat());
+        EXPECT_THAT(findCrossings(both, projected, flat(), &parts), SizeIs(instance)) << instance;
+    }
+}
+
 TEST(Crossings, AreNotWhereSegmentsMeet) {
     auto a = segment({0, 0, 0}, {30, 0, 0});
     auto b = segment({10, -5, 5}, {10, 5, 5});

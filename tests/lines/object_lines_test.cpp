@@ -300,6 +300,26 @@ TEST(ObjectLines, OfABoxThroughASphereAreAnArcOfTheirCircle) {
     EXPECT_NEAR(seen + hidden, 2.0 * std::numbers::pi * r, 2.0 * std::numbers::pi * 7e-4);
 }
 
+TEST(ObjectLines, OfSmoothContoursEndWhereTheyRunIntoAnotherPart) {
+    // Coarse: a smooth contour may lie behind its own faces by as much as one is long, but not within another sphere.
+    const glm::dvec3 apart{1.1, 0.2, 0.1};
+    const Scene scene = sceneOf({{sphere(1.0, 16), glm::dmat4{1.0}}, {sphere(0.8, 16), translation(apart)}});
+    for (const Camera& camera : {perspective({0.3, 0.4, 7}), orthographic({-1, 2, 6}, 4.0)}) {
+        const auto lines = thoseOf(linesOf(scene, camera, {.contour = Contour::Smooth}),
+                                   [](const Line& line) { return line.type != LineType::Intersection; });
+        EXPECT_GT(length(lines), 300.0);
+        for (const Line& line : lines) {
+            const glm::dvec3 centre = line.object == 1 ? apart : glm::dvec3{0.0};
+            const double inscribed = (line.object == 1 ? 0.8 : 1.0) * std::cos(std::numbers::pi / 16.0);
+            forEachPiece(line, [&](const LinePoint& p, const LinePoint& q) {
+                for (const double s : {0.0, 0.5, 1.0})  // in pieces of facets' sizes
+                    EXPECT_GT(glm::distance(glm::mix(p.point, q.point, s), centre), inscribed * inscribed)
+                        << "of " << line.object;
+            });
+        }
+    }
+}
+
 TEST(ObjectLines, OfAnOpenSheetAreOutlinesBeforeNothingAndBoundariesBeforeSomething) {
     const Camera camera = perspective({4, 10, 6});
     const auto alone = linesOf(sceneOf(sheet(2.0, 3)), camera);

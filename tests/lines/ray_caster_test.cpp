@@ -23,33 +23,48 @@ struct OneSquare {
 
 TEST(RayCaster, HidesWhatLiesBehindAFace) {
     const OneSquare one;
-    EXPECT_TRUE(one.rays.hides(one.screen, {0.3, 0.2, -1}, {}, 0.0));
-    EXPECT_FALSE(one.rays.hides(one.screen, {0.3, 0.2, 1}, {}, 0.0));
-    EXPECT_FALSE(one.rays.hides(one.screen, {1.5, 0.2, -1}, {}, 0.0));
+    EXPECT_TRUE(one.rays.hides(one.screen, {0.3, 0.2, -1}, {}));
+    EXPECT_FALSE(one.rays.hides(one.screen, {0.3, 0.2, 1}, {}));
+    EXPECT_FALSE(one.rays.hides(one.screen, {1.5, 0.2, -1}, {}));
     // Both sides of a face stop rays.
     const Screen behind{perspective({0, 0, -5}), one.scene.bounds().centre, size};
-    EXPECT_TRUE(one.rays.hides(behind, {0.3, 0.2, 1}, {}, 0.0));
+    EXPECT_TRUE(one.rays.hides(behind, {0.3, 0.2, 1}, {}));
 }
 
 TEST(RayCaster, NeedsAHundredThousandthOfTheDistance) {
     const OneSquare one;
-    EXPECT_FALSE(one.rays.hides(one.screen, {0.3, 0.2, 0}, {}, 0.0));
-    EXPECT_FALSE(one.rays.hides(one.screen, {0.3, 0.2, -0.9e-5 * 5}, {}, 0.0));
-    EXPECT_TRUE(one.rays.hides(one.screen, {0.3, 0.2, -1.2e-5 * 5}, {}, 0.0));
-    EXPECT_FALSE(one.rays.hides(one.screen, {0.0, 0.0, -0.4}, {}, 0.5));  // slack
-    EXPECT_TRUE(one.rays.hides(one.screen, {0.0, 0.0, -0.6}, {}, 0.5));
+    EXPECT_FALSE(one.rays.hides(one.screen, {0.3, 0.2, 0}, {}));
+    EXPECT_FALSE(one.rays.hides(one.screen, {0.3, 0.2, -0.9e-5 * 5}, {}));
+    EXPECT_TRUE(one.rays.hides(one.screen, {0.3, 0.2, -1.2e-5 * 5}, {}));
+    EXPECT_FALSE(one.rays.hides(one.screen, {0.0, 0.0, -0.4}, {}, {0.5}));  // slack
+    EXPECT_TRUE(one.rays.hides(one.screen, {0.0, 0.0, -0.6}, {}, {0.5}));
 }
 
 TEST(RayCaster, DoesNotCountAPointsOwnFaces) {
     const OneSquare one;
     const std::array<SceneFace, 2> own{SceneFace{0, 0}, SceneFace{0, 1}};
-    EXPECT_FALSE(one.rays.hides(one.screen, {0.3, 0.2, -1}, own, 0.0));
+    EXPECT_FALSE(one.rays.hides(one.screen, {0.3, 0.2, -1}, own));
     // But those behind them.
     const Scene two = sceneOf({{quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}), glm::dmat4{1.0}},
                                {quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}), translation({0, 0, -0.5})}});
     const RayCaster rays{two};
     const Screen screen{perspective({0, 0, 5}), two.bounds().centre, size};
-    EXPECT_TRUE(rays.hides(screen, glm::dvec3{0.3, 0.2, -1} - two.bounds().centre, own, 0.0));
+    EXPECT_TRUE(rays.hides(screen, glm::dvec3{0.3, 0.2, -1} - two.bounds().centre, own));
+}
+
+TEST(RayCaster, GivesSlackToTheFacesOfOnePart) {
+    const Mesh square = quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
+    const Scene two = sceneOf({{square, translation({0, 0, 0.2})}, {square, glm::dmat4{1.0}}});
+    const RayCaster rays{two};
+    const SurfaceParts parts{two, {}};
+    const Screen screen{perspective({0, 0, 5}), two.bounds().centre, size};
+    const auto hidden = [&](double z, std::uint32_t instance) {
+        return rays.hides(screen, glm::dvec3{0.3, 0.2, z} - two.bounds().centre, {}, {0.5, &parts, parts.of({instance, 0})});
+    };
+    EXPECT_FALSE(hidden(0.1, 0));
+    EXPECT_TRUE(hidden(0.1, 1));
+    EXPECT_TRUE(hidden(-0.1, 0));  // by the other, behind the one that has slack
+    EXPECT_TRUE(hidden(-0.4, 1));
 }
 
 TEST(RayCaster, BeginsAtTheNearPlane) {
@@ -58,7 +73,7 @@ TEST(RayCaster, BeginsAtTheNearPlane) {
     for (const double near : {4.9, 5.1}) {
         camera.near = near;
         const Screen screen{camera, one.scene.bounds().centre, size};
-        EXPECT_EQ(one.rays.hides(screen, {0.0, 0.1, -1}, {}, 0.0), near < 5.0);
+        EXPECT_EQ(one.rays.hides(screen, {0.0, 0.1, -1}, {}), near < 5.0);
         EXPECT_EQ(one.rays.meets(screen, {0.0, 0.1, -1}), near < 5.0);
     }
 }
@@ -67,9 +82,9 @@ TEST(RayCaster, SeesAsWellFromFarOff) {
     const OneSquare one;
     for (const double away : {1e3, 3e4}) {
         const Screen screen{perspective({0, 0, away}), one.scene.bounds().centre, size};
-        EXPECT_TRUE(one.rays.hides(screen, {0.3, 0.2, -2e-5 * away}, {}, 0.0));
-        EXPECT_FALSE(one.rays.hides(screen, {0.3, 0.2, 0.1}, {}, 0.0));
-        EXPECT_FALSE(one.rays.hides(screen, {1.001, 0.2, -2e-5 * away}, {}, 0.0));
+        EXPECT_TRUE(one.rays.hides(screen, {0.3, 0.2, -2e-5 * away}, {}));
+        EXPECT_FALSE(one.rays.hides(screen, {0.3, 0.2, 0.1}, {}));
+        EXPECT_FALSE(one.rays.hides(screen, {1.001, 0.2, -2e-5 * away}, {}));
     }
 }
 

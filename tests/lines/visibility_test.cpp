@@ -253,25 +253,23 @@ Measured measureAround(const Scene& scene) {
     return measured;
 }
 
-// The promises of the paper's section 3.4 as this project holds them. Of what is drawn up to 3 % may be hidden: gaps of up
+// The promises of the paper's section 3.4 as this project holds them. Of what is drawn up to 1.5 % may be hidden: gaps of up
 // to 2.5 pixels between seen parts are filled on purpose. Of what is seen next to nothing may miss: parts under a pixel.
-// On open bumpy surfaces contours by edges zigzag into the surface and out again, so more of their ends are off.
-constexpr double zigzag = 0.15;
-void expectTrue(const char* name, const Scene& scene, double wrongEnds = 0.05) {
+// Of the ends where a line goes on hidden up to 5 % may be off by over a pixel, most by the same gaps.
+void expectTrue(const char* name, const Scene& scene) {
     const Measured m = measureAround(scene);
     std::printf("%-24s drawn %6d hidden %.3f %%, seen %6d missed %.3f %%, ends %4d wrong %.1f %%\n", name, m.drawn,
                 100.0 * m.hiddenShare(), m.seen, 100.0 * m.missedShare(), m.ends, 100.0 * m.wrongEndShare());
     EXPECT_GT(m.drawn, 1000) << name;
-    EXPECT_LE(m.hiddenShare(), 0.03) << name;
+    EXPECT_LE(m.hiddenShare(), 0.015) << name;
     EXPECT_GT(m.seen, 1000) << name;
     EXPECT_LE(m.missedShare(), 0.005) << name;
-    EXPECT_LE(m.wrongEndShare(), wrongEnds) << name;
+    EXPECT_LE(m.wrongEndShare(), 0.05) << name;
 }
 
 TEST(Visibility, OfAssetsIsThatOfEveryRayAndEveryTriangle) {
     for (const char* file : {"cube.glb", "boxes.glb", "bracket.glb", "folded_paper.glb", "gear.glb", "sheet.glb"})
-        expectTrue(file, loadScene(std::filesystem::path{INKEDGE_SOURCE_DIR} / "assets" / file),
-                   std::string{file} == "sheet.glb" ? zigzag : 0.05);
+        expectTrue(file, loadScene(std::filesystem::path{INKEDGE_SOURCE_DIR} / "assets" / file));
 }
 
 TEST(Visibility, OfMadeShapesIsThatOfEveryRayAndEveryTriangle) {
@@ -279,7 +277,7 @@ TEST(Visibility, OfMadeShapesIsThatOfEveryRayAndEveryTriangle) {
     expectTrue("torus", sceneOf(torus(2.0, 0.8, 60, 24)));
     Mesh wave = sheet(4.0, 24);
     for (glm::vec3& p : wave.positions) p.y = 0.4F * std::sin(3.0F * p.x) * std::cos(2.0F * p.z);
-    expectTrue("wave", sceneOf(wave), zigzag);
+    expectTrue("wave", sceneOf(wave));
     std::vector<std::pair<Mesh, glm::dmat4>> many;
     for (int i = 0; i < 12; ++i)
         many.emplace_back(i % 3 == 0 ? sphere(0.6, 16) : box({0.8, 1.1, 0.5}),

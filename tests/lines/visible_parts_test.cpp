@@ -91,6 +91,31 @@ TEST(VisibleParts, ChangeWithinHalfAFinestStepElsewhere) {
     }
 }
 
+TEST(VisibleParts, EndWhereTheyTurnBehindWithoutACrossing) {
+    // The only sample between two crossings is seen; the chain goes on hidden from a place on, or up to it.
+    const Straight line{{60.0}};
+    for (const double at : {22.6, 23.1, 23.9, 24.4}) {
+        const auto parts = line.part([&](double x) { return insideUntil(x, at); }, {20.0, 25.0});
+        ASSERT_THAT(parts, SizeIs(2)) << at;
+        EXPECT_NEAR(line.x(parts[0].end), at, 0.26);  // looked for in halves of a pixel
+        const auto mirrored = line.part([&](double x) { return insideUntil(60.0 - x, at); }, {35.0, 40.0});
+        ASSERT_THAT(mirrored, SizeIs(2)) << at;
+        EXPECT_NEAR(line.x(mirrored[1].begin), 60.0 - at, 0.26);
+    }
+}
+
+TEST(VisibleParts, DoNotReachOverAGapToASpeck) {
+    const Straight line{{60.0}};
+    const auto look = [](double x) { return x < 20.0 || (x > 22.0 && x < 22.6) ? Seen::Inside : Seen::Hidden; };
+    EXPECT_THAT(line.part(look, {20.0, 22.0, 22.6}), ElementsAre(FieldsAre(0.0, DoubleEq(20.0 / 60.0), Seen::Inside),
+                                                                 FieldsAre(DoubleEq(20.0 / 60.0), 1.0, Seen::Hidden)));
+    const auto mirrored = [&](double x) { return look(60.0 - x); };
+    EXPECT_THAT(line.part(mirrored, {37.4, 38.0, 40.0}), SizeIs(2));
+    // Between two lines specks bridge it.
+    const auto on = [&](double x) { return x > 24.5 ? Seen::Inside : look(x); };
+    EXPECT_THAT(line.part(on, {20.0, 22.0, 22.6, 24.5}), ElementsAre(FieldsAre(0.0, 1.0, Seen::Inside)));
+}
+
 TEST(VisibleParts, HaveEveryChangeWiderThanTheSampleStep) {
     const Straight line{{33.0, 33.0, 34.0}};
     const auto parts = line.part([](double x) { return static_cast<int>(x / 12.5) % 2 == 0 ? Seen::Outline : Seen::Hidden; });
@@ -162,14 +187,14 @@ TEST(VisibleParts, OfClosedChainsFillGapsWhereTheChainBegins) {
 }
 
 TEST(VisibleParts, AskNoMoreThanTheyNeed) {
-    // An inner loop of rays: one a sample step and a few a change.
+    // An inner loop of rays: one a sample step a few a change, and one to either side of it.
     const Straight line{{600.0}};
     std::atomic<int> asked = 0;
     (void)line.part([&](double x) {
         ++asked;
         return x < 333.3 ? Seen::Inside : Seen::Hidden;
     });
-    EXPECT_LE(asked, 106);
+    EXPECT_LE(asked, 108);
 }
 
 }  // namespace

@@ -1,0 +1,183 @@
+#include "ink/free_ends.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "ink/pens.h"
+
+namespace inkedge {
+namespace {
+
+constexpr double touching = 0.5;     // pixels
+constexpr double near = 1.5;         // pixels: where lines that go on may begin
+constexpr double nearInSpace = 4.0;  // pixels across at the end
+constexpr double smoothly = 0.7;     // cosine
+constexpr double asOne = 0.9;        // cosine
+constexpr double ownStep = 2.0;      // pixels of a line over which its direction is taken
+constexpr double ownWay = 6.0;       // pixels along a line from its end: what lies there is the end itself
+constexpr double rowHeight = 16.0;   // pixels
+constexpr double rowsBeyond = 4.0;   // rows above and below the picture, where strokes may begin that reach into it
+
+struct End {
+    LinePoint point;
+    std::size_t line;
+    bool last;           // of the line's points; else the first
+    glm::dvec2 outward;  // unit, or 0
+    double reach;        // world length
+    bool joined = false;
+};
+
+std::pair<double, double> rowAndX(const End& end) {
+    return {std::floor(end.point.place.y / rowHeight), end.point.place.x};
+}
+
+// The share of the way from a to b that is nearest to p.
+template <class Vector>
+double nearestShare(Vector p, Vector a, Vector b) {
+    const Vector along = b - a;
+    const double square = glm::dot(along, along);
+    return square > 0.0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0.0;
+}
+
+template <class Vector>
+double distanceTo(Vector p, Vector a, Vector b) {
+    return glm::distance(p, glm::mix(a, b, nearestShare(p, a, b)));
+}
+
+// A straight piece of a line, and the ways along the line from its first point to both of the piece's, and to its last.
+struct Piece {
+    std::size_t line;
+    const LinePoint& a;
+    const LinePoint& b;
+    double begin;
+    double end;
+    double whole;
+    bool closed;
+};
+
+// How a piece's line runs where it is nearest to an end.
+struct Course {
+    double cosine;  // 0 to 1: across the way that the line ends, to along it
+    double ahead;   // pixels that it still has that way
+};
+
+Course courseOf(const End& end, const Piece& piece, double way) {
+    const glm::dvec2 along = piece.b.place - piece.a.place;
+    const double length = glm::length(along);
+    const double cosine = length > 0.0 ? glm::dot(along, end.outward) / length : 0.0;
+    if (piece.closed) return {std::abs(cosine), std::numeric_limits<double>::infinity()};
+    return {std::abs(cosine), cosine > 0.0 ? piece.whole - way : way};
+}
+
+bool meets(const End& end, const Piece& piece) {
+    const auto& [place, point] = end.point;
+    const double distance = distanceTo(place, piece.a.place, piece.b.place);
+    if (distance > near) return false;
+    const double way = glm::mix(piece.begin, piece.end, nearestShare(place, piece.a.place, piece.b.place));
+    if (end.line == piece.line && (end.last ? piece.whole - way : way) <= ownWay) return false;
+    const Course course = courseOf(end, piece, way);
+    const bool endsToo = course.cosine > asOne && course.ahead <= near;  // both run out in one tip
+    const bool goesOn = course.cosine > smoothly && course.ahead > near;
+    const bool touches = distance <= touching && distanceTo(point, piece.a.point, piece.b.point) <= end.reach;
+    return goesOn || (touches && !endsToo);
+}
+
+// In the order of rows of the picture, from left to right in each.
+class Rows {
+public:
+    Rows(std::vector<End> ends, Size size)
+        : ends_{std::move(ends)}, lastRow_{std::floor(size.height / rowHeight) + rowsBeyond} {
+        std::ranges::sort(ends_, {}, rowAndX);
+    }
+
+    void join(const Piece& piece) {
+        const glm::dvec2 a = piece.a.place;
+        const glm::dvec2 b = piece.b.place;
+        const double low = std::min(a.y, b.y) - near;
+        const double high = std::max(a.y, b.y) + near;
+        if (!std::isfinite(low + high)) return;
+        const double last = std::min(std::floor(high / rowHeight), lastRow_);
+        for (double row = std::max(std::floor(low / rowHeight), -rowsBeyond); row <= last; ++row) {
+            double from = a.x;  // where the piece is in the row
+            double to = b.x;
+            if (a.y != b.y) {
+                const auto xAt = [&](double y) {
+                    return glm::mix(a.x, b.x, std::clamp((y - a.y) / (b.y - a.y), 0.0, 1.0));
+                };
+                from = xAt(row * rowHeight - near);
+                to = xAt((row + 1.0) * rowHeight + near);
+            }
+            const auto begin = std::ranges::lower_bound(ends_, std::pair{row, std::min(from, to) - near}, {}, rowAndX);
+            for (auto end = begin; end != ends_.end() && rowAndX(*end) <= std::pair{row, std::max(from, to) + near};
+                 ++end)
+                end->joined = end->joined || meets(*end, piece);
+        }
+    }
+
+    [[nodiscard]] const std::vector<End>& ends() const noexcept { return ends_; }
+
+private:
+    std::vector<End> ends_;
+    double lastRow_;
+};
+
+double footprint(const Lines& lines, glm::dvec3 point) {
+    const double focalLength = lines.camera.focalLength(lines.size);
+    const double depth = -(lines.camera.view * glm::dvec4{point, 1.0}).z;
+    return (lines.camera.orthographic() ? 1.0 : std::max(depth, 0.0)) / focalLength;
+}
+
+glm::dvec2 outward(const Line& line, bool last) {
+    const auto at = [&](std::size_t i) { return line.points[last ? line.points.size() - 1 - i : i].place; };
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+        const glm::dvec2 along = at(0) - at(i);
+        const double length = glm::length(along);
+        if (length >= ownStep || (i + 1 == line.points.size() && length > 0.0)) return along / length;
+    }
+    return {0.0, 0.0};
+}
+
+std::vector<End> endsOf(const Lines& lines, const PictureSettings& picture, const LineSettings& settings) {
+    std::vector<End> ends;
+    for (std::size_t i = 0; i < lines.lines.size(); ++i) {
+        const Line& line = lines.lines[i];
+        if (line.closed || line.points.empty() || !isDrawn(line, picture, settings)) continue;
+        for (const bool last : {false, true}) {
+            const LinePoint& point = last ? line.points.back() : line.points.front();
+            if (std::isfinite(point.place.x) && std::isfinite(point.place.y))
+                ends.push_back({point, i, last, outward(line, last), nearInSpace * footprint(lines, point.point)});
+        }
+    }
+    return ends;
+}
+
+auto order(const LinePoint& p) { return std::tuple{p.place.x, p.place.y, p.point.x, p.point.y, p.point.z}; }
+
+}  // namespace
+
+FreeEnds::FreeEnds(const Lines& lines, const PictureSettings& picture, const LineSettings& settings) {
+    Rows rows{endsOf(lines, picture, settings), lines.size};
+    for (std::size_t i = 0; i < lines.lines.size(); ++i) {
+        const Line& line = lines.lines[i];
+        if (!isDrawn(line, picture, settings)) continue;
+        std::vector<double> ways{0.0};
+        for (std::size_t k = 1; k < line.points.size(); ++k)
+            ways.push_back(ways.back() + glm::distance(line.points[k - 1].place, line.points[k].place));
+        for (std::size_t k = 1; k < line.points.size(); ++k)
+            rows.join({i, line.points[k - 1], line.points[k], ways[k - 1], ways[k], ways.back(), line.closed});
+        if (line.closed) rows.join({i, line.points.back(), line.points.front(), 0.0, 0.0, 0.0, true});
+    }
+    for (const End& end : rows.ends())
+        if (end.joined) joined_.push_back(end.point);
+    std::ranges::sort(joined_, {}, order);
+}
+
+bool FreeEnds::has(const LinePoint& end) const { return !std::ranges::binary_search(joined_, order(end), {}, order); }
+
+}  // namespace inkedge

@@ -1,0 +1,65 @@
+#include "lines/surface_parts.h"
+
+#include <gmock/gmock.h>
+
+#include "lines/views.h"
+
+namespace inkedge::lines {
+namespace {
+
+using namespace scenes;
+using namespace views;
+
+struct Parts {
+    Scene scene;
+    std::vector<MeshEdges> edges;
+    std::vector<BorderPart> borders;
+    SurfaceParts parts;
+
+    explicit Parts(const std::vector<std::pair<Mesh, glm::dmat4>>& placed)
+        : scene{sceneOf(placed)},
+          edges{edgesOf(scene)},
+          borders{findBorderParts(scene, edges)},
+          parts{scene, borders} {}
+
+    static std::vector<MeshEdges> edgesOf(const Scene& scene) {
+        std::vector<MeshEdges> edges;
+        for (std::size_t i = 0; i < scene.meshes().size(); ++i)
+            edges.push_back(findEdges(scene.meshes()[i], scene.topology(i), scene.creaseAngle()));
+        return edges;
+    }
+};
+
+const glm::dmat4 here{1.0};
+
+TEST(SurfaceParts, HangTogetherAcrossEdgesSharpOrNot) {
+    const Parts one{{{cube(1.0), here}}};
+    for (std::uint32_t t = 1; t < 12; ++t) EXPECT_EQ(one.parts.of({0, t}), one.parts.of({0, 0}));
+    EXPECT_TRUE(one.parts.areOne());
+}
+
+TEST(SurfaceParts, OfOneMeshMayBeSeveral) {
+    Mesh two = cube(1.0);
+    const Mesh other = box({1, 1, 4});
+    for (const std::uint32_t i : other.indices)
+        two.indices.push_back(static_cast<std::uint32_t>(two.positions.size()) + i);
+    two.positions.insert(two.positions.end(), other.positions.begin(), other.positions.end());
+    two.normals.clear();
+    const Parts both{{{two, here}, {two, translation({9, 0, 0})}}};
+    for (const std::uint32_t instance : {0U, 1U}) {
+        EXPECT_EQ(both.parts.of({instance, 0}), both.parts.of({instance, 11}));
+        EXPECT_NE(both.parts.of({instance, 0}), both.parts.of({instance, 12}));
+    }
+    EXPECT_NE(both.parts.of({0, 0}), both.parts.of({1, 0}));
+    EXPECT_FALSE(both.parts.areOne());
+}
+
+TEST(SurfaceParts, GoOnAcrossSeamsOfInstances) {
+    const Mesh left = quad({-2, 0, -1}, {-2, 0, 1}, {0, 0, 1}, {0, 0, -1});
+    const Mesh right = quad({0, 0, -1}, {0, 0, 1}, {2, 0, 1}, {2, 0, -1});
+    EXPECT_TRUE((Parts{{{left, here}, {right, here}}}.parts.areOne()));
+    EXPECT_FALSE((Parts{{{left, here}, {right, translation({0.5, 0, 0})}}}.parts.areOne()));
+}
+
+}  // namespace
+}  // namespace inkedge::lines
