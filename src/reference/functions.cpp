@@ -84,7 +84,7 @@ glm::dvec4 volume(const Place& s, const Given& given) {
 
 glm::dvec4 curvature(const Place& s, const Given& given) {
     const double scaled = given.option(0) * s.curvature;
-    return {scaled / (1.0 + std::abs(scaled)), 0.0, 0.0, 0.0};
+    return {stepsIn(given.option(1) * scaled / (1.0 + std::abs(scaled)) + 0.5), 0.0, 0.0, 0.0};
 }
 
 glm::dvec4 uv(const Place& s, const Given& given) {

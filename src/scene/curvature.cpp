@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "scene/union_find.h"
+
 namespace inkedge {
 namespace {
 
@@ -23,19 +25,56 @@ double bend(const Mesh& mesh, const MeshTopology& topology, const std::vector<gl
     return std::atan2(glm::dot(glm::cross(one, other), along) / length, glm::dot(one, other));
 }
 
-// What is said of each point: how much the surface bends there, and how much of it lies there.
-struct Point {
+// The corners around a point that hang together across edges that are no creases have one curvature: a set of them by its
+// first.
+std::vector<std::uint32_t> findFans(const MeshTopology& topology) {
+    const auto corners = static_cast<std::uint32_t>(topology.points.size());
+    UnionFind fans{corners};
+    for (std::uint32_t h = 0; h < corners; ++h) {
+        const std::uint32_t twin = topology.twins[h];
+        if (!isHalfEdge(twin) || topology.creases[h]) continue;
+        const bool woundAgainst = topology.points[h] == topology.points[twin];
+        fans.unite(h, woundAgainst ? twin : nextHalfEdge(twin));
+        fans.unite(nextHalfEdge(h), woundAgainst ? nextHalfEdge(twin) : twin);
+    }
+    std::vector<std::uint32_t> first(corners);
+    for (std::uint32_t c = 0; c < corners; ++c) first[c] = fans.root(c);
+    return first;
+}
+
+// How much the surface bends around a point, and how much of it lies there.
+struct Share {
     double bend = 0.0;
     double area = 0.0;
-    friend Point operator+(Point a, Point b) { return {a.bend + b.bend, a.area + b.area}; }
-    friend Point operator*(double factor, Point p) { return {factor * p.bend, factor * p.area}; }
+    friend Share operator+(Share a, Share b) { return {a.bend + b.bend, a.area + b.area}; }
+    friend Share operator*(double factor, Share p) { return {factor * p.bend, factor * p.area}; }
 };
+
+// By fan.
+std::vector<Share> measure(const Mesh& mesh, const MeshTopology& topology, const std::vector<std::uint32_t>& fans) {
+    std::vector<Share> shares(fans.size());
+    const std::vector<glm::dvec3> normals = makeFaceNormals(mesh);
+    for (std::uint32_t h = 0; h < mesh.indices.size(); ++h) {
+        const std::uint32_t next = nextHalfEdge(h);
+        const glm::dvec3 along = cornerOf(mesh, next) - cornerOf(mesh, h);
+        const glm::dvec3 across = cornerOf(mesh, nextHalfEdge(next)) - cornerOf(mesh, h);
+        shares[fans[h]].area += glm::length(glm::cross(along, across)) / 6.0;
+        const std::uint32_t twin = topology.twins[h];
+        if (!isHalfEdge(twin) || topology.creases[h]) continue;
+        // A quarter of length times angle for each end: half for the mean of two curvatures, half for the two ends. The
+        // twin adds the same once more.
+        const double share = 0.125 * glm::length(along) * bend(mesh, topology, normals, h, twin);
+        shares[fans[h]].bend += share;
+        shares[fans[next]].bend += share;
+    }
+    return shares;
+}
 
 // How often spread() makes a Gaussian of leastDetail.
 int stepsFor(const Mesh& mesh) {
     constexpr double leastDetail = 0.008;  // of the mesh's extent: what is smaller is roughness
     constexpr int most = 32;
-    Box box{glm::dvec3{mesh.positions[mesh.indices[0]]}, glm::dvec3{mesh.positions[mesh.indices[0]]}};
+    Box box{cornerOf(mesh, 0), cornerOf(mesh, 0)};
     double length = 0.0;
     for (std::uint32_t h = 0; h < mesh.indices.size(); ++h) {
         const glm::dvec3 place = cornerOf(mesh, h);
@@ -49,53 +88,43 @@ int stepsFor(const Mesh& mesh) {
     return static_cast<int>(std::min(4.0 * ratio * ratio, static_cast<double>(most)));
 }
 
-// Half of what a point has goes to its neighbours, evenly; the sums over the mesh stay.
-void spread(const MeshTopology& topology, const std::vector<double>& neighbours, std::vector<Point>& points) {
-    std::vector<Point> moved(points.size());
-    for (std::uint32_t h = 0; h < topology.points.size(); ++h) {
-        const std::uint32_t from = topology.points[h];
-        const std::uint32_t to = topology.points[nextHalfEdge(h)];
-        moved[to] = moved[to] + (0.5 / neighbours[from]) * points[from];
-        moved[from] = moved[from] + (0.5 / neighbours[to]) * points[to];
+// Half of what a fan has goes to those at the other ends of its edges, evenly; the sums over the mesh stay.
+void spread(const std::vector<std::uint32_t>& fans, const std::vector<double>& edges, std::vector<Share>& shares) {
+    std::vector<Share> moved(shares.size());
+    for (std::uint32_t h = 0; h < fans.size(); ++h) {
+        const std::uint32_t from = fans[h];
+        const std::uint32_t to = fans[nextHalfEdge(h)];
+        moved[to] = moved[to] + (0.5 / edges[from]) * shares[from];
+        moved[from] = moved[from] + (0.5 / edges[to]) * shares[to];
     }
-    for (std::size_t i = 0; i < points.size(); ++i) points[i] = 0.5 * points[i] + moved[i];
+    for (std::size_t i = 0; i < shares.size(); ++i) shares[i] = 0.5 * shares[i] + moved[i];
 }
 
-// Counted once for each triangle at an edge.
-std::vector<double> countNeighbours(const MeshTopology& topology) {
-    std::vector<double> neighbours(topology.pointCount, 0.0);
-    for (std::uint32_t h = 0; h < topology.points.size(); ++h) {
-        neighbours[topology.points[h]] += 1.0;
-        neighbours[topology.points[nextHalfEdge(h)]] += 1.0;
+// Of each fan, counted once for each triangle at an edge.
+std::vector<double> countEdges(const std::vector<std::uint32_t>& fans) {
+    std::vector<double> edges(fans.size(), 0.0);
+    for (std::uint32_t h = 0; h < fans.size(); ++h) {
+        edges[fans[h]] += 1.0;
+        edges[fans[nextHalfEdge(h)]] += 1.0;
     }
-    return neighbours;
+    return edges;
 }
 
 }  // namespace
 
 std::vector<float> meanCurvatures(const Mesh& mesh, const MeshTopology& topology) {
-    std::vector<Point> points(topology.pointCount);
-    const std::vector<glm::dvec3> normals = makeFaceNormals(mesh);
-    for (std::uint32_t h = 0; h < mesh.indices.size(); ++h) {
-        const std::uint32_t next = nextHalfEdge(h);
-        const glm::dvec3 along = cornerOf(mesh, next) - cornerOf(mesh, h);
-        const glm::dvec3 across = cornerOf(mesh, nextHalfEdge(next)) - cornerOf(mesh, h);
-        points[topology.points[h]].area += glm::length(glm::cross(along, across)) / 6.0;
-        const std::uint32_t twin = topology.twins[h];
-        if (!isHalfEdge(twin)) continue;
-        // A quarter of length times angle for each end: half for the mean of two curvatures, half for the two ends. The
-        // twin adds the same once more.
-        const double share = 0.125 * glm::length(along) * bend(mesh, topology, normals, h, twin);
-        points[topology.points[h]].bend += share;
-        points[topology.points[next]].bend += share;
-    }
-    const std::vector<double> neighbours = countNeighbours(topology);
-    for (int step = stepsFor(mesh); step > 0; --step) spread(topology, neighbours, points);
+    const std::vector<std::uint32_t> fans = findFans(topology);
+    std::vector<Share> shares = measure(mesh, topology, fans);
+    const std::vector<double> edges = countEdges(fans);
+    for (int step = stepsFor(mesh); step > 0; --step) spread(fans, edges, shares);
+    // A position that belongs to several fans has the mean of their curvatures.
+    std::vector<Share> all(mesh.positions.size());
+    for (std::size_t c = 0; c < mesh.indices.size(); ++c)
+        all[mesh.indices[c]] = all[mesh.indices[c]] + shares[fans[c]];
     std::vector<float> curvatures(mesh.positions.size(), 0.0F);
-    for (std::size_t c = 0; c < mesh.indices.size(); ++c) {
-        const auto& [bend, area] = points[topology.points[c]];
-        if (area > 0.0) curvatures[mesh.indices[c]] = static_cast<float>(bend / area);
-    }
+    std::ranges::transform(all, curvatures.begin(), [](const Share& share) {
+        return share.area > 0.0 ? static_cast<float>(share.bend / share.area) : 0.0F;
+    });
     return curvatures;
 }
 

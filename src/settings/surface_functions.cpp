@@ -34,7 +34,8 @@ constexpr std::array volumeOptions{
     FunctionOption{"frequency", "rings or stripes over the scene's radius", 16, 0.001, 1000},
     FunctionOption{"wobble", "how far rings and stripes stray, in their distance", 0.4, 0, 10}};
 constexpr std::array curvatureOptions{
-    FunctionOption{"scale", "factor of the curvature, one over the scene's radius is 1", 0.25, 0.0001, 1000}};
+    FunctionOption{"scale", "factor of the curvature, one over the scene's radius is 1", 0.1, 0.0001, 1000},
+    FunctionOption{"steps", "between flat and the sharpest", 2, 1, 100}};
 constexpr std::array uvOptions{
     FunctionOption{"step", "between lines, in the texture coordinates' unit", 0.125, 0.0001, 1},
     FunctionOption{"direction", "which coordinate", 0, 0, 2, directions}};
@@ -91,7 +92,8 @@ constexpr std::array table{
                         {},
                         Wrapping::None,
                         shape},
-    FunctionDescription{"curvature", "mean curvature", curvatureOptions, "", 0.2F, {}, Wrapping::None, curvature},
+    FunctionDescription{
+        "curvature", "lines of equal mean curvature", curvatureOptions, "", steps, {}, Wrapping::None, curvature},
     FunctionDescription{"uv",
                         "isoparametric lines: equal steps of the texture coordinates",
                         uvOptions,

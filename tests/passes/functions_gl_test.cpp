@@ -107,7 +107,7 @@ Differences differencesOf(const Image<float>& found, const Image<double>& expect
 
 // Functions that count steps differ by whole steps where a place is within rounding of one.
 bool countsSteps(const FunctionSettings& function) {
-    return function.name == "uv" || function.name == "height" ||
+    return function.name == "uv" || function.name == "height" || function.name == "curvature" ||
            (function.name == "volume" && function.options[0] > 0.0);
 }
 
