@@ -8,7 +8,7 @@
 
 #include <inkedge/error.h>
 
-#include "memory.h"
+#include "raster/memory.h"
 #include "passes/read_maps.h"
 
 namespace inkedge {

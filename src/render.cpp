@@ -34,7 +34,7 @@
 #include "passes/read_maps.h"
 #include "passes/sumi.h"
 #include "scene/typical_bend.h"
-#include "tiles.h"
+#include "raster/tiles.h"
 
 namespace inkedge {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "gl/gl_test.h"
 #include "scenes.h"
-#include "tiles.h"
+#include "raster/tiles.h"
 
 namespace inkedge {
 namespace {

@@ -5,8 +5,8 @@
 #include <inkedge/image.h>
 
 #include "gl/gpu.h"
-#include "rectangle.h"
-#include "samples.h"
+#include "raster/rectangle.h"
+#include "raster/samples.h"
 
 namespace inkedge::gl {
 

@@ -6,7 +6,7 @@
 #include <inkedge/image.h>
 
 #include "gl/objects.h"
-#include "rectangle.h"
+#include "raster/rectangle.h"
 
 namespace inkedge::gl {
 

@@ -91,12 +91,6 @@ SceneFace ScreenTriangles::locate(std::uint32_t number) const {
     return {instance, number - firstTriangles_[instance]};
 }
 
-std::uint32_t ScreenTriangles::patchOf(SceneFace t) const {
-    const PatchNumbers& patches = scene_.patchNumbers();
-    const std::uint32_t mesh = scene_.instances()[t.instance].mesh;
-    return patches.number[patches.base[t.instance] + scene_.topology(mesh).patches[t.triangle]];
-}
-
 glm::dvec3 ScreenTriangles::corner(std::uint32_t instance, std::uint32_t c) const {
     const Mesh& mesh = scene_.meshes()[scene_.instances()[instance].mesh];
     return toPixels_[instance] * glm::dvec4{glm::dvec3{mesh.positions[mesh.indices[c]]}, 1.0};

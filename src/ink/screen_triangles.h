@@ -26,9 +26,6 @@ public:
     /// @param number  of a triangle of the scene, from 0
     [[nodiscard]] SceneFace locate(std::uint32_t number) const;
 
-    /// The patch's number (PatchNumbers::number).
-    [[nodiscard]] std::uint32_t patchOf(SceneFace) const;
-
     /// What ends the surface that a walk across it meets.
     enum class End {
         Border,  ///< the mesh ends

@@ -12,6 +12,8 @@
 
 #include <inkedge/reference.h>
 
+#include "scene/patch_numbers.h"
+
 namespace inkedge {
 namespace {
 
@@ -385,7 +387,7 @@ Image<std::uint32_t> traceIds(const LineBuffers& buffers, const Scene& scene, co
     Image<std::uint32_t> ids{size, 4};
     const auto patchAt = [&](int x, int y) {
         const std::uint32_t number = buffers.triangles.at(x, y);
-        return number == 0 ? 0U : triangles.patchOf(triangles.locate(number - 1));
+        return number == 0 ? 0U : patchOf(scene, triangles.locate(number - 1));
     };
     const Rectangle part = aroundKept(buffers.tile);
     for (int y = part.y; y < part.y + part.size.height; ++y) {
@@ -394,7 +396,7 @@ Image<std::uint32_t> traceIds(const LineBuffers& buffers, const Scene& scene, co
                 const SceneFace t = triangles.locate(number - 1);
                 const Instance& instance = scene.instances()[t.instance];
                 const auto& materials = scene.meshes()[instance.mesh].materials;
-                ids.at(x, y, 0) = triangles.patchOf(t);
+                ids.at(x, y, 0) = patchOf(scene, t);
                 ids.at(x, y, 2) = t.instance + 1;
                 ids.at(x, y, 3) = materials.empty() ? 0 : materials[t.triangle];
             }

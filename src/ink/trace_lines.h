@@ -10,8 +10,8 @@
 
 #include "ink/paint_strokes.h"
 #include "ink/screen_triangles.h"
-#include "samples.h"
-#include "tiles.h"
+#include "raster/samples.h"
+#include "raster/tiles.h"
 
 namespace inkedge {
 

@@ -12,7 +12,7 @@
 #include "io/file.h"
 #include "modules/image_module.h"
 #include "io/picture.h"
-#include "memory.h"
+#include "raster/memory.h"
 
 namespace fs = std::filesystem;
 

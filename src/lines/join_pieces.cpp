@@ -5,7 +5,7 @@
 
 #include "lines/bridge_gaps.h"
 #include "lines/chains.h"
-#include "lines/patch_of.h"
+#include "scene/patch_numbers.h"
 
 namespace inkedge::lines {
 namespace {

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "camera/stands_outside.h"
 #include "lines/bridge_gaps.h"
 #include "lines/chains.h"
 #include "lines/contour_finders.h"
@@ -18,7 +19,6 @@
 #include "lines/intersections.h"
 #include "lines/isolines.h"
 #include "lines/mesh_edges.h"
-#include "lines/patch_of.h"
 #include "lines/ray_caster.h"
 #include "lines/screen.h"
 #include "lines/surface_parts.h"
@@ -45,10 +45,6 @@ private:
     std::vector<StageTime>& times_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
-
-bool standsOutside(const Scene& scene, const Screen& screen) {
-    return screen.depth(glm::dvec3{0.0}) - scene.bounds().radius >= screen.near();
-}
 
 // The segments of one view and what they look like.
 struct View {
@@ -310,7 +306,7 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings, const Vi
     View view{scene, state_->rays, screen, buffers, nullptr, {}, {}};
     view.segments = state_->curves(screen,
                                    {settings.lines.contour, settings.lines.contourFinder, settings.lines.subdivideAdaptive,
-                                    nullptr, settings.lines.hidden, standsOutside(scene, screen), settings.picture.lines},
+                                    nullptr, settings.lines.hidden, standsOutside(camera, scene), settings.picture.lines},
                                    drawnIsolines(settings));
     watch.finish("curves");
     if ((settings.picture.lines & static_cast<std::uint8_t>(LineType::Intersection)) != 0)

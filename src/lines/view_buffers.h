@@ -11,7 +11,7 @@
 #include "scene/scene_face.h"
 #include "lines/screen.h"
 #include "lines/surface_parts.h"
-#include "samples.h"
+#include "raster/samples.h"
 
 namespace inkedge::lines {
 

@@ -6,8 +6,8 @@
 #include <inkedge/image.h>
 
 #include "gl/gpu.h"
-#include "rectangle.h"
-#include "tiles.h"
+#include "raster/rectangle.h"
+#include "raster/tiles.h"
 
 namespace inkedge {
 

@@ -4,7 +4,7 @@
 #include <inkedge/settings.h>
 
 #include "gl/gpu.h"
-#include "tiles.h"
+#include "raster/tiles.h"
 
 namespace inkedge {
 

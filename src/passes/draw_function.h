@@ -6,7 +6,7 @@
 #include "gl/function_inputs.h"
 #include "gl/gpu.h"
 #include "gl/upload.h"
-#include "tiles.h"
+#include "raster/tiles.h"
 
 namespace inkedge {
 

@@ -5,7 +5,7 @@
 #include "gl/gpu.h"
 #include "gl/upload.h"
 #include "passes/draw_surface.h"
-#include "tiles.h"
+#include "raster/tiles.h"
 
 namespace inkedge {
 

@@ -4,7 +4,7 @@
 
 #include "gl/gpu.h"
 #include "gl/upload.h"
-#include "tiles.h"
+#include "raster/tiles.h"
 
 namespace inkedge {
 

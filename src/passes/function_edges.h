@@ -7,7 +7,7 @@
 #include "gl/gpu.h"
 #include "gl/upload.h"
 #include "passes/edge_marks.h"
-#include "tiles.h"
+#include "raster/tiles.h"
 
 namespace inkedge {
 

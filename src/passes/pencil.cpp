@@ -5,7 +5,7 @@
 
 #include "gl/draw.h"
 #include "gl/read_back.h"
-#include "tiles.h"
+#include "raster/tiles.h"
 
 namespace inkedge {
 namespace {

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "camera/stands_outside.h"
+
 namespace inkedge {
 namespace {
 
@@ -39,10 +41,7 @@ glm::dmat4 reversedProjection(const Camera& camera, Size size, double unit) {
 }
 
 gl::UploadedScene::HiddenBacks hiddenBacks(const Scene& scene, const Camera& camera) {
-    const Sphere& bounds = scene.bounds();
-    const double nearest = -(camera.view * glm::dvec4{bounds.centre, 1.0}).z - bounds.radius;
-    const bool outside = nearest >= camera.near;
-    return outside ? gl::UploadedScene::HiddenBacks::Skip : gl::UploadedScene::HiddenBacks::Draw;
+    return standsOutside(camera, scene) ? gl::UploadedScene::HiddenBacks::Skip : gl::UploadedScene::HiddenBacks::Draw;
 }
 
 std::vector<gl::UploadedScene::PlacedInstance> placeInstances(const Scene& scene, const gl::UploadedScene& upload,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gl/gpu.h"
-#include "tiles.h"
+#include "raster/tiles.h"
 
 namespace inkedge {
 

@@ -5,6 +5,9 @@
 
 #include <inkedge/scene.h>
 
+#include "scene/scene_face.h"
+#include "scene/topology.h"
+
 namespace inkedge {
 
 /// The patches of a whole scene: those of each instance, numbered from 1 in the order of instances.
@@ -22,5 +25,12 @@ struct PatchNumbers {
 /// A layer is a face that shares a part of its plane with a face of another patch: there the depth test cannot choose,
 /// so the lines of both must show.
 [[nodiscard]] PatchNumbers numberPatches(const Scene&, double creaseAngle);
+
+/// The number of a face's patch.
+[[nodiscard]] inline std::uint32_t patchOf(const Scene& scene, SceneFace face) {
+    const PatchNumbers& patches = scene.patchNumbers();
+    const MeshTopology& topology = scene.topology(scene.instances()[face.instance].mesh);
+    return patches.number[patches.base[face.instance] + topology.patches[face.triangle]];
+}
 
 }  // namespace inkedge

@@ -1,4 +1,4 @@
-#include "tiles.h"
+#include "raster/tiles.h"
 
 #include <cstdint>
 

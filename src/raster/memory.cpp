@@ -1,4 +1,4 @@
-#include "memory.h"
+#include "raster/memory.h"
 
 #include <algorithm>
 #include <fstream>

@@ -8,7 +8,7 @@
 #include <inkedge/image.h>
 #include <inkedge/maps.h>
 
-#include "rectangle.h"
+#include "raster/rectangle.h"
 
 namespace inkedge {
 
