@@ -120,6 +120,7 @@ TEST_P(Functions, equalTheirDefinitions) {
         for (const char* const text : {"depth", "depth:map=window", "normal", "normal:space=world", "texture",
                                        "texture:repeat=2.5", "base-color", "environment", "environment:space=world",
                                        "volume", "volume:kind=gradient", "volume:kind=stripes,axis=x", "curvature",
+                                       "curvature:scale=3,steps=7",
                                        "uv", "uv:step=0.05,direction=v", "height", "height:axis=x,step=0.3"}) {
             SCOPED_TRACE(testing::Message() << text << (orthographic ? ", orthographic" : ", perspective"));
             const FunctionSettings function = surfaceFunction(text);
