@@ -26,7 +26,7 @@ std::uint64_t keyOf(std::uint32_t a, std::uint32_t b) {
 }
 
 int accessorIn(const tinygltf::Value& object, const char* name) {
-    const tinygltf::Value& index = object.Get(name);
+    const tinygltf::Value& index = member(object, name);
     if (!index.IsInt()) refuse(fmt::format("{}: expected the number of an accessor, found something else", name));
     return index.GetNumberAsInt();
 }
