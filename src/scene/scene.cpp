@@ -154,7 +154,7 @@ std::uint32_t sortBySides(Mesh& mesh, const std::vector<Material>& materials) {
     if (count == total || count == 0) return count;
     std::vector<std::uint32_t> order(total);
     std::iota(order.begin(), order.end(), 0U);
-    std::ranges::stable_partition(order, std::not_fn(isDoubleSided));
+    std::stable_partition(order.begin(), order.end(), std::not_fn(isDoubleSided));
     Mesh sorted = mesh;
     for (std::size_t t = 0; t < order.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
