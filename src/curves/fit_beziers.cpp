@@ -293,7 +293,7 @@ std::vector<dvec2> sampled(const std::vector<dvec2>& points, std::size_t first, 
 // Closed paths that have a corner begin at it.
 void beginAt(Path& path, std::size_t corner) {
     path.points.pop_back();
-    std::ranges::rotate(path.points, path.points.begin() + static_cast<std::ptrdiff_t>(corner));
+    std::rotate(path.points.begin(), path.points.begin() + static_cast<std::ptrdiff_t>(corner), path.points.end());
     path.points.push_back(path.points.front());
 }
 

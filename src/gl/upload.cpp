@@ -229,7 +229,7 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
 
     vertices_ = createFilledBuffer(api, geometry.vertices);
     vertexCount = geometry.vertices.size();
-    geometry.vertices = {};  // no two copies of everything at once
+    geometry.vertices = std::vector<Vertex>{};  // no two copies of everything at once; = {} would keep the memory
     if (!geometry.extras.empty()) {
         geometry.extras.resize(vertexCount);
         extras_ = createFilledBuffer(api, geometry.extras);

@@ -541,7 +541,7 @@ private:
         for (Part& part : parts) {
             std::vector<Found>& segments = crossings[part.pairing].segments;
             segments.insert(segments.end(), part.found.begin(), part.found.end());
-            part.found = {};
+            part.found = std::vector<Found>{};
         }
         onEach(crossings.size(), [&](std::size_t i) {
             std::ranges::sort(crossings[i].segments, {}, [](const Found& f) { return std::pair{f.a, f.b}; });

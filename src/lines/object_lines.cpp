@@ -207,7 +207,8 @@ struct ObjectLines::State {
     }
 
     [[nodiscard]] std::span<const BorderPart> bordersOf(std::uint32_t instance) const {
-        const auto [begin, end] = std::ranges::equal_range(borders, instance, {}, &BorderPart::instance);
+        const auto begin = std::ranges::lower_bound(borders, instance, {}, &BorderPart::instance);
+        const auto end = std::ranges::upper_bound(borders, instance, {}, &BorderPart::instance);
         return {begin, end};
     }
 

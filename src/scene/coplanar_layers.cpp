@@ -154,7 +154,7 @@ private:
         runs_.reserve(count);
         for (std::vector<Run>& part : parts) {
             runs_.insert(runs_.end(), part.begin(), part.end());
-            part = {};  // no two copies of everything at once
+            part = std::vector<Run>{};  // no two copies of everything at once; = {} would keep the memory
         }
     }
 

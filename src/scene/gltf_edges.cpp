@@ -26,7 +26,7 @@ std::uint64_t keyOf(std::uint32_t a, std::uint32_t b) {
 }
 
 int accessorIn(const tinygltf::Value& object, const char* name) {
-    const tinygltf::Value& index = object.Get(name);
+    const tinygltf::Value& index = member(object, name);
     if (!index.IsInt()) refuse(fmt::format("{}: expected the number of an accessor, found something else", name));
     return index.GetNumberAsInt();
 }
@@ -73,8 +73,8 @@ std::vector<Edge> readLineStrings(const tinygltf::Model& model, const tinygltf::
         within(label("line string", i),
                [&] { readLineString(model, lines.Get(static_cast<int>(i)), vertexCount, edges); });
     std::ranges::sort(edges, {}, &Edge::vertices);
-    const auto repeated = std::ranges::unique(edges, {}, &Edge::vertices);
-    edges.erase(repeated.begin(), repeated.end());
+    const auto same = [](const Edge& a, const Edge& b) { return a.vertices == b.vertices; };
+    edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
     return edges;
 }
 

@@ -17,11 +17,11 @@ using load::within;
 std::vector<glm::dmat4> copiesOf(const tinygltf::Model& model, const tinygltf::Node& node, std::uint64_t most) {
     const auto extension = node.extensions.find("EXT_mesh_gpu_instancing");
     if (extension == node.extensions.end()) return {glm::dmat4{1.0}};
-    const tinygltf::Value& attributes = extension->second.Get("attributes");
+    const tinygltf::Value& attributes = member(extension->second, "attributes");
     std::optional<std::size_t> count;
     const auto read = [&]<class Vector>(const char* name, const Expected& expected, Vector otherwise) {
         std::vector<Vector> vectors;
-        const tinygltf::Value& index = attributes.Get(name);
+        const tinygltf::Value& index = member(attributes, name);
         if (index.IsInt()) {
             if (const std::uint64_t copies = elementCount(model, index.GetNumberAsInt(), name); copies > most)
                 refuse(fmt::format("expected at most {} more instances in the scene, found {}; raise max-instances",

@@ -124,6 +124,11 @@ tinygltf::Model parse(std::string json, Buffers buffers) {
     return model;
 }
 
+const tinygltf::Value& member(const tinygltf::Value& object, const char* key) {
+    static const tinygltf::Value none;
+    return object.IsObject() ? object.Get(key) : none;
+}
+
 std::string nodeLabel(const tinygltf::Model& model, std::size_t node) {
     return label("node", node, model.nodes[node].name);
 }

@@ -37,6 +37,9 @@ const T& at(const std::vector<T>& all, int index, std::string_view kind) {
     return all[static_cast<std::size_t>(index)];
 }
 
+/// An object's member; null if there is none or it is no object, of which tinygltf's own Get() may not be asked.
+[[nodiscard]] const tinygltf::Value& member(const tinygltf::Value& object, const char* key);
+
 [[nodiscard]] std::string nodeLabel(const tinygltf::Model&, std::size_t node);
 
 [[nodiscard]] bool finite(const glm::dmat4&);

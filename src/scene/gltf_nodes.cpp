@@ -64,7 +64,7 @@ std::vector<int> parentsOf(const tinygltf::Model& model) {
 bool isHidden(const tinygltf::Node& node) {
     const auto extension = node.extensions.find("KHR_node_visibility");
     if (extension == node.extensions.end()) return false;
-    const tinygltf::Value& visible = extension->second.Get("visible");
+    const tinygltf::Value& visible = member(extension->second, "visible");
     return visible.IsBool() && !visible.Get<bool>();
 }
 

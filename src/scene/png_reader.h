@@ -16,8 +16,7 @@ namespace inkedge::load {
 class PngReader {
 public:
     /// @throws Error  (Kind::Input) if it is damaged or has over mostPixels
-    PngReader(std::span<const std::uint8_t> picture, std::uint64_t mostPixels) {
-        image_.version = PNG_IMAGE_VERSION;
+    PngReader(std::span<const std::uint8_t> picture, std::uint64_t mostPixels) : PngReader{} {
         if (png_image_begin_read_from_memory(&image_, picture.data(), picture.size()) == 0) refuseDamaged();
         if (std::uint64_t{image_.width} * image_.height > mostPixels) {
             refuse(fmt::format("expected at most {} pixels, found {}x{}; raise max-image-pixels", mostPixels,
@@ -41,6 +40,9 @@ public:
     }
 
 private:
+    // What comes after it in another constructor may throw: the destructor runs even then.
+    PngReader() noexcept { image_.version = PNG_IMAGE_VERSION; }
+
     [[noreturn]] void refuseDamaged() const { refuse("expected a PNG picture, found: " + quote(image_.message)); }
 
     png_image image_{};

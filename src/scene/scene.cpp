@@ -154,7 +154,7 @@ std::uint32_t sortBySides(Mesh& mesh, const std::vector<Material>& materials) {
     if (count == total || count == 0) return count;
     std::vector<std::uint32_t> order(total);
     std::iota(order.begin(), order.end(), 0U);
-    std::ranges::stable_partition(order, std::not_fn(isDoubleSided));
+    std::stable_partition(order.begin(), order.end(), std::not_fn(isDoubleSided));
     Mesh sorted = mesh;
     for (std::size_t t = 0; t < order.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -220,7 +220,8 @@ Scene::Scene(Data data, const LoadSettings& settings) {
     filled.bounds = boundingSphere(*this);
     if (!std::isfinite(filled.bounds.radius)) refuse("expected finite bounds, found coordinates that overflow");
     filled.patchNumbers = numberPatches(*this, settings.creaseAngle);
-    for (MeshTopology& topology : filled.topologies) topology.faceNormals = {};  // a third of all that is kept
+    for (MeshTopology& topology : filled.topologies)
+        topology.faceNormals = std::vector<glm::dvec3>{};  // a third of all that is kept; = {} would keep its memory
     filled.milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }

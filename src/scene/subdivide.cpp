@@ -14,6 +14,7 @@
 #include "scene/load_message.h"
 #include "scene/normals.h"
 #include "scene/subdivision.h"
+#include "scene/topology.h"
 
 namespace inkedge {
 namespace {
@@ -134,8 +135,8 @@ private:
     Projection projection_;
 };
 
-std::vector<Signs> signsOfFaces(const Mesh& mesh, const MeshTopology& topology, const ControlMesh& control,
-                                const View& view) {
+std::vector<Signs> signsOfFaces(const Mesh& mesh, const ControlMesh& control, const View& view) {
+    const std::vector<glm::dvec3> faceNormals = makeFaceNormals(mesh);
     std::vector<Signs> signs(control.faceSizes.size(), 0);
     for (std::size_t t = 0; t < control.faces.size(); ++t) {
         if (control.faces[t] == noFace) continue;
@@ -144,7 +145,7 @@ std::vector<Signs> signsOfFaces(const Mesh& mesh, const MeshTopology& topology, 
             const std::uint32_t vertex = mesh.indices[c];
             s |= view.sign(glm::dvec3{mesh.positions[vertex]}, glm::dvec3{mesh.normals[vertex]});
         }
-        const glm::dvec3 normal = topology.faceNormals[t];
+        const glm::dvec3 normal = faceNormals[t];
         if (normal != glm::dvec3{0.0}) s |= view.sign(glm::dvec3{mesh.positions[mesh.indices[3 * t]]}, normal);
     }
     return signs;
@@ -199,7 +200,7 @@ RefinedContourMesh refineNear(const Scene& scene, std::size_t number, const Cont
     const Mesh& mesh = scene.meshes()[number];
     const View view{projection == Projection::Perspective ? eye - mesh.origin : eye, projection};
     const Neighbourhood neighbourhood{control};
-    std::vector<Signs> chosen = neighbourhood.around(signsOfFaces(mesh, scene.topology(number), control, view));
+    std::vector<Signs> chosen = neighbourhood.around(signsOfFaces(mesh, control, view));
     for (Signs& s : chosen) s = s == both ? 1 : 0;
     const std::vector<Signs> needed = neighbourhood.around(chosen);
     std::vector<std::uint32_t> part;

@@ -1,5 +1,7 @@
 #include "scene/decode_picture.h"
 
+#include <malloc.h>
+
 #include <array>
 #include <cstdlib>
 
@@ -61,6 +63,26 @@ TEST(DecodePicture, refusesWhatIsDamagedTooLargeOrNoPicture) {
     EXPECT_THAT(refusalOf(jpeg, 100), testing::HasSubstr("16x8; raise max-image-pixels"));
     const std::array<std::uint8_t, 4> text{'R', 'I', 'F', 'F'};
     EXPECT_THAT(refusalOf(text), testing::HasSubstr("expected a PNG or JPEG picture, found "));
+}
+
+// 16 x 16 black pixels.
+constexpr auto png = std::to_array<std::uint8_t>({
+    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00, 0x00, 0x00,
+    0x10, 0x00, 0x00, 0x00, 0x10, 0x08, 0x00, 0x00, 0x00, 0x00, 0x3a, 0x98, 0xa0, 0xbd, 0x00, 0x00, 0x00, 0x0d, 0x49,
+    0x44, 0x41, 0x54, 0x78, 0xda, 0x63, 0x60, 0x18, 0x05, 0xc8, 0x00, 0x00, 0x01, 0x10, 0x00, 0x01, 0x7f, 0xcd, 0x03,
+    0xb5, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82,
+});
+
+TEST(DecodePicture, keepsNothingOfAPngThatItRefuses) {
+    ASSERT_EQ(decodePicture(png, 1000).size, (Size{16, 16}));
+    const auto refuseOften = [] {
+        for (int i = 0; i < 1000; ++i)
+            ASSERT_THAT(refusalOf(png, 100), testing::HasSubstr("16x16; raise max-image-pixels"));
+    };
+    refuseOften();
+    const std::size_t before = ::mallinfo2().uordblks;
+    refuseOften();
+    EXPECT_LT(::mallinfo2().uordblks, before + 100'000);  // libpng keeps 1600 bytes for each
 }
 
 }  // namespace

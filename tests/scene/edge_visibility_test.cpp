@@ -176,6 +176,10 @@ TEST_F(EdgeVisibility, ThatIsMalformedIsRefused) {
                     return Json{{"lineStrings", {{{"material", 1}}}}};
                 }),
                 HasSubstr("line string 0: indices: expected the number of an accessor"));
+    EXPECT_THAT(refusalWith([](Model&) {
+                    return Json{{"lineStrings", {7}}};
+                }),
+                HasSubstr("line string 0: indices: expected the number of an accessor"));
     EXPECT_THAT(refusalWith([](Model&) { return Json{{"lineStrings", {{{"indices", -3}}}}}; }), HasSubstr("found -3"));
     EXPECT_THAT(refusal(squareWithLines({0, 1, 4})),
                 HasSubstr("indices: expected vertex indices below 4, found 4 at index 2"));

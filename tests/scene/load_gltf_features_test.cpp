@@ -143,6 +143,14 @@ TEST_F(SceneChoice, LeavesHiddenNodesAndTheirChildrenOut) {
     EXPECT_THAT(data.warnings, IsEmpty());
 }
 
+TEST_F(SceneChoice, KeepsNodesWhoseVisibilityIsNoObject) {
+    for (const Json& extension : {Json::array({false}), Json(false)}) {
+        Model model = triangle();
+        model.json["nodes"][0]["extensions"]["KHR_node_visibility"] = extension;
+        EXPECT_THAT(load(model).instances, SizeIs(1)) << extension;
+    }
+}
+
 TEST_F(SceneChoice, WarnsOfExtensionsThatAreUsedButNotRead) {
     Model model = triangle();
     model.json["extensionsUsed"] = {"EXT_mesh_manifold", "KHR_materials_sheen", "ACME_fur"};

@@ -384,6 +384,14 @@ TEST_F(LoadGltf, drawsEveryCopyOfAnInstancedMesh) {
     expectNear(worldCorners(load(model)), {{1, 0, 5}, {2, 0, 5}, {1, 1, 5}, {0, 2, 5}, {-2, 2, 5}, {0, 0, 5}});
 }
 
+TEST_F(LoadGltf, drawsAMeshOnceWhoseInstancesHaveNoAttributes) {
+    for (const Json& extension : {Json::array({1, 2}), Json{{"attributes", {1, 2}}}, Json{{"attributes", nullptr}}}) {
+        Model model = triangle();
+        model.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"] = extension;
+        EXPECT_THAT(load(model).instances, SizeIs(1)) << extension;
+    }
+}
+
 // ---- poses
 
 TEST_F(LoadGltf, movesMorphTargetsByTheNodesWeightsElseTheMeshs) {

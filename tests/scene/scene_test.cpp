@@ -11,6 +11,7 @@
 
 #include "io/expect_error.h"
 #include "scene/extent.h"
+#include "scene/topology.h"
 #include "scenes.h"
 
 namespace inkedge {
@@ -163,6 +164,11 @@ TEST(Scene, boxesMeshesInTheirOwnSpaceLessTheOrigin) {
     const Box& box = scene.meshBox(0);
     EXPECT_EQ(box.min, glm::dvec3(-1.0));
     EXPECT_EQ(box.max, glm::dvec3(1.0));
+}
+
+TEST(Scene, keepsNoMemoryForFaceNormals) {
+    const Scene scene = scenes::sceneOf({{scenes::cube(), glm::dmat4{1.0}}});
+    EXPECT_EQ(scene.topology(0).faceNormals.capacity(), 0U);
 }
 
 TEST(SceneBounds, addTheMeshesOrigin) {
