@@ -8,8 +8,8 @@
 
 #include <inkedge/error.h>
 
-#include "raster/memory.h"
 #include "passes/read_maps.h"
+#include "raster/memory.h"
 
 namespace inkedge {
 namespace {

@@ -33,8 +33,8 @@
 #include "passes/placement.h"
 #include "passes/read_maps.h"
 #include "passes/sumi.h"
-#include "scene/typical_bend.h"
 #include "raster/tiles.h"
+#include "scene/typical_bend.h"
 
 namespace inkedge {
 namespace {
@@ -76,9 +76,7 @@ bool needsPlaneLines(const Settings& settings) {
            (findsPlaneLines(settings) && wants(settings, Map::Edges));
 }
 
-bool needsPlanes(const Settings& settings) {
-    return needsPlaneLines(settings) || settings.style.style == Style::Hatch;
-}
+bool needsPlanes(const Settings& settings) { return needsPlaneLines(settings) || settings.style.style == Style::Hatch; }
 
 bool needsSurface(const Settings& settings) {
     return sourceOf(settings) == Source::Classic || (findsClassicEdges(settings) && wants(settings, Map::Edges)) ||
@@ -183,8 +181,7 @@ lines::ViewBuffers drawViewBuffers(const View& view) {
     const PlaneBuffers drawn = drawPlanes(gpu, upload, scene, camera, Tile{size});
     const Rectangle whole{0, 0, size};
     return {gl::readFloats(gpu.api, drawn.planes, 4, std::vector{whole}),
-            gl::readIntegers(gpu.api, drawn.triangles, std::vector{whole}), upload.firstTriangles(),
-            unitLength(scene)};
+            gl::readIntegers(gpu.api, drawn.triangles, std::vector{whole}), upload.firstTriangles(), unitLength(scene)};
 }
 
 // What covers a tile's pixels besides strokes: functions' edges, profiles, and what styles add.
@@ -198,14 +195,14 @@ Image<std::uint8_t> renderInk(const View& view, const Tile& tile, const Geometry
     }
     if (sourceOf(settings) == Source::Profiles) {
         const Tile pixels = inPixels(tile, samples);
-        ink = darker(std::move(ink),
-                     detectProfiles(gpu, geometry.surface->surface, camera, settings.detector, pixels));
+        ink = darker(std::move(ink), detectProfiles(gpu, geometry.surface->surface, camera, settings.detector, pixels));
         clock.finish("profiles");
     }
     if (settings.style.style == Style::Hatch) {
-        ink = darker(std::move(ink), meanOf(hatch(gpu, geometry.planes->planes, tile, camera, unitLength(scene),
-                                                  settings.style, samples),
-                                            samples));
+        ink =
+            darker(std::move(ink),
+                   meanOf(hatch(gpu, geometry.planes->planes, tile, camera, unitLength(scene), settings.style, samples),
+                          samples));
         clock.finish("hatch");
     }
     if (settings.style.style == Style::Sumi) {
@@ -431,7 +428,8 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& 
     maps.backend = backend();
     std::optional<gl::Current> current;
     if (graphics != nullptr) current.emplace(*graphics->context);
-    gl::StageClock clock = graphics != nullptr ? gl::StageClock{graphics->gpu->api, maps.times} : gl::StageClock{maps.times};
+    gl::StageClock clock =
+        graphics != nullptr ? gl::StageClock{graphics->gpu->api, maps.times} : gl::StageClock{maps.times};
     if (drawsTriangles(settings)) {
         const View view{*graphics->gpu, graphics->uploaded(scene), *graphics->inputs, scene, camera, settings};
         clock.finish("upload");

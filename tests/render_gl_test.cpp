@@ -91,7 +91,8 @@ TEST(RendererContext, isMadeAtOnceOrWhenACallNeedsIt) {
     EXPECT_EQ(maps.backend.backend, "");
     for (const Settings& settings : {settingsOf(LinesFrom::Image), settingsOf(LinesFrom::Object, Visibility::Fast)})
         expectError(Error::Kind::Usage, message, [&] { (void)linesOf(renderer, scene, settings); });
-    expectError(Error::Kind::Usage, message, [&] { (void)renderer.render(scene, camera, settingsOf(LinesFrom::Image)); });
+    expectError(Error::Kind::Usage, message,
+                [&] { (void)renderer.render(scene, camera, settingsOf(LinesFrom::Image)); });
 }
 
 TEST_P(RendererLines, pictureIsTheSameWithoutAContext) {
@@ -99,7 +100,8 @@ TEST_P(RendererLines, pictureIsTheSameWithoutAContext) {
     const Camera camera = frameCamera(scene, {}, size);
     const Settings settings = settingsOf(LinesFrom::Object);
     Renderer lazy{BackendSettings{GetParam(), {}}, ContextTime::WhenNeeded};
-    EXPECT_EQ(lazy.render(scene, camera, settings).picture.pixels, renderer().render(scene, camera, settings).picture.pixels);
+    EXPECT_EQ(lazy.render(scene, camera, settings).picture.pixels,
+              renderer().render(scene, camera, settings).picture.pixels);
     EXPECT_EQ(lazy.backend().backend, "");
     const Maps drawn = lazy.render(scene, camera, settingsOf(LinesFrom::Image));
     EXPECT_EQ(drawn.backend.backend, gl_test::backendName(GetParam()));
@@ -217,7 +219,8 @@ TEST_P(RendererLines, fromImageHaveNoneWhereASteepSurfaceGoesOn) {
         settings.maps = {Map::Edges};
         const Image<std::uint8_t> edges = renderer().render(scene, camera, settings).edges;
         int stray = 0;
-        for (std::size_t i = 0; i < edges.pixels.size(); ++i) stray += edges.pixels[i] != 0 && near.pixels[i] == 0 ? 1 : 0;
+        for (std::size_t i = 0; i < edges.pixels.size(); ++i)
+            stray += edges.pixels[i] != 0 && near.pixels[i] == 0 ? 1 : 0;
         EXPECT_GT(std::ranges::count(edges.pixels, 255), 500);
         EXPECT_EQ(stray, 0) << "from " << azimuth << " degrees";
     }

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "gl/gl_test.h"
-#include "scenes.h"
 #include "raster/tiles.h"
+#include "scenes.h"
 
 namespace inkedge {
 namespace {

@@ -34,15 +34,17 @@ int countOf(const std::string& text, std::string_view digits) {
     int count = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
     if (error != std::errc{} || end != digits.data() + digits.size() || count < 1 || count > mostViews)
-        refuse(Error::Kind::Usage, fmt::format("views: expected a number of views from 1 to {}, found '{}'", mostViews, text));
+        refuse(Error::Kind::Usage,
+               fmt::format("views: expected a number of views from 1 to {}, found '{}'", mostViews, text));
     return count;
 }
 
 void expectFreeDirection(const std::string& text, const CameraSettings& base) {
     if (base.position || base.direction || base.index)
-        refuse(Error::Kind::Usage,
-               fmt::format("views: expected no camera-position, camera-direction or camera-index beside '{}', found one",
-                           text));
+        refuse(
+            Error::Kind::Usage,
+            fmt::format("views: expected no camera-position, camera-direction or camera-index beside '{}', found one",
+                        text));
 }
 
 std::vector<View> turntable(int count, const CameraSettings& base) {
@@ -73,14 +75,18 @@ Json parse(const fs::path& file) {
     const std::uintmax_t size = fs::file_size(file, failure);
     std::ifstream stream{file, std::ios::binary};
     if (failure || !stream)
-        refuse(Error::Kind::Input, fmt::format("{}: expected turntable:N, sphere:N or a file of views, found none that can "
-                                               "be read", file.string()));
+        refuse(Error::Kind::Input,
+               fmt::format("{}: expected turntable:N, sphere:N or a file of views, found none that can "
+                           "be read",
+                           file.string()));
     if (size > largestFile)
-        refuse(Error::Kind::Input, fmt::format("{}: expected at most {} bytes, found {}", file.string(), largestFile, size));
+        refuse(Error::Kind::Input,
+               fmt::format("{}: expected at most {} bytes, found {}", file.string(), largestFile, size));
     try {
         return Json::parse(stream);
     } catch (const Json::exception&) {
-        refuse(Error::Kind::Usage, fmt::format("{}: expected a JSON list of views, found something else", file.string()));
+        refuse(Error::Kind::Usage,
+               fmt::format("{}: expected a JSON list of views, found something else", file.string()));
     }
 }
 
@@ -94,7 +100,8 @@ std::string textOf(const Json& value) {
 
 bool isName(const std::string& name) {
     return !name.empty() && name.size() <= 200 && name.front() != '.' &&
-           name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.") == std::string::npos;
+           name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.") ==
+               std::string::npos;
 }
 
 View readView(const Json& source, std::string name, const CameraSettings& base, const std::string& where) {
@@ -122,15 +129,17 @@ View readView(const Json& source, std::string name, const CameraSettings& base, 
 std::vector<View> readViews(const fs::path& file, const CameraSettings& base) {
     const Json list = parse(file);
     if (!list.is_array() || list.empty() || list.size() > mostViews)
-        refuse(Error::Kind::Usage, fmt::format("{}: expected a JSON list of 1 to {} views, found {}", file.string(),
-                                               mostViews, list.is_array() ? std::to_string(list.size()) : list.type_name()));
+        refuse(Error::Kind::Usage,
+               fmt::format("{}: expected a JSON list of 1 to {} views, found {}", file.string(), mostViews,
+                           list.is_array() ? std::to_string(list.size()) : list.type_name()));
     std::vector<View> views;
     std::set<std::string> names;
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string where = fmt::format("{}: view {}", file.string(), i);
         views.push_back(readView(list[i], numbered(static_cast<int>(i), list.size()), base, where));
         if (!names.insert(views.back().name).second)
-            refuse(Error::Kind::Usage, fmt::format("{}: expected a name of its own, found '{}' again", where, views.back().name));
+            refuse(Error::Kind::Usage,
+                   fmt::format("{}: expected a name of its own, found '{}' again", where, views.back().name));
     }
     return views;
 }

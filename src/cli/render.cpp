@@ -28,8 +28,8 @@ struct RenderArguments {
     std::string model;
     std::string output;
     std::string metadataFile;
-    std::string views;  // as viewsOf() takes them; empty: one
-    int jobs = 0;       // 0: as many as there are cores
+    std::string views;              // as viewsOf() takes them; empty: one
+    int jobs = 0;                   // 0: as many as there are cores
     std::optional<double> timeout;  // seconds
     bool json = false;
     bool quiet = false;
@@ -93,9 +93,10 @@ void expectFolderOf(const std::filesystem::path& file) {
 void expectLinesOnly(const RenderArguments& arguments, const Settings& settings, const std::filesystem::path& output) {
     const auto refuseIf = [&](bool given, std::string_view flag, std::string_view why) {
         if (!given) return;
-        throw Error{Error::Kind::Usage, fmt::format("{0}: expected a picture as --output, found {1}, which {2}; write a "
-                                                    ".png, or leave {0} out",
-                                                    flag, arguments.output, why)};
+        throw Error{Error::Kind::Usage,
+                    fmt::format("{0}: expected a picture as --output, found {1}, which {2}; write a "
+                                ".png, or leave {0} out",
+                                flag, arguments.output, why)};
     };
     refuseIf(!settings.maps.empty(), "--maps", "holds lines");
     refuseIf(settings.style.style != Style::Ink, "--style", "holds lines");
@@ -125,9 +126,9 @@ void startTimeout(const RenderArguments& arguments) {
 
 void printSummary(const Maps& maps, const std::vector<std::filesystem::path>& files) {
     const BackendInfo& by = maps.backend;
-    tell("", by.backend.empty() ? std::string{"drawn without OpenGL"}
-                                : fmt::format("drawn by {} ({}): {}, OpenGL {}", by.backend, by.platform, by.renderer,
-                                              by.version));
+    tell("", by.backend.empty()
+                 ? std::string{"drawn without OpenGL"}
+                 : fmt::format("drawn by {} ({}): {}, OpenGL {}", by.backend, by.platform, by.renderer, by.version));
     for (const StageTime& time : maps.times) tell("", fmt::format("{:>10} {:8.1f} ms", time.stage, time.milliseconds));
     for (const auto& file : files) tell("wrote ", file.string());
 }
@@ -271,8 +272,8 @@ int render(const RenderArguments& arguments) {
                       return renderView(arguments, settings, scene, views[view], itsRenderer,
                                         view == 0 ? before : std::vector<StageTime>{});
                   }};
-    const std::vector<Summary> summaries =
-        pool.run(Renderer{settings.backend, ContextTime::WhenNeeded}, workersFor(arguments, views.size()), settings.backend);
+    const std::vector<Summary> summaries = pool.run(Renderer{settings.backend, ContextTime::WhenNeeded},
+                                                    workersFor(arguments, views.size()), settings.backend);
 
     if (arguments.json) {
         nlohmann::ordered_json all = nlohmann::ordered_json::array();
@@ -292,15 +293,16 @@ void addRender(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<RenderArguments>();
     CLI::App* verb = app.add_subcommand("render", "Draw the outlines of a model.");
     verb->add_option("MODEL", arguments->model, "glTF 2.0 file, .glb or .gltf")->required();
-    verb->add_option(
-            "-o,--output", arguments->output,
-            "picture to write, .png .tif .exr, or lines, .svg .json, or - for PNG on stdout; {model}, {view} and {map} are filled in")
+    verb->add_option("-o,--output", arguments->output,
+                     "picture to write, .png .tif .exr, or lines, .svg .json, or - for PNG on stdout; {model}, {view} "
+                     "and {map} are filled in")
         ->required()
         ->type_name("FILE");
     verb->add_option("--metadata", arguments->metadataFile, "write camera, settings, backend and timings as JSON")
         ->type_name("FILE");
-    verb->add_option("--views", arguments->views,
-                     "draw several views: turntable:N, sphere:N, or a JSON list of camera settings; --output needs {view}")
+    verb->add_option(
+            "--views", arguments->views,
+            "draw several views: turntable:N, sphere:N, or a JSON list of camera settings; --output needs {view}")
         ->type_name("VIEWS");
     verb->add_option("--jobs", arguments->jobs, "views drawn at the same time [cores]")
         ->check(numberFrom(1, 1024))

@@ -61,9 +61,8 @@ struct Candidate {
 [[nodiscard]] Candidate osmesaCandidate();
 
 /// The first context that works: EGL, then OSMesa, or only the backend or device that is wished for.
-/// @throws Error  (Kind::Context) if none works: why not, for each that was tried; (Kind::Usage) if a device is wished
-/// for
-///                that does not exist
+/// @throws Error  (Kind::Context) if none works: why not, for each that was tried; (Kind::Usage) if a device is
+///                wished for that does not exist
 [[nodiscard]] std::unique_ptr<Context> createContext(const BackendSettings&);
 
 }  // namespace inkedge::gl

@@ -31,8 +31,7 @@ void prepareDrawing(Gpu& gpu, Program program, const Framebuffer& target,
     prepareDrawing(gpu, gpu.programs.id(program), target, inputs);
 }
 
-void prepareDrawing(Gpu& gpu, GLuint program, const Framebuffer& target,
-                    std::initializer_list<const Texture*> inputs) {
+void prepareDrawing(Gpu& gpu, GLuint program, const Framebuffer& target, std::initializer_list<const Texture*> inputs) {
     const Api& api = gpu.api;
     api.BindFramebuffer(GL_FRAMEBUFFER, target.id());
     api.Viewport(0, 0, target.size().width, target.size().height);

@@ -16,9 +16,8 @@ class Programs {
 public:
     explicit Programs(const Api& api) : api_{api} {}
 
-    /// @throws Error  (Kind::Runtime) if the driver refuses it: the program's name, the driver's first line and the
-    /// file
-    ///                that it means
+    /// @throws Error  (Kind::Runtime) if the driver refuses it: the program's name, the driver's first line and
+    ///                the file that it means
     [[nodiscard]] GLuint id(Program);
 
     /// The program of a surface function: one of shaders/functions, by its name.

@@ -32,7 +32,8 @@ Texture TexturePool::acquire(Size size, GLenum format) {
     api_.CreateTextures(GL_TEXTURE_2D, 1, &id);
     TextureName name{api_, id};
     api_.TextureStorage2D(id, 1, format, size.width, size.height);
-    checkErrors(api_, fmt::format("a picture of {} x {} pixels", size.width, size.height), "ask for a smaller --size or --tile-size");
+    checkErrors(api_, fmt::format("a picture of {} x {} pixels", size.width, size.height),
+                "ask for a smaller --size or --tile-size");
     api_.TextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     api_.TextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     api_.TextureParameteri(id, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

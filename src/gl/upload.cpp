@@ -218,8 +218,8 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
         }
         ++commands.back().instanceCount;
         instanceOrder_.push_back(item.instance);
-        numberings.emplace_back(scene.patchNumbers().base[item.instance],
-                                firstTriangles_[item.instance] + item.first, item.count);
+        numberings.emplace_back(scene.patchNumbers().base[item.instance], firstTriangles_[item.instance] + item.first,
+                                item.count);
         const std::size_t layers = layerCommands.size();
         appendLayers(scene, item, place, geometry, layerCommands);
         if (layerCommands.size() > layers) extend(layerRuns_, item, layers, layerCommands.size());
@@ -241,8 +241,7 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
     numberings_ = createFilledBuffer(api, numberings);
     patchNumbers_ = createFilledBuffer(api, signedPatchNumbers(scene.patchNumbers()));
     placements_ = createFilledBuffer(api, std::vector<PlacedInstance>(items.size()), GL_DYNAMIC_STORAGE_BIT);
-    checkErrors(api, fmt::format("a scene of {} triangles", triangles),
-                "draw a smaller model or use --backend osmesa");
+    checkErrors(api, fmt::format("a scene of {} triangles", triangles), "draw a smaller model or use --backend osmesa");
     vertexArray_ = createVertexArray(api);
     const GLuint id = vertexArray_.id();
     api.VertexArrayElementBuffer(id, indices_.id());

@@ -420,8 +420,7 @@ void paint(Strip& strip, std::span<const BoxedStroke> strokes, std::span<const C
 
 }  // namespace
 
-Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureSettings& settings,
-                                 const Brush* brush) {
+Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureSettings& settings, const Brush* brush) {
     const auto allPens = pens(settings);
     const std::vector<Coat> coats = coatsOf(allPens);
     Image<std::uint8_t> picture = emptyPicture(settings);

@@ -63,7 +63,8 @@ std::vector<StrokePoint> tapered(const std::vector<StrokePoint>& points, double 
     const double length = lengthOf(points);
     if (begins != ends && length > 0.0) taper = std::min(taper, length);  // at its other end it keeps its width
     const double half = begins && ends ? 0.5 * length : length;
-    const double turnPoints[]{begins ? std::min(taper, half) : 0.0, ends ? std::max(length - taper, length - half) : length};
+    const double turnPoints[]{begins ? std::min(taper, half) : 0.0,
+                              ends ? std::max(length - taper, length - half) : length};
     const auto share = [&](double way) {
         const double fromEnd = std::min(begins ? way : taper, ends ? length - way : taper);
         return std::clamp(fromEnd / taper, 0.0, 1.0);

@@ -39,7 +39,7 @@ private:
     StrokeWidth kind_;
     double taper_;
     std::optional<FreeEnds> freeEnds_;  // where lines taper
-    double least_ = 0.0;  // nearness of the furthest point, and of the nearest
+    double least_ = 0.0;                // nearness of the furthest point, and of the nearest
     double most_ = 0.0;
 };
 

@@ -111,9 +111,7 @@ private:
     using Walk = ScreenTriangles::Walk;
 
     [[nodiscard]] bool isBackground(Sample s) const { return buffers_.triangles.at(s.x, s.y) == 0; }
-    [[nodiscard]] SceneFace triangle(Sample s) const {
-        return triangles_.locate(buffers_.triangles.at(s.x, s.y) - 1);
-    }
+    [[nodiscard]] SceneFace triangle(Sample s) const { return triangles_.locate(buffers_.triangles.at(s.x, s.y) - 1); }
     // In the whole picture.
     [[nodiscard]] glm::dvec2 centre(Sample s) const {
         const Rectangle& drawn = buffers_.tile.drawn;
@@ -340,8 +338,8 @@ private:
     void joinCell(std::span<const Crossing*> crossings, int x, int y) {
         if (crossings.empty()) return;
         if (crossings.size() == 2 && styleOf(*crossings[0]) == styleOf(*crossings[1])) {
-            add(toBorder(*crossings[0], *crossings[1], x, y), toBorder(*crossings[1], *crossings[0], x, y), *crossings[0],
-                crossings[1]->nearness);
+            add(toBorder(*crossings[0], *crossings[1], x, y), toBorder(*crossings[1], *crossings[0], x, y),
+                *crossings[0], crossings[1]->nearness);
             return;
         }
         glm::vec2 centre{0.0F};
@@ -454,8 +452,7 @@ DrawnTypes drawnTypes(const PictureSettings& settings) {
 }
 
 TracedLines traceLines(LineBuffers buffers, const Scene& scene, const ScreenTriangles& triangles, const Camera& camera,
-                       double unit, DrawnTypes types, int samplesPerPixel, TraceIds ids,
-                       TracePlaces places) {
+                       double unit, DrawnTypes types, int samplesPerPixel, TraceIds ids, TracePlaces places) {
     TracedLines traced;
     PinholeFilter{buffers, camera, unit}.apply();
     Tracer tracer{buffers, triangles, camera};

@@ -25,16 +25,16 @@ struct LineBuffers {
 
 /// Where a stroke lies in the scene.
 struct StrokePlace {
-    float nearnessFrom;      ///< of the nearer surface at the stroke's ends: ScreenTriangles::Plane::w
+    float nearnessFrom;  ///< of the nearer surface at the stroke's ends: ScreenTriangles::Plane::w
     float nearnessTo;
     std::uint32_t triangle;  ///< of it: 1 + the scene's triangle
 };
 
 struct TracedLines {
-    std::vector<Stroke> strokes;  ///< in output pixels of the whole picture: those of cells that the tile keeps
+    std::vector<Stroke> strokes;      ///< in output pixels of the whole picture: those of cells that the tile keeps
     std::vector<StrokePlace> places;  ///< one a stroke; empty unless asked for
-    Image<std::uint8_t> types;    ///< as Maps::types, of what the tile keeps
-    Image<std::uint32_t> ids;     ///< as Maps::ids, likewise; empty unless asked for
+    Image<std::uint8_t> types;        ///< as Maps::types, of what the tile keeps
+    Image<std::uint32_t> ids;         ///< as Maps::ids, likewise; empty unless asked for
 };
 
 enum class TraceIds { Drop, Keep };

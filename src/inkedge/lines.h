@@ -24,9 +24,9 @@ struct LinePoint {
 struct Line {
     LineType type = LineType::Outline;
     bool visible = true;
-    bool closed = false;            ///< the last point is joined to the first, which is not repeated
-    std::uint32_t object = 0;       ///< the node it lies on, as in Maps::ids: from 1
-    std::uint32_t patch = 0;        ///< the patch it lies on, the nearer one where it parts two, as in Maps::ids: from 1
+    bool closed = false;       ///< the last point is joined to the first, which is not repeated
+    std::uint32_t object = 0;  ///< the node it lies on, as in Maps::ids: from 1
+    std::uint32_t patch = 0;   ///< the patch it lies on, the nearer one where it parts two, as in Maps::ids: from 1
     std::vector<LinePoint> points;  ///< two or more
 };
 

@@ -82,9 +82,8 @@ struct PairMark {
 /// @param planes       4 channels: w, dw/dx, dw/dy a pixel, the patch's number; 0: background
 /// @param focalLength  f
 /// @param creaseAngle  degrees
-/// @return             one byte a pixel: PairMark bits, the low four for the pixel and the one to its right, the high
-/// four
-///                     for the pixel and the one below
+/// @return             one byte a pixel: PairMark bits, the low four for the pixel and the one to its right, the
+///                     high four for the pixel and the one below
 /// @throws Error       (Kind::Usage) if there are not 4 channels
 [[nodiscard]] INKEDGE_API Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength,
                                                           bool orthographic, double creaseAngle);

@@ -44,7 +44,8 @@ struct Mesh {
     /// One a position, v = 0 at the top of the picture as in glTF; empty: none, or not asked for
     /// (LoadSettings::textureCoordinates). Of a mesh of several parts those without have (0, 0).
     std::vector<glm::vec2> textureCoordinates;
-    std::vector<VertexPaint> paint;  ///< one a position; empty: all as by default, or not asked for (LoadSettings::paint)
+    std::vector<VertexPaint>
+        paint;  ///< one a position; empty: all as by default, or not asked for (LoadSettings::paint)
     /// Mean curvature, one a position, one over mesh space's unit, over 0 where the surface bulges; made by the scene if
     /// LoadSettings::curvature asks for it, else empty.
     std::vector<float> curvatures;

@@ -44,26 +44,26 @@ enum class BackFaces {
 
 /// How much of a machine one file may take. What goes beyond is refused before it is made.
 struct LoadLimits {
-    std::uint64_t fileSize = 2'147'483'647;            ///< bytes of a model and all files that belong to it
-    std::uint64_t decompressedSize = 1'073'741'824;    ///< bytes that compressed geometry comes to
-    std::uint64_t vertices = 134'217'728;              ///< vertices and indices of all meshes drawn; below 2^32
-    std::uint64_t instances = 16'777'216;              ///< meshes drawn, each time counted
-    std::uint64_t nodes = 4'194'304;                   ///< of a glTF's node trees
-    std::uint64_t nodeDepth = 1'048'576;               ///< from a root down, roots are at 1
-    std::uint64_t imagePixels = 67'108'864;            ///< of one picture
+    std::uint64_t fileSize = 2'147'483'647;          ///< bytes of a model and all files that belong to it
+    std::uint64_t decompressedSize = 1'073'741'824;  ///< bytes that compressed geometry comes to
+    std::uint64_t vertices = 134'217'728;            ///< vertices and indices of all meshes drawn; below 2^32
+    std::uint64_t instances = 16'777'216;            ///< meshes drawn, each time counted
+    std::uint64_t nodes = 4'194'304;                 ///< of a glTF's node trees
+    std::uint64_t nodeDepth = 1'048'576;             ///< from a root down, roots are at 1
+    std::uint64_t imagePixels = 67'108'864;          ///< of one picture
 };
 
 /// What the loader makes of a file.
 struct LoadSettings {
     Normals normals = Normals::Auto;
-    double creaseAngle = 30.0;  ///< degrees, 0 to 180: faces that meet at more than this meet in a crease
+    double creaseAngle = 30.0;      ///< degrees, 0 to 180: faces that meet at more than this meet in a crease
     std::optional<int> scene = {};  ///< of a glTF's scenes; none: its default scene
     std::string animation = {};     ///< of a glTF's animations, by name or number; empty: its rest pose
-    double time = 0.0;          ///< seconds into the animation, which holds its first and last pose beyond its ends
+    double time = 0.0;              ///< seconds into the animation, which holds its first and last pose beyond its ends
     Transparent transparent = Transparent::Solid;
     AlphaMask alphaMask = AlphaMask::Cut;
     BackFaces backFaces = BackFaces::Draw;
-    int subdivide = 0;  ///< levels of refinement into a smooth surface, 0 to 6; 0: none
+    int subdivide = 0;                ///< levels of refinement into a smooth surface, 0 to 6; 0: none
     bool textureCoordinates = false;  ///< Mesh::textureCoordinates is filled in: for isoparametric lines
     bool paint = false;               ///< Mesh::paint, Material::color and Material::picture are filled in; glTF only
     bool curvature = false;           ///< Mesh::curvatures is filled in
@@ -97,12 +97,12 @@ struct Color {
 /// What a line is: bits of Maps::types. A place may be several at once; a line is drawn in the style of the first that
 /// has one of its own.
 enum class LineType : std::uint8_t {
-    Outline = 1,        ///< the model against the background
-    Occlusion = 2,      ///< a surface in front of another
-    Boundary = 4,       ///< where a surface ends: an open mesh's border
-    Crease = 8,         ///< two faces that meet at more than the crease angle
-    Intersection = 16,  ///< surfaces that run into each other, and borders of surfaces that touch
-    Object = 32,        ///< between two nodes of the scene
+    Outline = 1,         ///< the model against the background
+    Occlusion = 2,       ///< a surface in front of another
+    Boundary = 4,        ///< where a surface ends: an open mesh's border
+    Crease = 8,          ///< two faces that meet at more than the crease angle
+    Intersection = 16,   ///< surfaces that run into each other, and borders of surfaces that touch
+    Object = 32,         ///< between two nodes of the scene
     Isoparametric = 64,  ///< where a texture coordinate passes a step; only of lines from object space
     Marked = 128,        ///< edges that the file marks, but those drawn as one of the first three; object space only
 };
@@ -138,16 +138,16 @@ struct PictureSettings {
     static constexpr int leastTileSize = 256;  ///< of tileSize
     static constexpr int mostTileSize = 8192;
 
-    Size size{1024, 1024};                                   ///< pixels, 1 to mostSide along each axis
+    Size size{1024, 1024};  ///< pixels, 1 to mostSide along each axis
     Color lineColor{0, 0, 0};
     std::optional<Color> background = Color{255, 255, 255};  ///< none: transparent
     PictureLength lineWidth{1.5, false};                     ///< 0.5 to 32 pixels
     double dpi = 96.0;                                       ///< pixels an inch, for widths in millimetres
     std::optional<PageSize> page;                            ///< the sheet that vectors are for; none: the size at dpi
     int supersampling = 1;                                   ///< samples a pixel along each axis: 1, 2 or 4
-    int tileSize = 4096;  ///< the largest side of what is drawn at once, samples: trades memory for time
-    std::uint8_t lines = allLineTypes;                       ///< which types are drawn
-    std::array<LineStyle, lineTypeCount> lineStyles;         ///< in the order of LineType's bits
+    int tileSize = 4096;                ///< the largest side of what is drawn at once, samples: trades memory for time
+    std::uint8_t lines = allLineTypes;  ///< which types are drawn
+    std::array<LineStyle, lineTypeCount> lineStyles;  ///< in the order of LineType's bits
 };
 
 /// Where the lines come from.
@@ -164,15 +164,15 @@ enum class Contour {
 };
 /// How the contour edges of a mesh are searched for, section 3.2.
 enum class ContourFinder {
-    Every,   ///< every edge is looked at
+    Every,  ///< every edge is looked at
     Random,  ///< some edges, and what hangs together with those found: quick on large meshes, and may miss small contours
-    Gauss,   ///< a map of the edges' normals, made once, tells those near the contour; orthographic views only
+    Gauss,  ///< a map of the edges' normals, made once, tells those near the contour; orthographic views only
 };
 /// How seen lines are told from hidden ones, section 3.4.
 enum class Visibility {
     Exact,  ///< by rays
     Fast,   ///< by the buffers that the image-space passes draw; by rays where those leave a doubt, and in
-           ///< pictures over PictureSettings::tileSize
+            ///< pictures over PictureSettings::tileSize
 };
 /// What becomes of hidden lines.
 enum class HiddenLines { None, Dashed, Solid };
@@ -197,20 +197,20 @@ struct LineSettings {
     ContourFinder contourFinder = ContourFinder::Every;
     Visibility visibility = Visibility::Exact;
     HiddenLines hidden = HiddenLines::None;
-    double simplify = 0.25;   ///< pixels that polylines in files may stray from those found; 0: every point is kept
+    double simplify = 0.25;  ///< pixels that polylines in files may stray from those found; 0: every point is kept
     StrokeWidth strokeWidth = StrokeWidth::Constant;
     /// Pixels over which free ends of lines run out to nothing: those where no drawn line goes on, whatever its type, or
     /// meets them, as in a solid's corners. A line that runs behind another surface ends freely.
     double strokeTaper = 0.0;
     std::filesystem::path brush = {};  ///< a PNG, dark is ink, laid along lines from object space; empty: plain ink
-    double fitCurves = 0.0;   ///< pixels that cubic Bezier curves may stray from the lines; 0: polylines; SVG only
+    double fitCurves = 0.0;     ///< pixels that cubic Bezier curves may stray from the lines; 0: polylines; SVG only
     int subdivideAdaptive = 0;  ///< levels of refinement near contours, section 3.3, 0 to 6; 0: none
     Isolines isolines = {};
 };
 
 enum class Detector {
-    Planes,   ///< where the visible faces' planes do not go on into each other; needs no threshold
-    Classic,  ///< gradients of the depth map and of the normal map, Hertzmann 1999, appendix A
+    Planes,          ///< where the visible faces' planes do not go on into each other; needs no threshold
+    Classic,         ///< gradients of the depth map and of the normal map, Hertzmann 1999, appendix A
     SaitoTakahashi,  ///< profiles and internal edges of the depth map, Saito and Takahashi 1990 (its reference 18)
     None,            ///< no lines but those of DetectorSettings::functions
 };
@@ -261,14 +261,14 @@ struct StyleSettings {
     /// Degrees, 0.1 to 90: facets that bend by this much give a dark mark in half light; none: the median bend of all
     /// edges within smooth surfaces of the scene, by their length.
     std::optional<double> hatchBend;
-    double hatchShade = 1.0;          ///< 0 to 1: how much fewer marks there are in the light than in the dark
-    double hatchWidth = 0.75;         ///< pixels, 0.25 to 2
-    double sumiWidth = 6.0;           ///< pixels, 1 to 32: of the brush
-    double sumiLength = 24.0;         ///< pixels, 0 to 100: how far ink is smeared along an edge, each way
-    int sumiStreaks = 0;              ///< steps that depth is sampled in, each a streak; 0: none
-    int pencilStrokes = 3;            ///< 1 to 8: times that a line is drawn
-    double pencilLooseness = 3.0;     ///< pixels, 0 to 32: how far strokes stray
-    int pencilSeed = 1;               ///< of chance: the same strays the same way in every picture
+    double hatchShade = 1.0;       ///< 0 to 1: how much fewer marks there are in the light than in the dark
+    double hatchWidth = 0.75;      ///< pixels, 0.25 to 2
+    double sumiWidth = 6.0;        ///< pixels, 1 to 32: of the brush
+    double sumiLength = 24.0;      ///< pixels, 0 to 100: how far ink is smeared along an edge, each way
+    int sumiStreaks = 0;           ///< steps that depth is sampled in, each a streak; 0: none
+    int pencilStrokes = 3;         ///< 1 to 8: times that a line is drawn
+    double pencilLooseness = 3.0;  ///< pixels, 0 to 32: how far strokes stray
+    int pencilSeed = 1;            ///< of chance: the same strays the same way in every picture
 };
 
 /// A map that a render can give beside the picture.

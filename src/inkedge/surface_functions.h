@@ -55,7 +55,8 @@ struct FunctionDescription {
     std::string_view name;
     std::string_view help;  ///< one line
     std::span<const FunctionOption> options;
-    std::string_view file;  ///< what FunctionSettings::file holds: "PICTURE" (PNG or JPEG) or "GLSL"; empty: it takes none
+    std::string_view
+        file;         ///< what FunctionSettings::file holds: "PICTURE" (PNG or JPEG) or "GLSL"; empty: it takes none
     float threshold;  ///< the default T under Sobel's kernels, under which a step of 1 has magnitude 4
     /// Its value on the background; none: borders of surfaces against the background are no edges.
     std::optional<float> background;

@@ -15,9 +15,9 @@
 #include <inkedge/write.h>
 
 #include "io/file.h"
-#include "modules/image_module.h"
 #include "io/picture.h"
 #include "io/read_png.h"
+#include "modules/image_module.h"
 
 namespace fs = std::filesystem;
 

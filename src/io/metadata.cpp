@@ -79,12 +79,12 @@ Json settingsJson(const Settings& settings) {
     return json;
 }
 
-Json boundsJson(const Sphere& bounds) {
-    return {{"centre", vectorJson(bounds.centre)}, {"radius", bounds.radius}};
-}
+Json boundsJson(const Sphere& bounds) { return {{"centre", vectorJson(bounds.centre)}, {"radius", bounds.radius}}; }
 
 // Names inside a model need not be UTF-8; a broken one must not cost the metadata.
-std::string textOf(const Json& json, int indent) { return json.dump(indent, ' ', false, Json::error_handler_t::replace); }
+std::string textOf(const Json& json, int indent) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
 
 }  // namespace io
 

@@ -213,8 +213,9 @@ std::string linesSvg(const Scene& scene, const Lines& lines, const Settings& set
                     "lines: expected a picture of at least one pixel, found none; were they drawn?"};
     }
     if (!settings.lines.brush.empty()) {
-        throw Error{Error::Kind::Usage,
-                    "brush: expected a picture of pixels, found SVG, which has no textures; leave it out, or write a .png"};
+        throw Error{
+            Error::Kind::Usage,
+            "brush: expected a picture of pixels, found SVG, which has no textures; leave it out, or write a .png"};
     }
     const PictureSettings picture = onPage(settings.picture, size);
     const io::Json metadata{{"camera", io::cameraJson(lines.camera, size)},

@@ -10,8 +10,8 @@
 #include <inkedge/error.h>
 
 #include "io/file.h"
-#include "modules/image_module.h"
 #include "io/picture.h"
+#include "modules/image_module.h"
 #include "raster/memory.h"
 
 namespace fs = std::filesystem;
@@ -82,8 +82,14 @@ Image<std::uint8_t> edgePicture(const Image<std::uint8_t>& mask) {
 
 /// One colour for each combination of bits: outlines red, occlusions green, creases blue and so on; white off lines.
 Image<std::uint8_t> typesPicture(const Image<std::uint8_t>& types) {
-    constexpr std::array<std::array<int, 3>, lineTypeCount> inks{
-        {{220, 30, 30}, {20, 150, 40}, {230, 140, 0}, {30, 70, 220}, {160, 40, 180}, {20, 170, 180}, {120, 120, 120}, {90, 60, 30}}};
+    constexpr std::array<std::array<int, 3>, lineTypeCount> inks{{{220, 30, 30},
+                                                                  {20, 150, 40},
+                                                                  {230, 140, 0},
+                                                                  {30, 70, 220},
+                                                                  {160, 40, 180},
+                                                                  {20, 170, 180},
+                                                                  {120, 120, 120},
+                                                                  {90, 60, 30}}};
     Image<std::uint8_t> picture{types.size, 3, std::uint8_t{255}};
     for (std::size_t i = 0; i < types.pixels.size(); ++i) {
         const unsigned bits = types.pixels[i];

@@ -60,7 +60,8 @@ void addThinBorders(const Scene& scene, std::span<const MeshEdges> meshes, std::
 }  // namespace
 
 std::vector<BorderPart> findBorderParts(const Scene& scene, std::span<const MeshEdges> meshes) {
-    Borders borders{scene, [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& { return meshes[mesh].faceNormals; }};
+    Borders borders{scene,
+                    [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& { return meshes[mesh].faceNormals; }};
     const std::vector<std::vector<Cover>> covers = findCovers(scene, borders);
     std::vector<BorderPart> parts;
     for (std::uint32_t i = 0; i < covers.size(); ++i) {
@@ -70,7 +71,8 @@ std::vector<BorderPart> findBorderParts(const Scene& scene, std::span<const Mesh
             parts.push_back({edge.instance, edge.halfEdge, from, to});
             parts.back().marked = marked;
         };
-        const double least = borders.tolerance() / glm::length(edge.b - edge.a);  // shorter gaps between covers are none
+        const double least =
+            borders.tolerance() / glm::length(edge.b - edge.a);  // shorter gaps between covers are none
         std::vector<Cover> own = covers[i];
         std::ranges::sort(own, [](const Cover& a, const Cover& b) { return a.from < b.from; });
         double reached = 0.0;
@@ -80,8 +82,13 @@ std::vector<BorderPart> findBorderParts(const Scene& scene, std::span<const Mesh
             reached = std::max(reached, cover.to);
             if (cover.to <= from || cover.other == noBorder) continue;
             const BorderEdge& other = borders.edges()[cover.other];
-            parts.push_back({edge.instance, edge.halfEdge, from, cover.to, {other.instance, other.halfEdge / 3},
-                             0.5 * (other.a + other.b) + other.into * glm::length(other.b - other.a), cover.bends,
+            parts.push_back({edge.instance,
+                             edge.halfEdge,
+                             from,
+                             cover.to,
+                             {other.instance, other.halfEdge / 3},
+                             0.5 * (other.a + other.b) + other.into * glm::length(other.b - other.a),
+                             cover.bends,
                              marked || isMarkedBorder(scene, other)});
         }
         if (reached < 1.0 - least) add(reached, 1.0);

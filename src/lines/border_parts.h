@@ -19,10 +19,10 @@ struct BorderPart {
     std::uint32_t halfEdge;
     double from;  ///< shares of the edge's length
     double to;
-    SceneFace other{~0U, 0};      ///< the face that goes on across it; none: the surface ends
-    glm::dvec3 otherInner{0.0};   ///< with another face: a point of it off the edge, world less the centre of the bounds
-    bool bends = false;           ///< with another face: by more than the crease angle
-    bool marked = false;          ///< whether the file marks it, on either face
+    SceneFace other{~0U, 0};     ///< the face that goes on across it; none: the surface ends
+    glm::dvec3 otherInner{0.0};  ///< with another face: a point of it off the edge, world less the centre of the bounds
+    bool bends = false;          ///< with another face: by more than the crease angle
+    bool marked = false;         ///< whether the file marks it, on either face
 };
 
 /// The borders of all instances, parted where other borders run along them: parts that touch each other are one surface,

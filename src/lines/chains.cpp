@@ -50,8 +50,8 @@ public:
             return key(a) != key(b) ? key(a) < key(b) : a < b;
         });
         for (auto run = ends.begin(); run != ends.end();) {
-            const auto end =
-                std::find_if(run, ends.end(), [&](std::uint32_t e) { return key(e) != key(*run) || kind(e) != kind(*run); });
+            const auto end = std::find_if(
+                run, ends.end(), [&](std::uint32_t e) { return key(e) != key(*run) || kind(e) != kind(*run); });
             joinAt({run, end});
             run = end;
         }

@@ -133,14 +133,16 @@ std::vector<std::uint8_t> ContourSearch::findFacing(const MeshEye& eye) const {
             std::array<float, blockSize> heights;
             std::int32_t doubtful = 0;
             for (std::size_t t = begin; t < end; ++t) {
-                const float height = planes_.x[t] * to.x + planes_.y[t] * to.y + planes_.z[t] * to.z - planes_.offset[t] * scale;
+                const float height =
+                    planes_.x[t] * to.x + planes_.y[t] * to.y + planes_.z[t] * to.z - planes_.offset[t] * scale;
                 heights[t - begin] = height;
                 doubtful |= std::abs(height) > doubt ? 0 : 1;
             }
             for (std::size_t t = begin; t < end; ++t) facing[t] = heights[t - begin] > 0.0F ? 1 : 0;
             if (doubtful == 0) continue;
             for (std::size_t t = begin; t < end; ++t)
-                if (!(std::abs(heights[t - begin]) > doubt)) facing[t] = isFront(eye, static_cast<std::uint32_t>(t)) ? 1 : 0;
+                if (!(std::abs(heights[t - begin]) > doubt))
+                    facing[t] = isFront(eye, static_cast<std::uint32_t>(t)) ? 1 : 0;
         }
     });
     return facing;
@@ -274,14 +276,16 @@ private:
 
 std::vector<std::uint32_t> ContourSearch::searchAtRandom(const MeshEye& eye, ContourMemory& memory) const {
     constexpr double samplesARoot = 16.0;  // tests a view: this times the root of the number of edges
-    constexpr std::size_t firstView = 4;  // times as many
-    constexpr std::size_t descentsOneIn = 16;  // of the last view's edges that are none now: their neighbours lead the same way
+    constexpr std::size_t firstView = 4;   // times as many
+    constexpr std::size_t descentsOneIn =
+        16;  // of the last view's edges that are none now: their neighbours lead the same way
     const std::vector<std::uint32_t>& order = samples().order;
     Walk walk{*this, eye};
     std::size_t lost = 0;
     for (const std::uint32_t edge : memory.last)
         if (!walk.test(edge) && !walk.isFound(edge) && lost++ % descentsOneIn == 0) walk.descend(edge);
-    auto tests = static_cast<std::size_t>(samplesARoot * std::sqrt(static_cast<double>(edges_.shared.halfEdges.size())));
+    auto tests =
+        static_cast<std::size_t>(samplesARoot * std::sqrt(static_cast<double>(edges_.shared.halfEdges.size())));
     if (memory.last.empty()) tests *= firstView;
     for (std::size_t i = 0; i < std::min(tests, order.size()); ++i) {
         walk.test(order[memory.sample % order.size()]);

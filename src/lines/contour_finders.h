@@ -28,8 +28,9 @@ struct MeshEye {
 
 /// The contour edges of a mesh for one eye.
 struct FoundContours {
-    std::vector<std::uint32_t> edges;   ///< into MeshEdges::shared, ascending
-    std::vector<std::uint8_t> facing;   ///< one a face: 1 if its front is to the eye; empty unless every edge was looked at
+    std::vector<std::uint32_t> edges;  ///< into MeshEdges::shared, ascending
+    std::vector<std::uint8_t>
+        facing;  ///< one a face: 1 if its front is to the eye; empty unless every edge was looked at
 };
 
 /// What ContourFinder::Random goes on from in its next view of an instance.

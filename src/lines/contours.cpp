@@ -13,7 +13,6 @@
 namespace inkedge::lines {
 namespace {
 
-
 // An instance and the eye in its mesh's space, where facing needs no care for mirrors.
 class InstanceCurves {
 public:
@@ -296,8 +295,8 @@ private:
                 normals += glm::dvec3{refined.normals[corners[k]]};
                 const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
                 const auto next = static_cast<std::uint32_t>(edges.size());
-                facet.edges[k] = refinedKey(
-                    instance_, edges.try_emplace((std::uint64_t{low} << 32U) | high, next).first->second);
+                facet.edges[k] =
+                    refinedKey(instance_, edges.try_emplace((std::uint64_t{low} << 32U) | high, next).first->second);
             }
             facet.slant = planeSlant(facet.corners, normals);
             addSmoothContour(facet);
@@ -390,14 +389,15 @@ private:
     glm::dmat4 place_;
     MeshEye eye_;
     FoundContours contours_;
-    std::vector<bool> smooth_;                 // one a patch
-    std::vector<double> slants_;               // one a position
+    std::vector<bool> smooth_;    // one a patch
+    std::vector<double> slants_;  // one a position
 };
 
 }  // namespace
 
-void collectInstanceCurves(const Scene& scene, std::uint32_t instance, const InstanceEdges& edges, ContourMemory& memory,
-                           const Screen& screen, const CurveChoice& choice, std::vector<Segment>& to) {
+void collectInstanceCurves(const Scene& scene, std::uint32_t instance, const InstanceEdges& edges,
+                           ContourMemory& memory, const Screen& screen, const CurveChoice& choice,
+                           std::vector<Segment>& to) {
     InstanceCurves{scene, instance, edges, screen, choice, to}.collect(memory);
 }
 

@@ -11,8 +11,8 @@
 #include "lines/contour_finders.h"
 #include "lines/isolines.h"
 #include "lines/screen.h"
-#include "scene/control_mesh.h"
 #include "lines/segment.h"
+#include "scene/control_mesh.h"
 
 namespace inkedge::lines {
 
@@ -20,8 +20,8 @@ namespace inkedge::lines {
 struct CurveChoice {
     Contour contour = Contour::Auto;
     ContourFinder finder = ContourFinder::Every;
-    int refinement = 0;           ///< levels of subdivision near smooth contours
-    const ControlMesh* control = nullptr;  ///< of the mesh; with a refinement
+    int refinement = 0;                      ///< levels of subdivision near smooth contours
+    const ControlMesh* control = nullptr;    ///< of the mesh; with a refinement
     HiddenLines hidden = HiddenLines::None;  ///< what a part itself hides is found only if it is wanted
     bool eyeOutside = true;  ///< the eye and the near plane are outside the scene: closed parts hide their backs
     std::uint8_t lines = allLineTypes;  ///< PictureSettings::lines: whether marked edges are drawn, and as what
@@ -29,7 +29,7 @@ struct CurveChoice {
 
 /// What one instance's mesh has of its own, whatever the view.
 struct InstanceEdges {
-    const ContourSearch& search;  ///< the mesh's
+    const ContourSearch& search;               ///< the mesh's
     std::span<const BorderPart> borders;       ///< the instance's, of findBorderParts()
     std::span<const IsolineSegment> isolines;  ///< the mesh's that are wanted
 };

@@ -5,11 +5,10 @@
 
 #include <glm/common.hpp>
 
-
 namespace inkedge::lines {
 namespace {
 
-constexpr double cellSize = 8.0;     // pixels
+constexpr double cellSize = 8.0;    // pixels
 constexpr double leastStep = 0.05;  // footprints: what is nearer by less lies on the same surface
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
@@ -25,15 +24,21 @@ public:
     void forEachCell(const ScreenSegment& s, Visit&& visit) const {
         const glm::dvec2 a = s.ends[0].place / cellSize;
         const glm::dvec2 b = s.ends[1].place / cellSize;
-        const auto clampRow = [&](double y) { return std::clamp(static_cast<int>(std::clamp(std::floor(y), -1.0, 1e9)), 0, rows_ - 1); };
-        const auto clampColumn = [&](double x) { return std::clamp(static_cast<int>(std::clamp(std::floor(x), -1.0, 1e9)), 0, columns_ - 1); };
+        const auto clampRow = [&](double y) {
+            return std::clamp(static_cast<int>(std::clamp(std::floor(y), -1.0, 1e9)), 0, rows_ - 1);
+        };
+        const auto clampColumn = [&](double x) {
+            return std::clamp(static_cast<int>(std::clamp(std::floor(x), -1.0, 1e9)), 0, columns_ - 1);
+        };
         const int firstRow = clampRow(std::min(a.y, b.y));
         const int lastRow = clampRow(std::max(a.y, b.y));
         for (int row = firstRow; row <= lastRow; ++row) {
             double low = std::min(a.x, b.x);
             double high = std::max(a.x, b.x);
             if (firstRow != lastRow && a.y != b.y) {  // where the segment is between the row's borders
-                const auto at = [&](double y) { return a.x + (b.x - a.x) * std::clamp((y - a.y) / (b.y - a.y), 0.0, 1.0); };
+                const auto at = [&](double y) {
+                    return a.x + (b.x - a.x) * std::clamp((y - a.y) / (b.y - a.y), 0.0, 1.0);
+                };
                 const double top = at(row == firstRow ? std::min(a.y, b.y) : row);
                 const double bottom = at(row == lastRow ? std::max(a.y, b.y) : row + 1);
                 low = std::min(top, bottom);
@@ -41,7 +46,8 @@ public:
             }
             const int last = clampColumn(high);
             for (int column = clampColumn(low); column <= last; ++column)
-                visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column));
+                visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                      static_cast<std::size_t>(column));
         }
     }
 
@@ -51,7 +57,9 @@ public:
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
     }
 
-    [[nodiscard]] std::size_t cells() const { return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_); }
+    [[nodiscard]] std::size_t cells() const {
+        return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+    }
 
 private:
     int columns_;
@@ -82,7 +90,8 @@ std::vector<Crossing> findCrossings(std::span<const Segment> segments, std::span
     std::vector<std::uint32_t> occluders(begins.back());
     std::vector<std::uint32_t> fill(begins.begin(), begins.end() - 1);
     for (std::uint32_t s = 0; s < segments.size(); ++s)
-        if (segments[s].occludes) grid.forEachCell(screenSegments[s], [&](std::size_t cell) { occluders[fill[cell]++] = s; });
+        if (segments[s].occludes)
+            grid.forEachCell(screenSegments[s], [&](std::size_t cell) { occluders[fill[cell]++] = s; });
 
     std::vector<Crossing> crossings;
     for (std::uint32_t s = 0; s < segments.size(); ++s) {
@@ -102,8 +111,10 @@ std::vector<Crossing> findCrossings(std::span<const Segment> segments, std::span
                 if (!(u > 0.0 && u < 1.0 && v >= 0.0 && v <= 1.0)) continue;
                 if (grid.cellOf(own.ends[0].place + u * along) != cell) continue;  // each crossing once
                 const double ownNearness = own.ends[0].nearness + u * (own.ends[1].nearness - own.ends[0].nearness);
-                const double itsNearness = other.ends[0].nearness + v * (other.ends[1].nearness - other.ends[0].nearness);
-                if (screen.footprintsBefore(itsNearness, ownNearness) <= leastStep + slack.of(segments[occluders[i]].faces[0]))
+                const double itsNearness =
+                    other.ends[0].nearness + v * (other.ends[1].nearness - other.ends[0].nearness);
+                if (screen.footprintsBefore(itsNearness, ownNearness) <=
+                    leastStep + slack.of(segments[occluders[i]].faces[0]))
                     continue;
                 if (!meet(segments[s], segments[occluders[i]])) crossings.push_back({s, u});
             }

@@ -15,8 +15,8 @@ void resolve(void* library, const char* name, Function& function) {
     function = reinterpret_cast<Function>(::dlsym(library, name));
     if (function == nullptr) {
         throw Error{Error::Kind::Runtime,
-                    fmt::format("lines from object space: expected {} in {}, found none; install Embree 3.13",
-                                name, libraryName)};
+                    fmt::format("lines from object space: expected {} in {}, found none; install Embree 3.13", name,
+                                libraryName)};
     }
 }
 
@@ -56,12 +56,18 @@ Api load() {
 
 const char* reasonFor(RTCError error) {
     switch (error) {
-        case RTC_ERROR_OUT_OF_MEMORY: return "out of memory";
-        case RTC_ERROR_UNSUPPORTED_CPU: return "a processor that it does not support";
-        case RTC_ERROR_INVALID_ARGUMENT: return "an invalid argument";
-        case RTC_ERROR_INVALID_OPERATION: return "an invalid operation";
-        case RTC_ERROR_CANCELLED: return "a cancelled build";
-        default: return "an unknown error";
+        case RTC_ERROR_OUT_OF_MEMORY:
+            return "out of memory";
+        case RTC_ERROR_UNSUPPORTED_CPU:
+            return "a processor that it does not support";
+        case RTC_ERROR_INVALID_ARGUMENT:
+            return "an invalid argument";
+        case RTC_ERROR_INVALID_OPERATION:
+            return "an invalid operation";
+        case RTC_ERROR_CANCELLED:
+            return "a cancelled build";
+        default:
+            return "an unknown error";
     }
 }
 

@@ -11,8 +11,8 @@
 namespace inkedge::lines {
 namespace {
 
-constexpr std::uint32_t deepest = 12;         // level: cells of a fiftieth of a degree
-constexpr std::size_t worthDividing = 16;     // arcs in a cell
+constexpr std::uint32_t deepest = 12;      // level: cells of a fiftieth of a degree
+constexpr std::size_t worthDividing = 16;  // arcs in a cell
 constexpr unsigned levelBits = 4;
 constexpr unsigned mortonBits = 2 * deepest;
 

@@ -42,9 +42,9 @@ private:
 
     void addCell(const std::vector<std::uint64_t>& arcs, std::size_t begin, std::size_t end, Place);
 
-    std::vector<Cell> cells_;            // each before those below it
-    std::vector<std::uint32_t> edges_;   // into MeshEdges::shared
-    std::size_t largeEnd_ = 0;           // of those at the beginning of edges_ that no cell holds
+    std::vector<Cell> cells_;           // each before those below it
+    std::vector<std::uint32_t> edges_;  // into MeshEdges::shared
+    std::size_t largeEnd_ = 0;          // of those at the beginning of edges_ that no cell holds
 };
 
 }  // namespace inkedge::lines

@@ -534,8 +534,7 @@ private:
         std::vector<Part> parts;
         for (std::size_t i = 0; i < pairings.size(); ++i)
             for (const Pairing::Task& task : pairings[i].tasks()) parts.push_back({i, task, {}});
-        onEach(parts.size(),
-                   [&](std::size_t i) { parts[i].found = pairings[parts[i].pairing].find(parts[i].task); });
+        onEach(parts.size(), [&](std::size_t i) { parts[i].found = pairings[parts[i].pairing].find(parts[i].task); });
 
         std::vector<Crossing> crossings(pairings.size());
         for (Part& part : parts) {

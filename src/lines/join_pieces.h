@@ -9,8 +9,8 @@
 #include <inkedge/lines.h>
 #include <inkedge/scene.h>
 
-#include "scene/scene_face.h"
 #include "lines/screen.h"
+#include "scene/scene_face.h"
 
 namespace inkedge::lines {
 

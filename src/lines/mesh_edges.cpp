@@ -40,7 +40,9 @@ void collectMany(const MeshTopology& topology, MeshEdges& edges) {
     auto& many = edges.many;
     for (std::uint32_t h = 0; h < topology.twins.size(); ++h)
         if (topology.twins[h] == manyHalfEdges) many.push_back(h);
-    const auto ends = [&](std::uint32_t h) { return std::minmax(topology.points[h], topology.points[nextHalfEdge(h)]); };
+    const auto ends = [&](std::uint32_t h) {
+        return std::minmax(topology.points[h], topology.points[nextHalfEdge(h)]);
+    };
     std::ranges::sort(many, [&](std::uint32_t a, std::uint32_t b) {
         const auto ea = ends(a);
         const auto eb = ends(b);

@@ -16,13 +16,14 @@ namespace inkedge::lines {
 struct MeshEdges {
     /// Edges that two faces share: where one face is front-facing and the other is not, the edge is a silhouette.
     struct Shared {
-        std::vector<std::uint32_t> faces;   ///< two an edge; the first one's half-edge names the edge
+        std::vector<std::uint32_t> faces;      ///< two an edge; the first one's half-edge names the edge
         std::vector<std::uint32_t> halfEdges;  ///< one an edge: of the first face
-        std::vector<std::uint8_t> against;  ///< one an edge: 1 if the faces are wound against each other, else 0
-        std::vector<std::uint8_t> split;    ///< one an edge: 1 if it is a crease or the faces are shaded with different normals
+        std::vector<std::uint8_t> against;     ///< one an edge: 1 if the faces are wound against each other, else 0
+        std::vector<std::uint8_t>
+            split;  ///< one an edge: 1 if it is a crease or the faces are shaded with different normals
     } shared;
-    std::vector<std::uint32_t> creases;  ///< into shared, ascending
-    std::vector<std::uint32_t> marked;   ///< likewise: those that the file marks and that are no creases
+    std::vector<std::uint32_t> creases;      ///< into shared, ascending
+    std::vector<std::uint32_t> marked;       ///< likewise: those that the file marks and that are no creases
     std::vector<std::uint32_t> thinBorders;  ///< half-edges: borders of faces without a normal
     /// Half-edges of edges that three or more faces share: those of one edge follow each other.
     std::vector<std::uint32_t> many;

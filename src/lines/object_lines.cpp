@@ -128,12 +128,18 @@ struct View {
 // What a line is, whether or not it is drawn.
 LineType typeOf(Curve curve, Seen seen) {
     switch (curve) {
-        case Curve::Contour: return seen == Seen::Outline ? LineType::Outline : LineType::Occlusion;
-        case Curve::Boundary: return seen == Seen::Outline ? LineType::Outline : LineType::Boundary;
-        case Curve::Crease: return LineType::Crease;
-        case Curve::Intersection: return LineType::Intersection;
-        case Curve::Isoparametric: return LineType::Isoparametric;
-        case Curve::Marked: return LineType::Marked;
+        case Curve::Contour:
+            return seen == Seen::Outline ? LineType::Outline : LineType::Occlusion;
+        case Curve::Boundary:
+            return seen == Seen::Outline ? LineType::Outline : LineType::Boundary;
+        case Curve::Crease:
+            return LineType::Crease;
+        case Curve::Intersection:
+            return LineType::Intersection;
+        case Curve::Isoparametric:
+            return LineType::Isoparametric;
+        case Curve::Marked:
+            return LineType::Marked;
     }
     return LineType::Crease;
 }
@@ -148,8 +154,8 @@ void addIntersections(const std::vector<IntersectionSegment>& found, std::vector
     std::uint32_t next = 0;
     for (std::size_t i = 0; i < found.size(); ++i) {
         const IntersectionSegment& crossing = found[i];
-        const bool samePair = i > 0 && crossing.a.instance == found[i - 1].a.instance &&
-                              crossing.b.instance == found[i - 1].b.instance;
+        const bool samePair =
+            i > 0 && crossing.a.instance == found[i - 1].a.instance && crossing.b.instance == found[i - 1].b.instance;
         if (!samePair) first = next;
         next = std::max({next, first + crossing.nodes[0] + 1, first + crossing.nodes[1] + 1});
         Segment& segment = to.emplace_back();
@@ -255,8 +261,8 @@ struct ObjectLines::State {
             const std::uint32_t mesh = scene.instances()[i].mesh;
             if (choice.refinement > 0) choice.control = &controlOf(mesh);
             ContourMemory memory = recall(i, choice.finder);
-            collectInstanceCurves(scene, i, {*searches[mesh], bordersOf(i), (*isolinesOfMeshes)[mesh]}, memory, screen, choice,
-                                  segments);
+            collectInstanceCurves(scene, i, {*searches[mesh], bordersOf(i), (*isolinesOfMeshes)[mesh]}, memory, screen,
+                                  choice, segments);
             remember(i, std::move(memory));
         }
         return segments;
@@ -305,10 +311,11 @@ Lines ObjectLines::find(const Camera& camera, const Settings& settings, const Vi
 
     const Screen screen{camera, scene.bounds().centre, settings.picture.size};
     View view{scene, state_->rays, screen, buffers, nullptr, {}, {}};
-    view.segments = state_->curves(screen,
-                                   {settings.lines.contour, settings.lines.contourFinder, settings.lines.subdivideAdaptive,
-                                    nullptr, settings.lines.hidden, standsOutside(camera, scene), settings.picture.lines},
-                                   drawnIsolines(settings));
+    view.segments =
+        state_->curves(screen,
+                       {settings.lines.contour, settings.lines.contourFinder, settings.lines.subdivideAdaptive, nullptr,
+                        settings.lines.hidden, standsOutside(camera, scene), settings.picture.lines},
+                       drawnIsolines(settings));
     watch.finish("curves");
     if ((settings.picture.lines & static_cast<std::uint8_t>(LineType::Intersection)) != 0)
         addIntersections(state_->intersections(), view.segments);

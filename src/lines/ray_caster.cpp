@@ -145,8 +145,7 @@ bool RayCaster::hides(const Screen& screen, glm::dvec3 point, std::span<const Sc
     return false;
 }
 
-std::optional<glm::dvec3> RayCaster::firstNormal(glm::dvec3 from, glm::dvec3 to,
-                                                 std::span<const SceneFace> own) const {
+std::optional<glm::dvec3> RayCaster::firstNormal(glm::dvec3 from, glm::dvec3 to, std::span<const SceneFace> own) const {
     constexpr int mostHits = 8;
     double begin = 0.0;
     for (int i = 0; i < mostHits && begin < 1.0; ++i) {

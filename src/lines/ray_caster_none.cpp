@@ -13,7 +13,9 @@ RayCaster::RayCaster(const Scene&) {
 }
 RayCaster::~RayCaster() = default;
 bool RayCaster::hides(const Screen&, glm::dvec3, std::span<const SceneFace>, const Slack&) const { return false; }
-std::optional<glm::dvec3> RayCaster::firstNormal(glm::dvec3, glm::dvec3, std::span<const SceneFace>) const { return {}; }
+std::optional<glm::dvec3> RayCaster::firstNormal(glm::dvec3, glm::dvec3, std::span<const SceneFace>) const {
+    return {};
+}
 bool RayCaster::meets(const Screen&, glm::dvec3) const { return false; }
 
 }  // namespace inkedge::lines

@@ -6,10 +6,7 @@
 namespace inkedge::lines {
 
 Screen::Screen(const Camera& camera, glm::dvec3 origin, Size size)
-    : size_{size},
-      orthographic_{camera.orthographic()},
-      focalLength_{camera.focalLength(size)},
-      near_{camera.near} {
+    : size_{size}, orthographic_{camera.orthographic()}, focalLength_{camera.focalLength(size)}, near_{camera.near} {
     const glm::dmat4 toWorld = glm::inverse(camera.view);
     right_ = glm::normalize(glm::dvec3{toWorld[0]});
     up_ = glm::normalize(glm::dvec3{toWorld[1]});

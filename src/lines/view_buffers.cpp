@@ -8,7 +8,7 @@
 namespace inkedge::lines {
 namespace {
 
-constexpr double beside = 0.75;        // pixels
+constexpr double beside = 0.75;         // pixels
 constexpr double nearerByChance = 0.1;  // pixels across
 
 bool isInside(Size size, glm::dvec2 place) {

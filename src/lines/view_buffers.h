@@ -8,17 +8,17 @@
 
 #include <inkedge/image.h>
 
-#include "scene/scene_face.h"
 #include "lines/screen.h"
 #include "lines/surface_parts.h"
 #include "raster/samples.h"
+#include "scene/scene_face.h"
 
 namespace inkedge::lines {
 
 /// What a camera sees, pixel by pixel, as the image-space passes draw it.
 struct ViewBuffers {
-    Samples<float> planes;             ///< as PlaneBuffers::planes
-    Samples<std::uint32_t> triangles;  ///< as PlaneBuffers::triangles
+    Samples<float> planes;                      ///< as PlaneBuffers::planes
+    Samples<std::uint32_t> triangles;           ///< as PlaneBuffers::triangles
     std::vector<std::uint32_t> firstTriangles;  ///< for each instance the number of its first triangle in the scene
     double unit = 1.0;                          ///< scene units in a unit length of the planes
 };

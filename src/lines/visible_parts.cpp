@@ -229,7 +229,8 @@ private:
         }
         merge();
         for (std::size_t i = 0; i < parts_.size(); ++i) {
-            const bool alone = !isSeen(beside(i, -1).value_or(Seen::Hidden)) && !isSeen(beside(i, 1).value_or(Seen::Hidden));
+            const bool alone =
+                !isSeen(beside(i, -1).value_or(Seen::Hidden)) && !isSeen(beside(i, 1).value_or(Seen::Hidden));
             if (isSeen(parts_[i].seen) && alone && parts_.size() > 1 && length(parts_[i]) < leastPart)
                 parts_[i].seen = Seen::Hidden;
         }

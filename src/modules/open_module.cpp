@@ -43,8 +43,9 @@ void* open(const Module& module, const fs::path& file, Error::Kind failure) {
     void* const symbol = object == nullptr ? nullptr : ::dlsym(object, module.symbol);
     if (symbol == nullptr) {
         const char* const reason = ::dlerror();
-        throw Error{failure, fmt::format("{}: {} cannot be used: {}; reinstall inkedge and {}", module.purpose,
-                                         file.string(), reason == nullptr ? "no reason given" : reason, module.library)};
+        throw Error{failure,
+                    fmt::format("{}: {} cannot be used: {}; reinstall inkedge and {}", module.purpose, file.string(),
+                                reason == nullptr ? "no reason given" : reason, module.library)};
     }
     return symbol;
 }
@@ -60,8 +61,8 @@ void* openModule(const Module& module, std::span<const fs::path> folders, Error:
         if (fs::exists(folder / module.file, ignored)) return open(module, folder / module.file, failure);
         if (std::find(tried.begin(), tried.end(), folder.string()) == tried.end()) tried.push_back(folder.string());
     }
-    throw Error{failure, fmt::format("{}: expected {} in one of {}, found none; reinstall inkedge, or {}", module.purpose,
-                                     module.file, fmt::join(tried, ", "), module.remedy)};
+    throw Error{failure, fmt::format("{}: expected {} in one of {}, found none; reinstall inkedge, or {}",
+                                     module.purpose, module.file, fmt::join(tried, ", "), module.remedy)};
 }
 
 }  // namespace inkedge

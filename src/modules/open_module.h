@@ -20,8 +20,8 @@ struct Module {
 
 /// The module's symbol. The module stays open.
 /// @param failure  the kind of the error, if there is one: what the caller was about to do
-/// @throws Error   (failure) if the module is not found beside the library, or does not fit it; a later call tries
-/// again
+/// @throws Error   (failure) if the module is not found beside the library, or does not fit it; a later call
+///                 tries again
 [[nodiscard]] void* openModule(const Module&, Error::Kind failure);
 
 /// The same from the first of these folders that holds the module.

@@ -13,8 +13,7 @@ namespace inkedge {
 /// A surface function's values: Hertzmann 1999, section 2.1.3. Shaders: draw_function.vert, draw_function.frag and one
 /// of shaders/functions, or a user's file. CPU definition: reference::drawFunction().
 /// @return        RGBA32F of the size of what the tile draws; the background's last channel is over 1e29 where the
-/// function
-///                has no value there
+///                function has no value there
 /// @throws Error  (Kind::Input) if the scene has no texture coordinates and the function needs them, or a file of it
 ///                cannot be read or, a shader, is refused: the message names file and line
 [[nodiscard]] gl::Texture drawFunction(gl::Gpu&, const gl::UploadedScene&, gl::FunctionInputs&, const Scene&,

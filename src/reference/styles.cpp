@@ -47,8 +47,8 @@ public:
         facet.there = value(3) != 0.0;
         const glm::dvec2 fromCentre{x + 0.5 - 0.5 * planes_.size.width, y + 0.5 - 0.5 * planes_.size.height};
         const double towardsEye = orthographic_ ? 1.0 : facet.w - glm::dot(facet.slope, fromCentre);
-        facet.normal = glm::normalize(
-            glm::dvec3{-focalLength_ * facet.slope.x, focalLength_ * facet.slope.y, towardsEye});
+        facet.normal =
+            glm::normalize(glm::dvec3{-focalLength_ * facet.slope.x, focalLength_ * facet.slope.y, towardsEye});
         return facet;
     }
 

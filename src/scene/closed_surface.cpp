@@ -20,7 +20,9 @@ bool isOpposed(const MeshTopology& topology, std::uint32_t h) {
 
 // Of the tetrahedron of a face and the mesh's origin, times 6.
 double signedVolume(const Mesh& mesh, std::uint32_t t) {
-    const auto corner = [&](std::uint32_t k) { return glm::dvec3{mesh.positions[mesh.indices[3 * std::size_t{t} + k]]}; };
+    const auto corner = [&](std::uint32_t k) {
+        return glm::dvec3{mesh.positions[mesh.indices[3 * std::size_t{t} + k]]};
+    };
     return glm::dot(corner(0), glm::cross(corner(1), corner(2)));
 }
 

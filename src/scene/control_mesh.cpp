@@ -71,7 +71,7 @@ using Loop = std::vector<std::uint32_t>;
 
 // The outline of triangles that inner edges join: none if it is not one loop around all of them.
 std::optional<Loop> outline(const Mesh& mesh, const MeshTopology& topology, const Vertices& vertices,
-                               std::span<const std::uint32_t> triangles) {
+                            std::span<const std::uint32_t> triangles) {
     std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> edges;  // start, end, half-edge
     for (const std::uint32_t t : triangles)
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
@@ -98,8 +98,7 @@ void addFace(ControlMesh& control, const Mesh& mesh, const Vertices& vertices, s
     control.faceSizes.push_back(static_cast<std::int32_t>(halfEdges.size()));
     for (const std::uint32_t h : halfEdges) {
         control.corners.push_back(static_cast<std::int32_t>(vertices.ofCorner[h]));
-        if (!mesh.textureCoordinates.empty())
-            control.coordinates.push_back(mesh.textureCoordinates[mesh.indices[h]]);
+        if (!mesh.textureCoordinates.empty()) control.coordinates.push_back(mesh.textureCoordinates[mesh.indices[h]]);
         if (!mesh.paint.empty()) control.paint.push_back(mesh.paint[mesh.indices[h]]);
         if (!mesh.markedEdges.empty()) control.marked.push_back(mesh.markedEdges[h]);
     }
@@ -161,7 +160,8 @@ std::vector<bool> borderCorners(const ControlMesh& control, const Mesh& mesh, co
 }
 
 // A point with several vertices stays one place only if all are bent by the same two sharp edges; else none may move.
-void fixSplitPoints(const Mesh& mesh, const MeshTopology& topology, const Vertices& vertices, std::vector<bool>& fixed) {
+void fixSplitPoints(const Mesh& mesh, const MeshTopology& topology, const Vertices& vertices,
+                    std::vector<bool>& fixed) {
     std::vector<std::uint32_t> parts(topology.pointCount, 0);
     for (const std::uint32_t p : vertices.points) ++parts[p];
     std::vector<std::pair<std::uint32_t, std::uint32_t>> sharp;  // vertex, the point at the edge's other end

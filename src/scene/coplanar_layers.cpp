@@ -10,8 +10,8 @@
 #include <utility>
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/ext/vector_uint3.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include "scene/parallel.h"
@@ -109,7 +109,9 @@ public:
 
     std::vector<bool> find() {
         collectRuns();
-        std::ranges::sort(runs_, {}, [](const Run& run) { return std::tuple{run.cell, run.low, run.instance, run.first}; });
+        std::ranges::sort(runs_, {}, [](const Run& run) {
+            return std::tuple{run.cell, run.low, run.instance, run.first};
+        });
         for (std::size_t begin = 0; begin < runs_.size();) {
             std::size_t end = begin + 1;  // chains of planes, each within the tolerance of the one before
             float reach = runs_[begin].high;
@@ -144,8 +146,7 @@ private:
         std::size_t count = 0;
         for (std::uint32_t i = 0; i < scene_.instances().size(); ++i) {
             inRanges(triangles(i).count(), [&](std::size_t begin, std::size_t end) {
-                std::vector<Run> runs =
-                    runsOf(i, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
+                std::vector<Run> runs = runsOf(i, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
                 const std::scoped_lock lock{mutex};
                 count += runs.size();
                 parts.push_back(std::move(runs));

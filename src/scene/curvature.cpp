@@ -119,8 +119,7 @@ std::vector<float> meanCurvatures(const Mesh& mesh, const MeshTopology& topology
     for (int step = stepsFor(mesh); step > 0; --step) spread(fans, edges, shares);
     // A position that belongs to several fans has the mean of their curvatures.
     std::vector<Share> all(mesh.positions.size());
-    for (std::size_t c = 0; c < mesh.indices.size(); ++c)
-        all[mesh.indices[c]] = all[mesh.indices[c]] + shares[fans[c]];
+    for (std::size_t c = 0; c < mesh.indices.size(); ++c) all[mesh.indices[c]] = all[mesh.indices[c]] + shares[fans[c]];
     std::vector<float> curvatures(mesh.positions.size(), 0.0F);
     std::ranges::transform(all, curvatures.begin(), [](const Share& share) {
         return share.area > 0.0 ? static_cast<float>(share.bend / share.area) : 0.0F;

@@ -18,9 +18,9 @@ namespace {
 
 using load::refuse;
 
-constexpr int cellSize = 128;              // texels: the lattice that triangles and the outline are cut along
-constexpr double simplification = 0.1;     // texels
-constexpr std::int64_t mostCells = 4096;   // of one triangle
+constexpr int cellSize = 128;             // texels: the lattice that triangles and the outline are cut along
+constexpr double simplification = 0.1;    // texels
+constexpr std::int64_t mostCells = 4096;  // of one triangle
 constexpr std::uint64_t mostPieces = 4'000'000;
 
 // ---- the outline within a cell
@@ -77,7 +77,9 @@ private:
     // A corner of the outline: a grid point, or the crossing of the grid's edge from it to the right or upwards.
     enum Kind { Point, Right, Up };
     static int key(int x, int y, Kind kind) { return 3 * static_cast<int>(at(x, y)) + kind; }
-    static constexpr std::size_t at(int x, int y) { return static_cast<std::size_t>(y) * (cellSize + 1) + static_cast<std::size_t>(x); }
+    static constexpr std::size_t at(int x, int y) {
+        return static_cast<std::size_t>(y) * (cellSize + 1) + static_cast<std::size_t>(x);
+    }
     [[nodiscard]] bool inside(int x, int y) const { return values_[at(x, y)] >= threshold_; }
 
     [[nodiscard]] glm::dvec2 placeOf(int corner) const {
@@ -103,21 +105,35 @@ private:
         const int right = key(x + 1, y, Up);
         const int corners = inside(x, y) | inside(x + 1, y) << 1 | inside(x + 1, y + 1) << 2 | inside(x, y + 1) << 3;
         switch (corners) {
-            case 1: return link(bottom, left);
-            case 2: return link(right, bottom);
-            case 3: return link(right, left);
-            case 4: return link(top, right);
-            case 6: return link(top, bottom);
-            case 7: return link(top, left);
-            case 8: return link(left, top);
-            case 9: return link(bottom, top);
-            case 11: return link(right, top);
-            case 12: return link(left, right);
-            case 13: return link(bottom, right);
-            case 14: return link(left, bottom);
+            case 1:
+                return link(bottom, left);
+            case 2:
+                return link(right, bottom);
+            case 3:
+                return link(right, left);
+            case 4:
+                return link(top, right);
+            case 6:
+                return link(top, bottom);
+            case 7:
+                return link(top, left);
+            case 8:
+                return link(left, top);
+            case 9:
+                return link(bottom, top);
+            case 11:
+                return link(right, top);
+            case 12:
+                return link(left, right);
+            case 13:
+                return link(bottom, right);
+            case 14:
+                return link(left, bottom);
             case 5:
-            case 10: return traceSaddle(x, y, corners == 5);
-            default: return;
+            case 10:
+                return traceSaddle(x, y, corners == 5);
+            default:
+                return;
         }
     }
 
@@ -156,8 +172,11 @@ private:
         using P = std::pair<int, int>;
         side([](int i) { return P{i, 0}; }, [](int i) { return key(i, 0, Right); });
         side([](int i) { return P{cellSize, i}; }, [](int i) { return key(cellSize, i, Up); });
-        side([](int i) { return P{cellSize - i, cellSize}; },
-             [](int i) { return key(cellSize - i - 1, cellSize, Right); });
+        side(
+            [](int i) {
+                return P{cellSize - i, cellSize};
+            },
+            [](int i) { return key(cellSize - i - 1, cellSize, Right); });
         side([](int i) { return P{0, cellSize - i}; }, [](int i) { return key(0, cellSize - i - 1, Up); });
     }
 
@@ -341,7 +360,8 @@ std::vector<CutOut::Piece> CutOut::cut(const std::array<glm::dvec2, 3>& corners)
             if (part.size() < 3) continue;
             const auto weights = [&](const glm::dvec2& place) {
                 const glm::dvec2 p = place + origin;
-                const glm::dvec2 w{doubleArea(p, places[1], places[2]) / area, doubleArea(places[0], p, places[2]) / area};
+                const glm::dvec2 w{doubleArea(p, places[1], places[2]) / area,
+                                   doubleArea(places[0], p, places[2]) / area};
                 return glm::clamp(glm::dvec3{w, 1.0 - w.x - w.y}, 0.0, 1.0);
             };
             const std::vector<PolygonTriangle> triangles =

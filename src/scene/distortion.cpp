@@ -74,9 +74,10 @@ void bakeDistortedInstances(Scene::Data& data, std::uint64_t mostElements) {
         if (keepsAngles(linear)) continue;
         elements += data.meshes[instance.mesh].positions.size() + data.meshes[instance.mesh].indices.size();
         if (elements > mostElements)
-            load::refuse(fmt::format("expected at most {} vertices and indices in meshes that their instances distort, "
-                                     "found more; raise max-vertices",
-                                     mostElements));
+            load::refuse(
+                fmt::format("expected at most {} vertices and indices in meshes that their instances distort, "
+                            "found more; raise max-vertices",
+                            mostElements));
         data.meshes.push_back(distorted(data.meshes[instance.mesh], linear));
         instance.mesh = static_cast<std::uint32_t>(data.meshes.size() - 1);
         const glm::dvec4 translation = instance.transform[3];

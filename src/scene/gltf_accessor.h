@@ -61,8 +61,7 @@ struct Expected {
 /// Reads count x components numbers, element by element; normalized integers become -1..1 or 0..1, sparse values are in
 /// place.
 /// @throws Error  (Kind::Input) if the accessor is not as expected, has over 2^28 elements, reaches beyond its bytes,
-/// or
-///                a sparse index is out of range
+///                or a sparse index is out of range
 [[nodiscard]] std::vector<double> readNumbers(const Accessor&, const Expected&);
 
 /// Reads the vertex indices of a primitive.

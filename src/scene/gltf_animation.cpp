@@ -17,10 +17,10 @@ namespace {
 
 const Expected keyTimes{scalar, {Component::Float}};
 const Expected vectors{vec3, {Component::Float}};
-const Expected rotations{
-    vec4, {Component::Float, Component::Int8, Component::Uint8, Component::Int16, Component::Uint16}};
-const Expected weights{
-    scalar, {Component::Float, Component::Int8, Component::Uint8, Component::Int16, Component::Uint16}};
+const Expected rotations{vec4,
+                         {Component::Float, Component::Int8, Component::Uint8, Component::Int16, Component::Uint16}};
+const Expected weights{scalar,
+                       {Component::Float, Component::Int8, Component::Uint8, Component::Int16, Component::Uint16}};
 
 constexpr std::size_t longestList = 10;  // of animations in a message
 
@@ -71,8 +71,8 @@ public:
         const std::size_t parts = times_.size() * (cubic_ ? 3 : 1);
         width_ = values_.size() / parts;
         if (width_ == 0 || values_.size() != width_ * parts)
-            refuse(fmt::format("expected the same number of values for each of {} keys, found {} in all",
-                               times_.size(), values_.size()));
+            refuse(fmt::format("expected the same number of values for each of {} keys, found {} in all", times_.size(),
+                               values_.size()));
         for (const double value : values_)
             if (!std::isfinite(value)) refuse("expected finite values, found one that is not");
     }

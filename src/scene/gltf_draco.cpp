@@ -89,7 +89,8 @@ Component componentOf(draco::DataType type) {
 
 void spend(std::uint64_t bytes, std::uint64_t& bytesLeft) {
     if (bytes > bytesLeft)
-        refuse(fmt::format("expected at most {} bytes more in decompressed data, found {}; raise max-decompressed-size", bytesLeft, bytes));
+        refuse(fmt::format("expected at most {} bytes more in decompressed data, found {}; raise max-decompressed-size",
+                           bytesLeft, bytes));
     bytesLeft -= bytes;
 }
 

@@ -148,10 +148,10 @@ void checkVersion(const Json& document) {
 // Extensions that bear on the shape and are read, and those that do not bear on it.
 bool isRead(std::string_view extension) {
     constexpr std::array names{
-        "KHR_mesh_quantization"sv,  "EXT_mesh_gpu_instancing"sv, "KHR_texture_transform"sv, "KHR_texture_basisu"sv,
-        "EXT_texture_webp"sv,       "KHR_lights_punctual"sv,     "KHR_animation_pointer"sv, "KHR_node_visibility"sv,
-        "KHR_node_hoverability"sv, "KHR_node_selectability"sv,   "EXT_lights_image_based"sv,
-        "EXT_mesh_primitive_edge_visibility"sv,
+        "KHR_mesh_quantization"sv,  "EXT_mesh_gpu_instancing"sv, "KHR_texture_transform"sv,
+        "KHR_texture_basisu"sv,     "EXT_texture_webp"sv,        "KHR_lights_punctual"sv,
+        "KHR_animation_pointer"sv,  "KHR_node_visibility"sv,     "KHR_node_hoverability"sv,
+        "KHR_node_selectability"sv, "EXT_lights_image_based"sv,  "EXT_mesh_primitive_edge_visibility"sv,
     };
     return readsCompression(extension) || std::ranges::find(names, extension) != names.end() ||
            extension.starts_with("KHR_materials_") || extension.starts_with("KHR_xmp");

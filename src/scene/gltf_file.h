@@ -35,7 +35,6 @@ struct File {
 /// What a uri of the model stands for: a data URI's bytes, or those of a file in the model's folder, whose size is taken
 /// off bytesLeft.
 /// @throws Error  (Kind::Input) as readFile()
-[[nodiscard]] load::Bytes readUri(const std::filesystem::path& model, const std::string& uri,
-                                  std::uint64_t& bytesLeft);
+[[nodiscard]] load::Bytes readUri(const std::filesystem::path& model, const std::string& uri, std::uint64_t& bytesLeft);
 
 }  // namespace inkedge::gltf

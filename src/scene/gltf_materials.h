@@ -18,7 +18,7 @@ enum class Wrap : int { Clamp = 33071, Mirror = 33648, Repeat = 10497 };
 
 /// A picture of the file.
 struct Image {
-    std::string uri;                          ///< empty: in a bufferView
+    std::string uri;  ///< empty: in a bufferView
     std::optional<std::uint64_t> bufferView;
 };
 
@@ -26,7 +26,7 @@ struct Image {
 struct Texture {
     std::optional<std::uint64_t> image;  ///< into the document's; none: in a form that is not read
     std::uint64_t set = 0;               ///< TEXCOORD_n
-    glm::dmat2 scale{1.0};               ///< KHR_texture_transform, with its rotation: place = scale * coordinates + offset
+    glm::dmat2 scale{1.0};  ///< KHR_texture_transform, with its rotation: place = scale * coordinates + offset
     glm::dvec2 offset{0.0};
     Wrap wrapS = Wrap::Repeat;
     Wrap wrapT = Wrap::Repeat;
@@ -37,8 +37,8 @@ struct Material {
     enum class Alpha { Opaque, Mask, Blend };
     std::string name;
     Alpha alpha = Alpha::Opaque;
-    double cutoff = 0.5;     ///< Mask: there is nothing where the opacity is less
-    double opacity = 1.0;    ///< of the base colour's factor
+    double cutoff = 0.5;             ///< Mask: there is nothing where the opacity is less
+    double opacity = 1.0;            ///< of the base colour's factor
     std::optional<Texture> texture;  ///< of the base colour: its alpha is a factor of the opacity
     glm::dvec3 color{1.0};           ///< of the base colour's factor, linear
     std::string unpainted;           ///< why colour and texture are not known; Opaque and Blend only

@@ -64,9 +64,10 @@ Filter filterOf(const MeshoptView& view) {
 void checkSize(const MeshoptView& view, std::uint64_t dataSize, std::uint64_t bytesLeft) {
     if (view.count == 0) refuse("expected a count of at least 1, found 0");
     if (view.count > bytesLeft / view.stride)
-        refuse(fmt::format("expected at most {} bytes more in decompressed data, found {} elements of {} bytes; "
-                           "raise max-decompressed-size",
-                           bytesLeft, view.count, view.stride));
+        refuse(
+            fmt::format("expected at most {} bytes more in decompressed data, found {} elements of {} bytes; "
+                        "raise max-decompressed-size",
+                        bytesLeft, view.count, view.stride));
     if (view.count * view.stride / highestRatio > dataSize)
         refuse(fmt::format("expected compressed data of at least {} bytes for {} elements of {} bytes, found {}",
                            view.count * view.stride / highestRatio, view.count, view.stride, dataSize));

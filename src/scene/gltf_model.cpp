@@ -73,8 +73,7 @@ std::uint64_t notNegative(int number) {
 void checkBare(const tinygltf::Model& model, std::uint64_t count) {
     std::uint64_t bytes = 1U << 16U;
     for (const tinygltf::Buffer& buffer : model.buffers) bytes = std::max<std::uint64_t>(bytes, buffer.data.size());
-    if (count > bytes)
-        refuse(fmt::format("expected at most {} elements without data, found {}", bytes, count));
+    if (count > bytes) refuse(fmt::format("expected at most {} elements without data, found {}", bytes, count));
 }
 
 Accessor describe(const tinygltf::Model& model, const tinygltf::Accessor& source) {
@@ -88,10 +87,9 @@ Accessor describe(const tinygltf::Model& model, const tinygltf::Accessor& source
     if (source.sparse.isSparse) {
         const auto& indices = source.sparse.indices;
         const auto& values = source.sparse.values;
-        accessor.sparse =
-            Accessor::Sparse{notNegative(source.sparse.count), Component{indices.componentType},
-                                   elementsOf(model, indices.bufferView, notNegative(indices.byteOffset), 0),
-                                   elementsOf(model, values.bufferView, notNegative(values.byteOffset), 0)};
+        accessor.sparse = Accessor::Sparse{notNegative(source.sparse.count), Component{indices.componentType},
+                                           elementsOf(model, indices.bufferView, notNegative(indices.byteOffset), 0),
+                                           elementsOf(model, values.bufferView, notNegative(values.byteOffset), 0)};
     }
     return accessor;
 }
@@ -116,8 +114,8 @@ tinygltf::Model parse(std::string json, Buffers buffers) {
     tinygltf::Model model;
     std::string errors;
     std::string warnings;
-    const bool parsed = parser.LoadASCIIFromString(&model, &errors, &warnings, json.data(),
-                                                   static_cast<unsigned int>(json.size()), "");
+    const bool parsed =
+        parser.LoadASCIIFromString(&model, &errors, &warnings, json.data(), static_cast<unsigned int>(json.size()), "");
     // Some errors only make it leave an element out.
     const std::string error = firstError(errors);
     if (!parsed || !error.empty()) refuse("expected glTF 2.0, found: " + error);

@@ -15,8 +15,7 @@ namespace inkedge::gltf {
 
 /// The file that a URI of a model means, with every link followed.
 /// @throws Error  (Kind::Input) if the URI has a scheme, is malformed or absolute, names no regular file, or leads out
-/// of
-///                the model's folder, be it by "..", percent-encoded or not, or by a link
+///                of the model's folder, be it by "..", percent-encoded or not, or by a link
 [[nodiscard]] std::filesystem::path fileOfUri(const std::filesystem::path& model, std::string_view uri);
 
 }  // namespace inkedge::gltf

@@ -251,10 +251,10 @@ private:
     void warn() {
         if (points_ + lines_ > 0) data_.warnings.push_back(warningOf(points_, lines_));
         if (!coarse()) return;
-        data_.warnings.push_back(
-            fmt::format("coordinates are kept to {:.2g}, as {} files are read as floats: much for a model {:.3g} across "
-                        "that far from the origin",
-                        spacing(), name(format_), glm::distance(low_, high_)));
+        data_.warnings.push_back(fmt::format(
+            "coordinates are kept to {:.2g}, as {} files are read as floats: much for a model {:.3g} across "
+            "that far from the origin",
+            spacing(), name(format_), glm::distance(low_, high_)));
     }
 
     // Of floats as far off as the vertices.
@@ -276,7 +276,7 @@ private:
     const std::vector<std::uint32_t>& faceMaterials_;
     std::uint64_t points_;
     std::uint64_t lines_;
-    std::uint64_t most_;  // vertices and corners
+    std::uint64_t most_;    // vertices and corners
     std::size_t face_ = 0;  // the next, of all meshes
     glm::dvec3 low_{std::numeric_limits<double>::max()};
     glm::dvec3 high_{std::numeric_limits<double>::lowest()};

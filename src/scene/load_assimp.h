@@ -16,9 +16,8 @@ namespace inkedge {
 /// The whole file is one mesh, named after the file and placed once, where it stands. Vertices are not joined. Faces
 /// with more than three corners are cut into triangles as load::PolygonCutter does. Normals are those of OBJ and PLY,
 /// unit length, (0, 0, 0) where the file has none; a file without any, and every STL file, as its normals are only its
-/// facets', gives a mesh without normals. Materials are numbered in the order in which an OBJ file first uses them,
-/// from
-/// 1. A face of an OBJ file has normals if all its corners have.
+/// facets', gives a mesh without normals. Materials are numbered in the order in which an OBJ file first uses
+/// them, from 1. A face of an OBJ file has normals if all its corners have.
 /// Texture coordinates are read if they are of use: of OBJ those of faces all of whose corners have them, of PLY the
 /// vertices' own; v is turned over, as both have 0 at the bottom.
 /// What lies far from the origin is read once more from near by, so that no precision is lost; where the file itself has

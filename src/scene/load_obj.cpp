@@ -129,7 +129,7 @@ private:
 
     struct Corner {
         std::uint64_t vertex = 0;
-        std::uint64_t normal = 0;  // 0: none
+        std::uint64_t normal = 0;   // 0: none
         std::uint64_t texture = 0;  // 0: none, or of no use
     };
 
@@ -141,9 +141,9 @@ private:
         const std::string_view normal = takePart(word);
         if (!word.empty() || (!texture.empty() && !toNumber<std::int64_t>(texture)))
             refuse("expected a corner like 7, 7/8, 7/8/9 or 7//9, found " + quote(whole));
-        const Corner found{index(vertex, vertices_, "a vertex"),
-                           normal.empty() ? 0 : index(normal, normals_, "a normal"),
-                           texture.empty() || coordinates_ == Coordinates::Skip ? 0 : index(texture, textures_, "a vt")};
+        const Corner found{
+            index(vertex, vertices_, "a vertex"), normal.empty() ? 0 : index(normal, normals_, "a normal"),
+            texture.empty() || coordinates_ == Coordinates::Skip ? 0 : index(texture, textures_, "a vt")};
         if (found.vertex > highest_.vertex) highest_.vertex = found.vertex, highest_.line = line_;
         if (found.normal > highest_.normal) highest_.normal = found.normal, highest_.normalLine = line_;
         if (found.texture > highest_.texture) highest_.texture = found.texture, highest_.textureLine = line_;

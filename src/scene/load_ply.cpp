@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <utility>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -163,8 +163,8 @@ bool isUsed(const Element& element, const Property& property, Coordinates coordi
 bool hasDoubles(const Header& header) {
     return std::ranges::any_of(header.elements, [](const Element& element) {
         return element.name == "vertex" && std::ranges::any_of(element.properties, [](const Property& p) {
-            return isOneOf(p.name, {"x", "y", "z"}) && p.type.size == 8;
-        });
+                   return isOneOf(p.name, {"x", "y", "z"}) && p.type.size == 8;
+               });
     });
 }
 
@@ -265,7 +265,9 @@ public:
 
     // The same, of strips: their indices are added to a list.
     bool readStrip(const Element& element, std::vector<std::int64_t>& strip) {
-        const auto add = [&](const Property&, std::string_view word) { strip.push_back(*toNumber<std::int64_t>(word)); };
+        const auto add = [&](const Property&, std::string_view word) {
+            strip.push_back(*toNumber<std::int64_t>(word));
+        };
         return read(
             element, [](const Property&, std::string_view) {}, add);
     }

@@ -22,6 +22,6 @@ struct PlyContent {
 /// origin near them is taken off first. O(n).
 /// @throws Error  (Kind::Input) if the file is no PLY, is truncated, or its header or a number is malformed
 [[nodiscard]] PlyContent safePly(std::string_view content, const glm::dvec3& origin = glm::dvec3{0.0},
-                                  Coordinates coordinates = Coordinates::Skip);
+                                 Coordinates coordinates = Coordinates::Skip);
 
 }  // namespace inkedge::load

@@ -41,7 +41,7 @@ Scene::Data loadByFormat(const fs::path& file, const LoadSettings& settings) {
     if (extension == ".glb" || extension == ".gltf") return loadGltf(file, settings);
     const load::Bytes start = load::within(load::printable(file.string()), [&] { return load::readStart(file, 512); });
     if (load::textOf(start).starts_with("glTF")) return loadGltf(file, settings);
-    if (const std::optional<PolygonFormat> format = polygonFormat(extension)) 
+    if (const std::optional<PolygonFormat> format = polygonFormat(extension))
         return loadAssimp(file, *format, settings.limits,
                           settings.textureCoordinates ? load::Coordinates::Read : load::Coordinates::Skip);
     load::refuse(

@@ -42,8 +42,11 @@ public:
             for (std::uint32_t c = 0; c < first_.size(); ++c) {
                 if (topology_.points[c] < begin || topology_.points[c] >= end || first_[c] != none) continue;
                 first_[c] = c;
-                follow(c, [&](std::uint32_t corner) { return nextHalfEdge(topology_.twins[corner]); }, [](std::uint32_t corner) { return corner; });
-                follow(c, [&](std::uint32_t corner) { return topology_.twins[previous(corner)]; }, previous);
+                follow(
+                    c, [&](std::uint32_t corner) { return nextHalfEdge(topology_.twins[corner]); },
+                    [](std::uint32_t corner) { return corner; });
+                follow(
+                    c, [&](std::uint32_t corner) { return topology_.twins[previous(corner)]; }, previous);
             }
         });
         return std::move(first_);
@@ -130,7 +133,9 @@ std::array<double, 3> cornerAngles(const Mesh& mesh, std::size_t triangle) {
     const glm::dvec3 a = unitOrZero(position(1) - position(0));
     const glm::dvec3 b = unitOrZero(position(2) - position(1));
     const glm::dvec3 c = unitOrZero(position(0) - position(2));
-    const auto between = [](glm::dvec3 to, glm::dvec3 from) { return std::acos(std::clamp(-glm::dot(to, from), -1.0, 1.0)); };
+    const auto between = [](glm::dvec3 to, glm::dvec3 from) {
+        return std::acos(std::clamp(-glm::dot(to, from), -1.0, 1.0));
+    };
     return {between(c, a), between(a, b), between(b, c)};
 }
 

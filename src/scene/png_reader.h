@@ -28,7 +28,9 @@ public:
     ~PngReader() { png_image_free(&image_); }
 
     [[nodiscard]] bool hasAlpha() const noexcept { return (image_.format & PNG_FORMAT_FLAG_ALPHA) != 0; }
-    [[nodiscard]] Size size() const noexcept { return {static_cast<int>(image_.width), static_cast<int>(image_.height)}; }
+    [[nodiscard]] Size size() const noexcept {
+        return {static_cast<int>(image_.width), static_cast<int>(image_.height)};
+    }
 
     /// @param format  of libpng, 8 bits a channel: PNG_FORMAT_GA, PNG_FORMAT_RGBA
     /// @throws Error  (Kind::Input) if it is damaged

@@ -113,7 +113,7 @@ private:
         const auto* const v = static_cast<const Vertex*>(vertex);
         static_cast<Tessellation*>(self)->loops_.back().emplace_back(v->place[0], v->place[1]);
     }
-    static void combine(GLdouble place[3], void*[4], GLfloat[4], void** made, void* self) noexcept {
+    static void combine(GLdouble place[3], void* [4], GLfloat[4], void** made, void* self) noexcept {
         auto& vertices = static_cast<Tessellation*>(self)->vertices_;
         vertices.push_back({{place[0], place[1], 0.0}});
         *made = &vertices.back();

@@ -16,12 +16,12 @@
 #include <inkedge/error.h>
 
 #include "scene/closed_surface.h"
+#include "scene/curvature.h"
 #include "scene/distortion.h"
 #include "scene/extent.h"
 #include "scene/normals.h"
 #include "scene/patch_numbers.h"
 #include "scene/subdivide.h"
-#include "scene/curvature.h"
 #include "scene/topology.h"
 
 namespace inkedge {
@@ -201,7 +201,8 @@ Scene::Scene(Data data, const LoadSettings& settings) {
     if (settings.subdivide > 0) subdivideMeshes(*prepared, settings);
     for (Mesh& mesh : prepared->meshes) {
         dropUnusedVertices(mesh);
-        prepared->oneSided.push_back(settings.backFaces == BackFaces::Draw ? 0 : sortBySides(mesh, prepared->materials));
+        prepared->oneSided.push_back(settings.backFaces == BackFaces::Draw ? 0
+                                                                           : sortBySides(mesh, prepared->materials));
         applyAuthoredNormals(mesh, settings);
         MeshTopology topology = buildTopology(mesh);
         completeNormals(mesh, topology, settings);
@@ -222,8 +223,7 @@ Scene::Scene(Data data, const LoadSettings& settings) {
     filled.patchNumbers = numberPatches(*this, settings.creaseAngle);
     for (MeshTopology& topology : filled.topologies)
         topology.faceNormals = std::vector<glm::dvec3>{};  // a third of all that is kept; = {} would keep its memory
-    filled.milliseconds =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    filled.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
 const std::vector<Mesh>& Scene::meshes() const noexcept { return data_->meshes; }

@@ -89,9 +89,8 @@ void joinAcrossSeams(const Scene& scene, const std::vector<std::uint32_t>& base,
                      UnionFind& joined) {
     // Faces that go on across the seam at a bend under the crease angle point away from each other by more than this.
     const double oppositeCosine = -std::cos(glm::radians(creaseAngle));
-    Borders borders{scene, [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& {
-                        return scene.topology(mesh).faceNormals;
-                    }};
+    Borders borders{
+        scene, [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& { return scene.topology(mesh).faceNormals; }};
     const auto patchOf = [&](const BorderEdge& edge) {
         return base[edge.instance] + scene.topology(scene.instances()[edge.instance].mesh).patches[edge.halfEdge / 3];
     };

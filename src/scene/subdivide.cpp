@@ -112,7 +112,8 @@ Mesh subdivided(const Mesh& mesh, const ControlMesh& control, int levels) {
     if (mesh.materials.empty()) return result;
     const std::size_t trianglesPerFace = cornersOf(control.scheme) - 2;
     for (const std::uint32_t parent : faces.parents)
-        result.materials.insert(result.materials.end(), trianglesPerFace, mesh.materials[control.firstTriangles[parent]]);
+        result.materials.insert(result.materials.end(), trianglesPerFace,
+                                mesh.materials[control.firstTriangles[parent]]);
     return result;
 }
 
@@ -188,9 +189,10 @@ void subdivideMeshes(Scene::Data& data, const LoadSettings& settings) {
         const double most = std::min(static_cast<double>(settings.limits.vertices),
                                      static_cast<double>(std::numeric_limits<std::int32_t>::max()));
         if (elements > most)
-            load::refuse(fmt::format("mesh {}: expected at most {:.0f} vertices and indices once subdivided {} times, "
-                                     "found {:.3g}; lower subdivide or raise max-vertices",
-                                     load::quote(mesh.name), most, settings.subdivide, elements));
+            load::refuse(
+                fmt::format("mesh {}: expected at most {:.0f} vertices and indices once subdivided {} times, "
+                            "found {:.3g}; lower subdivide or raise max-vertices",
+                            load::quote(mesh.name), most, settings.subdivide, elements));
         mesh = subdivided(mesh, control, settings.subdivide);
     }
 }

@@ -10,12 +10,12 @@
 #include <span>
 #include <utility>
 
-#include <glm/geometric.hpp>
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/topologyDescriptor.h>
 #include <opensubdiv/far/topologyRefinerFactory.h>
 #include <opensubdiv/sdc/catmarkScheme.h>
 #include <opensubdiv/sdc/loopScheme.h>
+#include <glm/geometric.hpp>
 
 namespace inkedge {
 namespace {

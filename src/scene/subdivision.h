@@ -18,11 +18,11 @@ namespace inkedge {
 
 /// A smooth surface, sampled: faces of three corners under Loop, of four under Catmull-Clark.
 struct RefinedFaces {
-    std::vector<glm::dvec3> positions;      ///< one a vertex: on the limit surface
-    std::vector<glm::dvec3> normals;        ///< one a vertex: unit, of the limit surface; vertices are split at creases
-    std::vector<std::uint32_t> corners;     ///< into vertices, face after face
-    std::vector<std::uint32_t> parents;     ///< one a face: the control face that it comes from; ascends
-    std::vector<bool> creases;              ///< one a corner: whether the edge from it to the next is sharp
+    std::vector<glm::dvec3> positions;   ///< one a vertex: on the limit surface
+    std::vector<glm::dvec3> normals;     ///< one a vertex: unit, of the limit surface; vertices are split at creases
+    std::vector<std::uint32_t> corners;  ///< into vertices, face after face
+    std::vector<std::uint32_t> parents;  ///< one a face: the control face that it comes from; ascends
+    std::vector<bool> creases;           ///< one a corner: whether the edge from it to the next is sharp
     /// One a corner, if the control mesh has any: linear across its faces, so that seams stay where they are.
     std::vector<glm::vec2> coordinates;
     std::vector<VertexPaint> paint;  ///< likewise

@@ -85,7 +85,8 @@ void joinAtPoints(std::uint32_t low, std::uint32_t high, MeshTopology& topology)
         }
         std::ranges::sort(entries);
         for (auto edge = entries.begin(); edge != entries.end();) {
-            const auto end = std::find_if(edge, entries.end(), [&](const Entry& e) { return e.greaterPoint != edge->greaterPoint; });
+            const auto end =
+                std::find_if(edge, entries.end(), [&](const Entry& e) { return e.greaterPoint != edge->greaterPoint; });
             joinAlongEdge({edge, end}, topology);
             edge = end;
         }
@@ -216,8 +217,8 @@ void buildPatches(const Mesh& mesh, double creaseAngle, MeshTopology& topology) 
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
             const std::uint32_t twin = topology.twins[h];
             if (!isHalfEdge(twin) || twin < h || !hasNormal(topology, twin / 3)) continue;
-            const bool bends =
-                isMarkedSharp(mesh, h, twin) || bendCosine(topology, h, twin) < creaseCosine || normalsSplit(mesh, topology, h, twin, creaseCosine);
+            const bool bends = isMarkedSharp(mesh, h, twin) || bendCosine(topology, h, twin) < creaseCosine ||
+                               normalsSplit(mesh, topology, h, twin, creaseCosine);
             if (bends && !isInner(mesh, h, twin)) {
                 topology.creases[h] = topology.creases[twin] = true;
             } else {

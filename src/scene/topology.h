@@ -29,8 +29,8 @@ struct MeshTopology {
     std::vector<std::uint32_t> originals;  ///< one a triangle: the first that has its three points; most often itself
     std::vector<std::uint32_t> twins;      ///< one a half-edge: the other of its edge, noHalfEdge or manyHalfEdges
     std::vector<bool> creases;             ///< one a half-edge: whether its edge is a crease; it has a twin then
-    std::vector<glm::dvec3> faceNormals;   ///< one a triangle, unit, by winding; 0 where it is too thin; none in a Scene
-    std::vector<std::uint32_t> patches;    ///< one a triangle: 0..patchCount-1
+    std::vector<glm::dvec3> faceNormals;  ///< one a triangle, unit, by winding; 0 where it is too thin; none in a Scene
+    std::vector<std::uint32_t> patches;   ///< one a triangle: 0..patchCount-1
     std::uint32_t patchCount = 0;
 };
 

@@ -11,9 +11,8 @@ namespace inkedge {
 [[nodiscard]] inline int pictureChannels(const PictureSettings& picture) {
     if (!picture.background) return 4;
     const bool grey = picture.background->grey() && picture.lineColor.grey() &&
-                      std::ranges::all_of(picture.lineStyles, [](const LineStyle& style) {
-                          return !style.color || style.color->grey();
-                      });
+                      std::ranges::all_of(picture.lineStyles,
+                                          [](const LineStyle& style) { return !style.color || style.color->grey(); });
     return grey ? 1 : 3;
 }
 

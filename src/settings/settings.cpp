@@ -173,16 +173,20 @@ constexpr std::array<Choice<Map>, mapCount> mapChoices{Choice{"depth", Map::Dept
                                                        Choice{"edges", Map::Edges},
                                                        Choice{"types", Map::Types},
                                                        Choice{"ids", Map::Ids}};
-constexpr std::array<Choice<LineType>, lineTypeCount> lineTypeChoices{
-    Choice{"outline", LineType::Outline},           Choice{"occlusion", LineType::Occlusion},
-    Choice{"boundary", LineType::Boundary},         Choice{"crease", LineType::Crease},
-    Choice{"intersection", LineType::Intersection}, Choice{"object", LineType::Object},
-    Choice{"isoparametric", LineType::Isoparametric}, Choice{"marked", LineType::Marked}};
+constexpr std::array<Choice<LineType>, lineTypeCount> lineTypeChoices{Choice{"outline", LineType::Outline},
+                                                                      Choice{"occlusion", LineType::Occlusion},
+                                                                      Choice{"boundary", LineType::Boundary},
+                                                                      Choice{"crease", LineType::Crease},
+                                                                      Choice{"intersection", LineType::Intersection},
+                                                                      Choice{"object", LineType::Object},
+                                                                      Choice{"isoparametric", LineType::Isoparametric},
+                                                                      Choice{"marked", LineType::Marked}};
 constexpr std::array linesFromChoices{Choice{"auto", LinesFrom::Auto}, Choice{"image", LinesFrom::Image},
                                       Choice{"object", LinesFrom::Object}};
 constexpr std::array contourChoices{Choice{"auto", Contour::Auto}, Choice{"mesh", Contour::Mesh},
                                     Choice{"smooth", Contour::Smooth}};
-constexpr std::array contourFinderChoices{Choice{"every", ContourFinder::Every}, Choice{"random", ContourFinder::Random},
+constexpr std::array contourFinderChoices{Choice{"every", ContourFinder::Every},
+                                          Choice{"random", ContourFinder::Random},
                                           Choice{"gauss", ContourFinder::Gauss}};
 constexpr std::array visibilityChoices{Choice{"exact", Visibility::Exact}, Choice{"fast", Visibility::Fast}};
 constexpr std::array hiddenChoices{Choice{"none", HiddenLines::None}, Choice{"dashed", HiddenLines::Dashed},
@@ -242,9 +246,9 @@ struct NamedPage {
     PageSize size;
 };
 constexpr std::array namedPages{
-    NamedPage{"A0", {841, 1189}}, NamedPage{"A1", {594, 841}}, NamedPage{"A2", {420, 594}},
-    NamedPage{"A3", {297, 420}},  NamedPage{"A4", {210, 297}}, NamedPage{"A5", {148, 210}},
-    NamedPage{"A6", {105, 148}},  NamedPage{"Letter", {215.9, 279.4}}, NamedPage{"Legal", {215.9, 355.6}},
+    NamedPage{"A0", {841, 1189}},         NamedPage{"A1", {594, 841}},         NamedPage{"A2", {420, 594}},
+    NamedPage{"A3", {297, 420}},          NamedPage{"A4", {210, 297}},         NamedPage{"A5", {148, 210}},
+    NamedPage{"A6", {105, 148}},          NamedPage{"Letter", {215.9, 279.4}}, NamedPage{"Legal", {215.9, 355.6}},
     NamedPage{"Tabloid", {279.4, 431.8}},
 };
 constexpr std::string_view landscapeSuffix = "-landscape";
@@ -318,8 +322,7 @@ Isolines parseIsolines(std::string_view text) {
 }
 
 std::string text(const Isolines& isolines) {
-    return isolines.u == isolines.v ? fmt::format("{}", isolines.u)
-                                    : fmt::format("u:{},v:{}", isolines.u, isolines.v);
+    return isolines.u == isolines.v ? fmt::format("{}", isolines.u) : fmt::format("u:{},v:{}", isolines.u, isolines.v);
 }
 
 // TYPE:width=W,color=C;TYPE:...
@@ -405,11 +408,12 @@ constexpr std::array table{
     SettingDescription{"dpi", "", "picture", "N", "over 0", "96", "pixels an inch, for widths in mm",
                        [](S& s, Text t) { s.picture.dpi = parsePositive(t); },
                        [](const S& s) { return text(s.picture.dpi); }},
-    SettingDescription{"page-size", "", "picture", "WIDTHxHEIGHT", "210mmx297mm, cm or in; A0 to A6, Letter, Legal, "
-                       "Tabloid; A4-landscape", "the size at --dpi",
-                       "sheet that an SVG fills as far as its shape allows; widths in mm hold on it",
-                       [](S& s, Text t) { s.picture.page = parsePage(t); },
-                       [](const S& s) { return text(s.picture.page); }},
+    SettingDescription{
+        "page-size", "", "picture", "WIDTHxHEIGHT",
+        "210mmx297mm, cm or in; A0 to A6, Letter, Legal, "
+        "Tabloid; A4-landscape",
+        "the size at --dpi", "sheet that an SVG fills as far as its shape allows; widths in mm hold on it",
+        [](S& s, Text t) { s.picture.page = parsePage(t); }, [](const S& s) { return text(s.picture.page); }},
     SettingDescription{"supersampling", "", "picture", "1|2|4", "one of these", "1",
                        "samples a pixel along each axis, for detail below a pixel; planes detector",
                        [](S& s, Text t) {
@@ -425,12 +429,11 @@ constexpr std::array table{
                                parseCount(t, PictureSettings::leastTileSize, PictureSettings::mostTileSize);
                        },
                        [](const S& s) { return text(s.picture.tileSize); }},
-    SettingDescription{"lines", "", "picture", "TYPE,...",
-                       "outline, occlusion, boundary, crease, intersection, object, isoparametric, marked; or all, none",
-                       "all",
-                       "types of lines that are drawn; planes detector",
-                       [](S& s, Text t) { s.picture.lines = parseLineTypes(t); },
-                       [](const S& s) { return lineTypesText(s.picture.lines); }},
+    SettingDescription{
+        "lines", "", "picture", "TYPE,...",
+        "outline, occlusion, boundary, crease, intersection, object, isoparametric, marked; or all, none", "all",
+        "types of lines that are drawn; planes detector", [](S& s, Text t) { s.picture.lines = parseLineTypes(t); },
+        [](const S& s) { return lineTypesText(s.picture.lines); }},
     SettingDescription{"line-style", "", "picture", "TYPE:width=W,color=C;...", "types as for --lines", "",
                        "width and colour of single types of lines, as in crease:width=1,color=#555; planes detector",
                        [](S& s, Text t) { s.picture.lineStyles = parseLineStyles(t); },
@@ -444,10 +447,11 @@ constexpr std::array table{
                        "contours: edges of the mesh, or curves where the shading normal turns away; lines from object",
                        [](S& s, Text t) { s.lines.contour = parseChoice(contourChoices, t); },
                        [](const S& s) { return choiceName(contourChoices, s.lines.contour); }},
-    SettingDescription{"contour-finder", "", "lines", "every|random|gauss", "one of these", "every",
-                       "every edge, a random search that may miss some, or a map for orthographic views; lines from object",
-                       [](S& s, Text t) { s.lines.contourFinder = parseChoice(contourFinderChoices, t); },
-                       [](const S& s) { return choiceName(contourFinderChoices, s.lines.contourFinder); }},
+    SettingDescription{
+        "contour-finder", "", "lines", "every|random|gauss", "one of these", "every",
+        "every edge, a random search that may miss some, or a map for orthographic views; lines from object",
+        [](S& s, Text t) { s.lines.contourFinder = parseChoice(contourFinderChoices, t); },
+        [](const S& s) { return choiceName(contourFinderChoices, s.lines.contourFinder); }},
     SettingDescription{"visibility", "", "lines", "exact|fast", "one of these", "exact",
                        "hidden lines found by rays, or by drawn buffers with rays in doubt; lines from object",
                        [](S& s, Text t) { s.lines.visibility = parseChoice(visibilityChoices, t); },
@@ -606,8 +610,8 @@ constexpr std::array table{
                        "most bytes of a model and the files that belong to it",
                        [](S& s, Text t) { s.load.limits.fileSize = parseAmount(t); },
                        [](const S& s) { return text(s.load.limits.fileSize); }},
-    SettingDescription{"max-decompressed-size", "", "limits", "BYTES", "1 to 1099511627776; k, M, G may follow", "1073741824",
-                       "most bytes that compressed geometry comes to",
+    SettingDescription{"max-decompressed-size", "", "limits", "BYTES", "1 to 1099511627776; k, M, G may follow",
+                       "1073741824", "most bytes that compressed geometry comes to",
                        [](S& s, Text t) { s.load.limits.decompressedSize = parseAmount(t); },
                        [](const S& s) { return text(s.load.limits.decompressedSize); }},
     SettingDescription{"max-vertices", "", "limits", "N", "1 to 4000000000; k, M, G may follow", "134217728",
@@ -619,12 +623,10 @@ constexpr std::array table{
                        [](S& s, Text t) { s.load.limits.instances = parseAmount(t); },
                        [](const S& s) { return text(s.load.limits.instances); }},
     SettingDescription{"max-nodes", "", "limits", "N", "1 to 1099511627776; k, M, G may follow", "4194304",
-                       "most nodes of a glTF file",
-                       [](S& s, Text t) { s.load.limits.nodes = parseAmount(t); },
+                       "most nodes of a glTF file", [](S& s, Text t) { s.load.limits.nodes = parseAmount(t); },
                        [](const S& s) { return text(s.load.limits.nodes); }},
     SettingDescription{"max-node-depth", "", "limits", "N", "1 to 1099511627776; k, M, G may follow", "1048576",
-                       "most nodes from a root down",
-                       [](S& s, Text t) { s.load.limits.nodeDepth = parseAmount(t); },
+                       "most nodes from a root down", [](S& s, Text t) { s.load.limits.nodeDepth = parseAmount(t); },
                        [](const S& s) { return text(s.load.limits.nodeDepth); }},
     SettingDescription{"max-image-pixels", "", "limits", "N", "1 to 1099511627776; k, M, G may follow", "67108864",
                        "most pixels of a picture that a material needs",

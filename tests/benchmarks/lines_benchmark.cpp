@@ -40,7 +40,9 @@ struct Model {
     friend auto operator<=>(const Model&, const Model&) = default;
 };
 
-std::string nameOf(Model model) { return fmt::format("{}/{}", model.shape == Shape::Cad ? "cad" : "smooth", model.triangles); }
+std::string nameOf(Model model) {
+    return fmt::format("{}/{}", model.shape == Shape::Cad ? "cad" : "smooth", model.triangles);
+}
 
 struct Prepared {
     explicit Prepared(Model model) : scene{dataOf(model)} {}
@@ -100,7 +102,8 @@ void addView(Model model) {
     add("edge-table/" + nameOf(model), [model](benchmark::State& state) {
         const Scene& scene = prepared(model).scene;
         for (auto _ : state)
-            benchmark::DoNotOptimize(findEdges(scene.meshes()[0], scene.topology(0), scene.creaseAngle()).closed.data());
+            benchmark::DoNotOptimize(
+                findEdges(scene.meshes()[0], scene.topology(0), scene.creaseAngle()).closed.data());
     });
     add("ray-tree/" + nameOf(model), [model](benchmark::State& state) {
         const Scene& scene = prepared(model).scene;
@@ -140,7 +143,8 @@ void timeFinder(benchmark::State& state, Model model, ContourFinder finder) {
         double sum = 0.0;
         for (const std::uint32_t e : edges) {
             const std::uint32_t h = of.edges.shared.halfEdges[e];
-            sum += double{glm::distance(mesh.positions[mesh.indices[h]], mesh.positions[mesh.indices[nextHalfEdge(h)]])};
+            sum +=
+                double{glm::distance(mesh.positions[mesh.indices[h]], mesh.positions[mesh.indices[nextHalfEdge(h)]])};
         }
         return sum;
     };
@@ -175,16 +179,18 @@ void addFinders(Model model) {
         [model](benchmark::State& state) { timeFinder(state, model, ContourFinder::Random); });
     add(fmt::format("find/{}/gauss", nameOf(model)),
         [model](benchmark::State& state) { timeFinder(state, model, ContourFinder::Gauss); });
-    for (const auto& [finder, name] : {std::pair{ContourFinder::Every, "every"}, std::pair{ContourFinder::Random, "random"},
-                                       std::pair{ContourFinder::Gauss, "gauss"}}) {
-        add(fmt::format("prepare-finder/{}/{}", nameOf(model), name), [model, finder = finder](benchmark::State& state) {
-            const Prepared& of = prepared(model);
-            std::size_t bytes = 0;
-            for (auto _ : state)
-                bytes = ContourSearch{of.scene.meshes()[0], of.scene.topology(0), of.edges}.prepare(finder);
-            state.counters["edges"] = static_cast<double>(of.edges.shared.halfEdges.size());
-            state.counters["bytes"] = static_cast<double>(bytes);
-        });
+    for (const auto& [finder, name] :
+         {std::pair{ContourFinder::Every, "every"}, std::pair{ContourFinder::Random, "random"},
+          std::pair{ContourFinder::Gauss, "gauss"}}) {
+        add(fmt::format("prepare-finder/{}/{}", nameOf(model), name),
+            [model, finder = finder](benchmark::State& state) {
+                const Prepared& of = prepared(model);
+                std::size_t bytes = 0;
+                for (auto _ : state)
+                    bytes = ContourSearch{of.scene.meshes()[0], of.scene.topology(0), of.edges}.prepare(finder);
+                state.counters["edges"] = static_cast<double>(of.edges.shared.halfEdges.size());
+                state.counters["bytes"] = static_cast<double>(bytes);
+            });
     }
     // The yardstick of every: one pass over the arrays that it reads.
     add("read-arrays/" + nameOf(model), [model](benchmark::State& state) {

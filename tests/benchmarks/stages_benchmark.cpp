@@ -143,7 +143,8 @@ public:
         const ScreenTriangles triangles{scene(usualModel), upload(usualModel).firstTriangles(),
                                         camera(usualModel, size), size};
         return traceLines(std::move(lines), scene(usualModel), triangles, camera(usualModel, size),
-                          unitLength(scene(usualModel)), drawnTypes(pictureSettings(size)), 1, TraceIds::Drop, TracePlaces::Drop);
+                          unitLength(scene(usualModel)), drawnTypes(pictureSettings(size)), 1, TraceIds::Drop,
+                          TracePlaces::Drop);
     }
 
     Image<std::uint8_t> findLines(const PlaneBuffers& planes, Size size) {

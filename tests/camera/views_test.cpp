@@ -71,7 +71,8 @@ TEST_F(ViewsFile, SetsWhatItNamesAndLeavesTheRestAsItIs) {
     CameraSettings base;
     base.viewAngle = 50.0;
     const auto views = viewsOf(
-        file(R"([{"name": "front", "camera-azimuth-angle": 0}, {"camera-position": [1, 2, 3.5], "camera-view-angle": "20"}])"),
+        file(
+            R"([{"name": "front", "camera-azimuth-angle": 0}, {"camera-position": [1, 2, 3.5], "camera-view-angle": "20"}])"),
         base);
     ASSERT_THAT(views, SizeIs(2));
     EXPECT_EQ(views[0].name, "front");
@@ -88,7 +89,8 @@ TEST_F(ViewsFile, IsRefusedWithTheViewThatIsWrong) {
     expectRefusal("[", "expected a JSON list of views, found something else");
     expectRefusal("[3]", "view 0: expected an object, found number");
     expectRefusal(R"([{}, {"size": "3x3"}])", "view 1: expected name or a camera setting, found 'size'");
-    expectRefusal(R"([{"camera-position": [1, 2]}])", "view 0: camera-position: expected three numbers x,y,z, found '1,2'");
+    expectRefusal(R"([{"camera-position": [1, 2]}])",
+                  "view 0: camera-position: expected three numbers x,y,z, found '1,2'");
     expectRefusal(R"([{"name": "../up"}])", "view 0: name: expected letters, digits, -, _ and ., found \"../up\"");
     expectRefusal(R"([{"name": "a"}, {"name": "a"}])", "view 1: expected a name of its own, found 'a' again");
 }

@@ -454,10 +454,9 @@ TEST_F(Memory, TooLittleForAPicture) {
             std::printf("[  SKIPPED ] Memory.TooLittleForAPicture: no %s in software here\n", backend);
             continue;
         }
-        expectFailure(
-            runWith(megabytes(1500), {"render", roof(), "-o", "a.png", "--size", "8192x8192", "--tile-size", "8192",
-                                      "--backend", backend}),
-            1, HasSubstr("expected graphics memory for a picture of 8192 x 8192 pixels, found too little; "));
+        expectFailure(runWith(megabytes(1500), {"render", roof(), "-o", "a.png", "--size", "8192x8192", "--tile-size",
+                                                "8192", "--backend", backend}),
+                      1, HasSubstr("expected graphics memory for a picture of 8192 x 8192 pixels, found too little; "));
         expectNothingLeft();
     }
 }

@@ -39,7 +39,8 @@ TEST_F(Inspect, TellsOfCamerasAndWhatIsNotDrawn) {
     EXPECT_EQ(found.at("cameras").at(0).at("name"), "front");
     EXPECT_NEAR(found.at("cameras").at(0).at("height").get<double>(), 5.4, 1e-6);
     ASSERT_EQ(found.at("warnings").size(), 1U);
-    EXPECT_THAT(found.at("warnings").at(0).get<std::string>(), HasSubstr("primitives of points or lines are not drawn"));
+    EXPECT_THAT(found.at("warnings").at(0).get<std::string>(),
+                HasSubstr("primitives of points or lines are not drawn"));
 }
 
 TEST_F(Inspect, TakesTheSettingsOfTheModel) {
@@ -51,8 +52,9 @@ TEST_F(Inspect, TakesTheSettingsOfTheModel) {
 TEST_F(Inspect, SaysItInLinesForPeople) {
     const Outcome outcome = run({"inspect", asset("lantern.glb")});
     EXPECT_EQ(outcome.exitCode, 0);
-    for (const char* line : {"glTF 2.0\n", "in 3 instances of 3 meshes\n", "     0  cup: 10 triangles, 20 vertices, 1 instances\n",
-                             "     1  leaf alone\n", "     0  swing\n", "     0  tin: single-sided\n"})
+    for (const char* line :
+         {"glTF 2.0\n", "in 3 instances of 3 meshes\n", "     0  cup: 10 triangles, 20 vertices, 1 instances\n",
+          "     1  leaf alone\n", "     0  swing\n", "     0  tin: single-sided\n"})
         EXPECT_THAT(outcome.out, HasSubstr(line));
 }
 

@@ -280,7 +280,8 @@ TEST_F(RenderLines, NeedNoOpenGl) {
     const auto none = HasSubstr("expected a context for offscreen OpenGL 4.5, found none");
     expectFailure(draw("cube.glb", "cube.svg", {"--visibility", "fast"}, withoutBackends()), 4, none);
     expectFailure(draw("cube.glb", "cube.svg", {"--lines-from", "image"}, withoutBackends()), 4, none);
-    expectFailure(draw("cube.glb", "cube.png", {"--lines-from", "object", "--maps", "ids"}, withoutBackends()), 4, none);
+    expectFailure(draw("cube.glb", "cube.png", {"--lines-from", "object", "--maps", "ids"}, withoutBackends()), 4,
+                  none);
 }
 
 // A shared library that every process of a C++ program has open.

@@ -119,7 +119,8 @@ TEST_F(Render, MetadataHoldsCameraSizeBoundsSettingsBackendAndTimes) {
     for (const char* text : {"backend", "platform", "vendor", "renderer", "version"}) {
         EXPECT_FALSE(all["backend"][text].get<std::string>().empty()) << text;
     }
-    for (const char* stage : {"load", "prepare", "context", "upload", "surface", "edges", "composite", "read-back", "write"}) {
+    for (const char* stage :
+         {"load", "prepare", "context", "upload", "surface", "edges", "composite", "read-back", "write"}) {
         EXPECT_GE(all["milliseconds"].value(stage, -1.0), 0.0) << stage;
     }
 }

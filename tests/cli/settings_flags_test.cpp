@@ -60,10 +60,7 @@ const std::map<std::string_view, Example>& examples() {
         {"visibility", {.value = "fast", .wrong = "slow", .shows = "/settings/visibility", .becomes = "\"fast\""}},
         {"hidden", {.value = "dashed", .wrong = "dotted", .shows = "/settings/hidden", .becomes = "\"dashed\""}},
         {"page-size",
-         {.value = "A4-landscape",
-          .wrong = "210x297",
-          .shows = "/settings/page-size",
-          .becomes = "\"297mmx210mm\""}},
+         {.value = "A4-landscape", .wrong = "210x297", .shows = "/settings/page-size", .becomes = "\"297mmx210mm\""}},
         {"contour-finder",
          {.value = "random", .wrong = "all", .shows = "/settings/contour-finder", .becomes = "\"random\""}},
         {"stroke-width",
@@ -91,8 +88,10 @@ const std::map<std::string_view, Example>& examples() {
         {"subdivide-adaptive",
          {.value = "3", .wrong = "-1", .shows = "/settings/subdivide-adaptive", .becomes = "\"3\""}},
         {"scene", {.value = "1", .wrong = "-1", .shows = "/bounds", .asset = "lantern"}},
-        {"animation", {.value = "swing", .wrong = "", .shows = "/bounds", .beside = {"--time", "1"}, .asset = "lantern"}},
-        {"time", {.value = "0.5", .wrong = "-1", .shows = "/bounds", .beside = {"--animation", "swing"}, .asset = "lantern"}},
+        {"animation",
+         {.value = "swing", .wrong = "", .shows = "/bounds", .beside = {"--time", "1"}, .asset = "lantern"}},
+        {"time",
+         {.value = "0.5", .wrong = "-1", .shows = "/bounds", .beside = {"--animation", "swing"}, .asset = "lantern"}},
         {"transparent", {.value = "ignore", .wrong = "yes", .shows = "/triangles", .asset = "lantern"}},
         {"alpha-mask", {.value = "ignore", .wrong = "yes", .shows = "/triangles", .asset = "lantern"}},
         {"back-faces", {.value = "material", .wrong = "cull", .shows = "picture.png", .asset = "lantern"}},
@@ -172,9 +171,7 @@ protected:
         return *std::ranges::find(inkedge::settingTable(), name(), &inkedge::SettingDescription::name);
     }
 
-    [[nodiscard]] std::string drawn() const {
-        return example_.asset.empty() ? roof() : asset(example_.asset + ".glb");
-    }
+    [[nodiscard]] std::string drawn() const { return example_.asset.empty() ? roof() : asset(example_.asset + ".glb"); }
 
     /// What stands where the example shows, after a run with these flags besides.
     std::string shown(Arguments flags) const {

@@ -12,8 +12,8 @@ class Views : public Command {};
 TEST_F(Views, AreDrawnAsOneByOneHoweverManyAtATime) {
     constexpr int count = 12;
     const auto pictures = [&](const std::string& jobs, const Arguments& more) {
-        Arguments arguments{"render", asset("gear.glb"), "-o", "view{view}.png", "--size", "64x48", "--views", "turntable:12",
-                            "--jobs", jobs};
+        Arguments arguments{"render", asset("gear.glb"), "-o",           "view{view}.png", "--size",
+                            "64x48",  "--views",         "turntable:12", "--jobs",         jobs};
         arguments.insert(arguments.end(), more.begin(), more.end());
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.exitCode, 0) << outcome.error;
@@ -27,15 +27,15 @@ TEST_F(Views, AreDrawnAsOneByOneHoweverManyAtATime) {
     const auto alone = pictures("1", {});
     EXPECT_EQ(pictures("3", {}), alone);
     EXPECT_EQ(std::set<std::string>(alone.begin(), alone.end()).size(), static_cast<std::size_t>(count));
-    const Outcome single = run({"render", asset("gear.glb"), "-o", "one.png", "--size", "64x48", "--azimuth", "90",
-                                "--elevation", "0"});
+    const Outcome single =
+        run({"render", asset("gear.glb"), "-o", "one.png", "--size", "64x48", "--azimuth", "90", "--elevation", "0"});
     EXPECT_EQ(single.exitCode, 0) << single.error;
     EXPECT_EQ(pictures("2", {"--elevation", "0"}).at(3), contents(folder_ / "one.png"));
 }
 
 TEST_F(Views, HaveMetadataAndJsonEach) {
-    const Outcome outcome = run({"render", asset("cube.glb"), "-o", "{model}_{view}_{map}.png", "--maps", "depth", "--size",
-                                 "32x32", "--views", "sphere:5", "--metadata", "{view}.json", "--json"});
+    const Outcome outcome = run({"render", asset("cube.glb"), "-o", "{model}_{view}_{map}.png", "--maps", "depth",
+                                 "--size", "32x32", "--views", "sphere:5", "--metadata", "{view}.json", "--json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
     const json all = json::parse(outcome.out);
     ASSERT_EQ(all.size(), 5U);
@@ -54,7 +54,8 @@ TEST_F(Views, NeedAPlaceEach) {
         EXPECT_THAT(folder_.names(), testing::IsEmpty());
     };
     refused({"-o", "a.png"}, "--output: expected {view} in it for 2 views, found 'a.png'");
-    refused({"-o", "{view}.png", "--metadata", "m.json"}, "--metadata: expected {view} in it for 2 views, found 'm.json'");
+    refused({"-o", "{view}.png", "--metadata", "m.json"},
+            "--metadata: expected {view} in it for 2 views, found 'm.json'");
     refused({"-o", "-"}, "--views: expected --output FILE, found -");
     refused({"-o", "{view}.png", "--jobs", "0"}, "--jobs");
 }

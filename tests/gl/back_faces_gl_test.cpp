@@ -24,7 +24,8 @@ Scene squares(BackFaces backFaces) {
         mesh.normals.clear();
         mesh.materials.assign(2, material);
         const glm::dmat4 place = scenes::translation({x, 0, 0});
-        data.instances.push_back({"", static_cast<std::uint32_t>(data.meshes.size()), mirrored ? place * mirror : place});
+        data.instances.push_back(
+            {"", static_cast<std::uint32_t>(data.meshes.size()), mirrored ? place * mirror : place});
         data.meshes.push_back(mesh);
     };
     add(-3, false, false, 1);

@@ -31,13 +31,12 @@ TEST_P(Uploading, StoresAMeshOnceAndDrawsItsInstancesByOneCommand) {
     constexpr int instances = 3000;
     Scene::Data data;
     data.meshes = {scenes::sphere(0.4, 16)};
-    for (int i = 0; i < instances; ++i)
-        data.instances.push_back({"", 0, scenes::translation({i % 50, i / 50, 0})});
+    for (int i = 0; i < instances; ++i) data.instances.push_back({"", 0, scenes::translation({i % 50, i / 50, 0})});
     const Scene scene{std::move(data)};
     ASSERT_EQ(scene.meshes().size(), 1U);
-    const auto meshBytes = static_cast<GLsizeiptr>(
-        scene.meshes()[0].positions.size() * (2 * sizeof(glm::vec3) + sizeof(GLuint)) +
-        scene.meshes()[0].indices.size() * sizeof(std::uint32_t));
+    const auto meshBytes =
+        static_cast<GLsizeiptr>(scene.meshes()[0].positions.size() * (2 * sizeof(glm::vec3) + sizeof(GLuint)) +
+                                scene.meshes()[0].indices.size() * sizeof(std::uint32_t));
 
     const gl::Current current{context()};
     const gl::Api api = counting(context().api());

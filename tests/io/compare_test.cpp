@@ -9,9 +9,9 @@
 #include <limits>
 
 #include "io/expect_error.h"
-#include "modules/image_module.h"
 #include "io/read_png.h"
 #include "io/temporary_folder.h"
+#include "modules/image_module.h"
 
 using namespace inkedge;
 using testing::AllOf;

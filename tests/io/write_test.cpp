@@ -16,8 +16,8 @@
 #include <nlohmann/json.hpp>
 
 #include "io/expect_error.h"
-#include "modules/image_module.h"
 #include "io/temporary_folder.h"
+#include "modules/image_module.h"
 
 using namespace inkedge;
 using testing::AllOf;

@@ -1,7 +1,7 @@
 #include "lines/border_parts.h"
 
-#include <glm/trigonometric.hpp>
 #include <gmock/gmock.h>
+#include <glm/trigonometric.hpp>
 
 #include "lines/segment.h"
 #include "lines/views.h"

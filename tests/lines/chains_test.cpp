@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include <glm/trigonometric.hpp>
 #include <gmock/gmock.h>
+#include <glm/trigonometric.hpp>
 
 #include "lines/views.h"
 
@@ -70,7 +70,8 @@ TEST(Chains, GoStraightOnAtAJunction) {
     // Where the straightest two bend by 60 degrees or more none goes on.
     for (const double widest : {119.0, 121.0}) {
         const auto arm = [](double degrees, Key key) {
-            return segment({0, 0, 0}, 1, {10 * std::cos(glm::radians(degrees)), 10 * std::sin(glm::radians(degrees)), 0}, key);
+            return segment({0, 0, 0}, 1,
+                           {10 * std::cos(glm::radians(degrees)), 10 * std::sin(glm::radians(degrees)), 0}, key);
         };
         const Chained fan{{arm(0.0, 2), arm(60.0, 3), arm(widest, 4)}};
         EXPECT_THAT(fan.chains, SizeIs(widest < 120.0 ? 3 : 2)) << widest;
@@ -88,7 +89,8 @@ TEST(Chains, TakeBothWaysThroughACrossroads) {
 TEST(Chains, KeepToOneTypeAndToWhatIsDrawn) {
     auto onlyHides = segment({10, 0, 0}, 2, {20, 0, 0}, 3);
     onlyHides.drawn = false;
-    const Chained c{{segment({0, 0, 0}, 1, {10, 0, 0}, 2), segment({10, 0, 0}, 2, {20, 0, 0}, 3, Curve::Contour), onlyHides}};
+    const Chained c{
+        {segment({0, 0, 0}, 1, {10, 0, 0}, 2), segment({10, 0, 0}, 2, {20, 0, 0}, 3, Curve::Contour), onlyHides}};
     ASSERT_THAT(c.chains, SizeIs(2));
     for (const Chain& chain : c.chains) EXPECT_THAT(chain.links, SizeIs(1));
 }
@@ -99,8 +101,10 @@ TEST(Chains, HoldEveryDrawnSegmentOnce) {
     const auto key = [](int x, int y) { return Key(100 * x + y); };
     for (int x = 0; x < 6; ++x) {
         for (int y = 0; y < 6; ++y) {
-            if (x < 5) streets.push_back(segment({10 * x, 10 * y, 0}, key(x, y), {10 * x + 10, 10 * y, 0}, key(x + 1, y)));
-            if (y < 5) streets.push_back(segment({10 * x, 10 * y, 0}, key(x, y), {10 * x, 10 * y + 10, 0}, key(x, y + 1)));
+            if (x < 5)
+                streets.push_back(segment({10 * x, 10 * y, 0}, key(x, y), {10 * x + 10, 10 * y, 0}, key(x + 1, y)));
+            if (y < 5)
+                streets.push_back(segment({10 * x, 10 * y, 0}, key(x, y), {10 * x, 10 * y + 10, 0}, key(x, y + 1)));
         }
     }
     const Chained c{streets};
@@ -124,9 +128,9 @@ TEST(Projection, CutsAtTheNearPlaneAndNothingGoesOnThere) {
     const Screen screen{camera, glm::dvec3{0.0}, size};
     const glm::dvec3 before{0.1, 0, -3};
     const glm::dvec3 behind{0.1, 0, 5};
-    const Chained c{{segment(before, 1, behind, 2), segment(behind, 2, {0.2, 0, -3}, 3),
-                     segment({0, 0, 2}, 4, {1, 0, 0}, 5)},
-                    screen};
+    const Chained c{
+        {segment(before, 1, behind, 2), segment(behind, 2, {0.2, 0, -3}, 3), segment({0, 0, 2}, 4, {1, 0, 0}, 5)},
+        screen};
     ASSERT_THAT(c.segments, SizeIs(2));
     ASSERT_THAT(c.projected, SizeIs(2));
     EXPECT_THAT(c.chains, SizeIs(2)) << "joined behind the camera";

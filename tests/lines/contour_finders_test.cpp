@@ -56,7 +56,8 @@ struct Searched {
         double sum = 0.0;
         for (const std::uint32_t e : some) {
             const std::uint32_t h = edges.shared.halfEdges[e];
-            sum += double{glm::distance(mesh.positions[mesh.indices[h]], mesh.positions[mesh.indices[nextHalfEdge(h)]])};
+            sum +=
+                double{glm::distance(mesh.positions[mesh.indices[h]], mesh.positions[mesh.indices[nextHalfEdge(h)]])};
         }
         return sum;
     }
@@ -114,7 +115,8 @@ Mesh withThinFaces() {
     for (int i = 0; i < 20; ++i) {
         const double angle = 0.3 * i;
         for (const double gap : {0.0, 1e-9})
-            for (const double y : {0.0, 1.0}) mesh.positions.emplace_back(std::sin(angle + gap), y, std::cos(angle + gap));
+            for (const double y : {0.0, 1.0})
+                mesh.positions.emplace_back(std::sin(angle + gap), y, std::cos(angle + gap));
     }
     for (std::uint32_t i = 0; i + 3 < mesh.positions.size(); i += 2)
         mesh.indices.insert(mesh.indices.end(), {i, i + 1, i + 2, i + 2, i + 1, i + 3});
@@ -132,7 +134,8 @@ std::vector<std::filesystem::path> assets() {
 void expectTheDefinition(const Searched& model, const std::string& name) {
     const double reach = 2.5 * model.scene.bounds().radius;
     for (const glm::dvec3& direction : directions()) {
-        SCOPED_TRACE(testing::Message() << name << " along " << direction.x << ' ' << direction.y << ' ' << direction.z);
+        SCOPED_TRACE(testing::Message() << name << " along " << direction.x << ' ' << direction.y << ' '
+                                        << direction.z);
         const MeshEye near = from(-reach * glm::normalize(direction));
         const MeshEye far = from(-1e6 * reach * glm::normalize(direction));
         EXPECT_EQ(model.find(near, ContourFinder::Every), model.expected(near));
@@ -262,7 +265,8 @@ TEST(ContourFinders, LeaveTheLinesOfAViewAsTheyAre) {
     for (std::size_t i = 0; i < every.size(); ++i) {
         EXPECT_EQ(every[i].type, gauss[i].type);
         ASSERT_EQ(every[i].points.size(), gauss[i].points.size());
-        for (std::size_t k = 0; k < every[i].points.size(); ++k) EXPECT_EQ(every[i].points[k].point, gauss[i].points[k].point);
+        for (std::size_t k = 0; k < every[i].points.size(); ++k)
+            EXPECT_EQ(every[i].points[k].point, gauss[i].points[k].point);
     }
 }
 

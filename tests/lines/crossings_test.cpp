@@ -42,8 +42,10 @@ TEST(Crossings, AreWhereAContourPassesBefore) {
 
 TEST(Crossings, NeedADifferenceInDepth) {
     // On one surface: nearer by less than a twentieth of a pixel.
-    EXPECT_THAT((Crossed{{segment({-10, 0, 0}, {30, 0, 0}), segment({0, -10, 0.049}, {0, 10, 0.049})}}.crossings), IsEmpty());
-    EXPECT_THAT((Crossed{{segment({-10, 0, 0}, {30, 0, 0}), segment({0, -10, 0.051}, {0, 10, 0.051})}}.crossings), SizeIs(1));
+    EXPECT_THAT((Crossed{{segment({-10, 0, 0}, {30, 0, 0}), segment({0, -10, 0.049}, {0, 10, 0.049})}}.crossings),
+                IsEmpty());
+    EXPECT_THAT((Crossed{{segment({-10, 0, 0}, {30, 0, 0}), segment({0, -10, 0.051}, {0, 10, 0.051})}}.crossings),
+                SizeIs(1));
     // A smooth contour may lie that much deeper.
     auto smooth = segment({-10, 0, 0}, {30, 0, 0});
     smooth.slack = 1.0;

@@ -107,9 +107,12 @@ TEST(Intersections, NeedMoreThanTouch) {
     expectNone(unit, unit, translation({0.5, 1.0, 0.5}), "corner over the middle");
     expectNone(unit, cube(0.5), translation({0.25, 0.75, 0.0}), "on top, flush with a side");
     expectNone(unit, cube(0.5), translation({0.25, 0.25, 0.25}), "inside, flush with three sides");
-    expectNone(lines::views::sheet(2.0, 3), lines::views::sheet(2.0, 2), translation({0.3, 0, 0.2}), "layers in one plane");
-    expectNone(lines::views::sheet(4.0, 3), lines::views::sheet(2.0, 2), rotation(90.0, {1, 0, 0}) * translation({0, 0, -1}), "a wall on a floor");
-    expectNone(lines::views::sheet(2.0, 3), lines::views::sheet(2.0, 2), rotation(10.0, {1, 0, 0}), "planes nearly the same");
+    expectNone(lines::views::sheet(2.0, 3), lines::views::sheet(2.0, 2), translation({0.3, 0, 0.2}),
+               "layers in one plane");
+    expectNone(lines::views::sheet(4.0, 3), lines::views::sheet(2.0, 2),
+               rotation(90.0, {1, 0, 0}) * translation({0, 0, -1}), "a wall on a floor");
+    expectNone(lines::views::sheet(2.0, 3), lines::views::sheet(2.0, 2), rotation(10.0, {1, 0, 0}),
+               "planes nearly the same");
     // The pole, a corner of many faces, and then a tip, touch the table.
     expectNone(lines::views::sheet(4.0, 3), sphere(1.0, 32), translation({0.1, 1, 0.1}), "a sphere on a table");
 }
@@ -138,7 +141,8 @@ TEST(Intersections, WhereAnEdgeLiesInAFaceAreOneLineOfTwo) {
         }
     }
     // A cube's edges are lines themselves.
-    for (const Scene& scene : bothWays(lines::views::sheet(4.0), cube(1.0), rotation(45.0, {0, 0, 1}) * rotation(90.0, {1, 0, 0})))
+    for (const Scene& scene :
+         bothWays(lines::views::sheet(4.0), cube(1.0), rotation(45.0, {0, 0, 1}) * rotation(90.0, {1, 0, 0})))
         EXPECT_NEAR(totalLength(findIntersections(scene)), 2.0 * std::sqrt(2.0), 1e-5);
 }
 
@@ -171,7 +175,8 @@ TEST(Intersections, KeepToTheirInstances) {
 TEST(Intersections, AreFoundBetweenMirroredScaledAndDistortedInstances) {
     for (const glm::dmat4& transform :
          {scaling({-2, 2, 2}), scaling({1, 3, 0.5}), rotation(33, {1, 2, 3}) * scaling(glm::dvec3{1e-3})}) {
-        const Scene scene = sceneOf({{lines::views::sheet(4.0, 2), transform}, {cube(1.0), transform * rotation(10.0, {0, 1, 0})}});
+        const Scene scene =
+            sceneOf({{lines::views::sheet(4.0, 2), transform}, {cube(1.0), transform * rotation(10.0, {0, 1, 0})}});
         const auto segments = findIntersections(scene);
         const glm::dmat3 linear{transform};
         double expected = 0.0;

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <set>
 
-#include <glm/trigonometric.hpp>
 #include <gmock/gmock.h>
+#include <glm/trigonometric.hpp>
 
 #ifdef __linux__
 #include <sched.h>
@@ -52,7 +52,8 @@ EdgeCounts edgesOfBox(const std::vector<Line>& lines, glm::dvec3 sides, const Ca
             const int difference = low ^ high;
             EXPECT_TRUE(difference == 1 || difference == 2 || difference == 4) << low << " to " << high;
             auto& those = line.visible ? counts.seen : counts.hidden;
-            EXPECT_TRUE(those.emplace(std::pair{low, high}, line.type).second) << "drawn twice: " << low << " to " << high;
+            EXPECT_TRUE(those.emplace(std::pair{low, high}, line.type).second)
+                << "drawn twice: " << low << " to " << high;
         });
     }
     return counts;
@@ -85,7 +86,8 @@ TEST(ObjectLines, OfACubeSeenFaceOnAreOneSquare) {
         EXPECT_TRUE(lines[0].closed);
         EXPECT_EQ(lines[0].type, LineType::Outline);
         EXPECT_THAT(lines[0].points, SizeIs(4));
-        const double side = camera.orthographic() ? 2.0 * 300.0 / 5.0 : 2.0 * 150.0 / std::tan(glm::radians(17.5)) / 6.0;
+        const double side =
+            camera.orthographic() ? 2.0 * 300.0 / 5.0 : 2.0 * 150.0 / std::tan(glm::radians(17.5)) / 6.0;
         EXPECT_NEAR(length(lines), 4.0 * side, 1e-9);
     }
 }
@@ -158,7 +160,8 @@ TEST(ObjectLines, OfASphereByItsEdgesRunAlongItsEdges) {
     forEachPiece(lines[0], [&](const LinePoint& p, const LinePoint& q) {
         EXPECT_LT(glm::distance(p.point, q.point), longest + 1e-6);
         double nearest = 1.0;
-        for (const glm::vec3& corner : mesh.positions) nearest = std::min(nearest, glm::distance(glm::dvec3{corner}, p.point));
+        for (const glm::vec3& corner : mesh.positions)
+            nearest = std::min(nearest, glm::distance(glm::dvec3{corner}, p.point));
         EXPECT_LT(nearest, 1e-6);
     });
 }
@@ -183,7 +186,8 @@ struct TorusContour {
     // Along the contour, across the view in the picture: zero at cusps.
     [[nodiscard]] double across(double u, bool outer) const {
         const glm::dvec3 step = point(u + 1e-5, outer) - point(u - 1e-5, outer);
-        return glm::dot(step, glm::cross(normal(u, outer), glm::dvec3{std::cos(elevation), std::sin(elevation), 0})) / 2e-5;
+        return glm::dot(step, glm::cross(normal(u, outer), glm::dvec3{std::cos(elevation), std::sin(elevation), 0})) /
+               2e-5;
     }
     [[nodiscard]] std::vector<glm::dvec3> cusps() const {
         std::vector<glm::dvec3> found;
@@ -326,16 +330,20 @@ TEST(ObjectLines, OfAnOpenSheetAreOutlinesBeforeNothingAndBoundariesBeforeSometh
     ASSERT_THAT(alone, SizeIs(1));
     EXPECT_EQ(alone[0].type, LineType::Outline);
     EXPECT_TRUE(alone[0].closed);
-    const auto both = linesOf(sceneOf({{sheet(2.0, 3), glm::dmat4{1.0}}, {sheet(6.0, 2), translation({0, -1, 0})}}), camera);
+    const auto both =
+        linesOf(sceneOf({{sheet(2.0, 3), glm::dmat4{1.0}}, {sheet(6.0, 2), translation({0, -1, 0})}}), camera);
     ASSERT_THAT(both, SizeIs(2));
     for (const Line& line : both) {
         EXPECT_TRUE(line.closed);
         EXPECT_EQ(line.type, line.object == 1 ? LineType::Boundary : LineType::Outline);
     }
     // Half over it: hidden where the large one is nearer, an outline beyond it.
-    const auto across = linesOf(sceneOf({{sheet(2.0, 3), glm::dmat4{1.0}}, {sheet(6.0, 2), translation({3, -1, 0})}}), camera);
-    EXPECT_THAT(thoseOf(across, [](const Line& line) { return line.object == 1 && line.type == LineType::Outline; }), SizeIs(1));
-    EXPECT_THAT(thoseOf(across, [](const Line& line) { return line.object == 1 && line.type == LineType::Boundary; }), SizeIs(1));
+    const auto across =
+        linesOf(sceneOf({{sheet(2.0, 3), glm::dmat4{1.0}}, {sheet(6.0, 2), translation({3, -1, 0})}}), camera);
+    EXPECT_THAT(thoseOf(across, [](const Line& line) { return line.object == 1 && line.type == LineType::Outline; }),
+                SizeIs(1));
+    EXPECT_THAT(thoseOf(across, [](const Line& line) { return line.object == 1 && line.type == LineType::Boundary; }),
+                SizeIs(1));
 }
 
 // Pixels around a polygon.
@@ -357,7 +365,8 @@ TEST(ObjectLines, AreNoneAtSeams) {
     const glm::dmat4 there{1.0};
     Mesh one = left;  // with a corner on an edge's middle
     for (const Mesh& part : {rightNear, rightFar}) {
-        for (const std::uint32_t i : part.indices) one.indices.push_back(static_cast<std::uint32_t>(one.positions.size()) + i);
+        for (const std::uint32_t i : part.indices)
+            one.indices.push_back(static_cast<std::uint32_t>(one.positions.size()) + i);
         one.positions.insert(one.positions.end(), part.positions.begin(), part.positions.end());
     }
     const std::map<const char*, Scene> scenes{
@@ -375,8 +384,9 @@ TEST(ObjectLines, OfABoxOnATableAreItsEdgesWithoutSpray) {
     const Wish wish{};
     for (const std::uint32_t cells : {1U, 5U}) {
         for (const double off : {0.0, 3e-7, -3e-7}) {  // of a rounding
-            const Scene scene = sceneOf({{sheet(8.0, cells), glm::dmat4{1.0}},
-                                         {box({1, 1, 1}), translation({0.1, 0.5 + off, 0.2}) * rotation(20, {0, 1, 0})}});
+            const Scene scene =
+                sceneOf({{sheet(8.0, cells), glm::dmat4{1.0}},
+                         {box({1, 1, 1}), translation({0.1, 0.5 + off, 0.2}) * rotation(20, {0, 1, 0})}});
             for (const Camera& camera : {perspective({5, 4, 9}), orthographic({-5, 2, 4}, 10.0)}) {
                 const auto lines = linesOf(scene, camera, wish);
                 const auto onBox = thoseOf(lines, [](const Line& line) { return line.object == 2; });
@@ -424,7 +434,8 @@ void expectSame(const std::vector<Line>& one, const std::vector<Line>& other) {
 }
 
 TEST(ObjectLines, ThatAreSeenAreTheSameWhereHiddenOnesAreWantedToo) {
-    const Scene scene = sceneOf({{torus(2.0, 0.8, 90, 40), glm::dmat4{1.0}}, {cube(1.0), translation({0.5, 0.3, 0.2})}});
+    const Scene scene =
+        sceneOf({{torus(2.0, 0.8, 90, 40), glm::dmat4{1.0}}, {cube(1.0), translation({0.5, 0.3, 0.2})}});
     for (const Camera& camera : {perspective({7, 4, 5}), perspective({6, 1, -5})}) {
         for (const Contour contour : bothContours) {
             const auto without = linesOf(scene, camera, {.contour = contour});
@@ -438,9 +449,11 @@ TEST(ObjectLines, ThatAreSeenAreTheSameWhereHiddenOnesAreWantedToo) {
 TEST(ObjectLines, OfPartlyHiddenLoopsBeginWhereTheyAreHidden) {
     // A square sheet behind a post: one open line all round, whatever corner its chain begins at.
     for (int turn = 0; turn < 4; ++turn) {
-        const Scene scene = sceneOf({{sheet(4.0), rotation(90.0 * turn, {0, 1, 0})}, {box({1, 4, 1}), translation({0.3, 2.5, 2})}});
+        const Scene scene =
+            sceneOf({{sheet(4.0), rotation(90.0 * turn, {0, 1, 0})}, {box({1, 4, 1}), translation({0.3, 2.5, 2})}});
         const auto lines = linesOf(scene, perspective({0, 6, 12}));
-        const auto onSheet = thoseOf(lines, [](const Line& line) { return line.object == 1 && line.type == LineType::Outline; });
+        const auto onSheet =
+            thoseOf(lines, [](const Line& line) { return line.object == 1 && line.type == LineType::Outline; });
         ASSERT_THAT(onSheet, testing::Not(IsEmpty()));
         EXPECT_LE(onSheet.size(), 2U) << turn;
     }
@@ -477,7 +490,8 @@ TEST(ObjectLines, FromWithinAModelAreThoseOfItsInside) {
         });
     EXPECT_NEAR(across, 4.0 * side, 1e-6);
     for (const Contour contour : bothContours) {
-        expectSane(linesOf(sceneOf(torus(2.0, 0.8, 60, 30)), perspective({2, 0, 0}, {2, 0, 5}, 90.0), {.contour = contour}));
+        expectSane(
+            linesOf(sceneOf(torus(2.0, 0.8, 60, 30)), perspective({2, 0, 0}, {2, 0, 5}, 90.0), {.contour = contour}));
         expectSane(linesOf(sceneOf(sphere(1.0, 32)), perspective({0, 0, 0.9}, {0, 0, 2}, 90.0), {.contour = contour}));
     }
 }
@@ -489,13 +503,15 @@ TEST(ObjectLines, OfMeshesWithFaultsAreThoseOfTheMeshWithout) {
     Mesh twice = whole;  // every face again, some turned over
     for (std::size_t i = 0; i < whole.indices.size(); i += 3) {
         const bool turned = i % 2 == 1;
-        for (const std::size_t k : {0U, turned ? 2U : 1U, turned ? 1U : 2U}) twice.indices.push_back(whole.indices[i + k]);
+        for (const std::size_t k : {0U, turned ? 2U : 1U, turned ? 1U : 2U})
+            twice.indices.push_back(whole.indices[i + k]);
     }
     EXPECT_NEAR(length(linesOf(sceneOf(twice), camera)), expected, 1e-6);
     Mesh thin = whole;  // faces collapsed to points and to edges
     thin.indices.insert(thin.indices.end(), {0, 0, 0, 1, 1, 3, 7, 5, 7});
     EXPECT_NEAR(length(linesOf(sceneOf(thin), camera)), expected, 1e-6);
-    EXPECT_NEAR(length(linesOf(sceneOf({{whole, glm::dmat4{1.0}}, {whole, scaling({0, 0, 0})}}), camera)), expected, 1e-6);
+    EXPECT_NEAR(length(linesOf(sceneOf({{whole, glm::dmat4{1.0}}, {whole, scaling({0, 0, 0})}}), camera)), expected,
+                1e-6);
 }
 
 TEST(ObjectLines, OfManyFacesAtOneEdgeHoldTheEdgeOnce) {

@@ -59,7 +59,8 @@ TEST(RayCaster, GivesSlackToTheFacesOfOnePart) {
     const SurfaceParts parts{two, {}};
     const Screen screen{perspective({0, 0, 5}), two.bounds().centre, size};
     const auto hidden = [&](double z, std::uint32_t instance) {
-        return rays.hides(screen, glm::dvec3{0.3, 0.2, z} - two.bounds().centre, {}, {0.5, &parts, parts.of({instance, 0})});
+        return rays.hides(screen, glm::dvec3{0.3, 0.2, z} - two.bounds().centre, {},
+                          {0.5, &parts, parts.of({instance, 0})});
     };
     EXPECT_FALSE(hidden(0.1, 0));
     EXPECT_TRUE(hidden(0.1, 1));

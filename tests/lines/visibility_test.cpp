@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
-#include <gmock/gmock.h>
 
 #include <inkedge/scene.h>
 
@@ -117,7 +117,8 @@ std::vector<Piece> linesOfEdges(const Scene& scene, const Judge& judge) {
         for (const auto& [place, faces] : edges) {
             const bool single = faces.front.size() == 1;
             const bool contour = faces.front.size() == 2 && faces.front[0] != faces.front[1];
-            const bool crease = !faces.inner && faces.front.size() == 2 && glm::dot(faces.normals[0], faces.normals[1]) < flat;
+            const bool crease =
+                !faces.inner && faces.front.size() == 2 && glm::dot(faces.normals[0], faces.normals[1]) < flat;
             if (single || contour || crease) pieces.push_back(faces.piece);
         }
     }
@@ -149,7 +150,9 @@ public:
         }
         return false;
     }
-    [[nodiscard]] bool inside(glm::dvec2 p) const { return p.x > 1 && p.y > 1 && p.x < size_.width - 1 && p.y < size_.height - 1; }
+    [[nodiscard]] bool inside(glm::dvec2 p) const {
+        return p.x > 1 && p.y > 1 && p.x < size_.width - 1 && p.y < size_.height - 1;
+    }
 
 private:
     [[nodiscard]] std::pair<int, int> cellOf(glm::dvec2 p) const {
@@ -179,7 +182,8 @@ glm::dvec3 along(const Line& line, bool fromEnd, double pixels) {
     if (fromEnd) std::ranges::reverse(points);
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         const double piece = glm::distance(points[i].place, points[i + 1].place);
-        if (piece >= pixels && piece > 0.0) return points[i].point + pixels / piece * (points[i + 1].point - points[i].point);
+        if (piece >= pixels && piece > 0.0)
+            return points[i].point + pixels / piece * (points[i + 1].point - points[i].point);
         pixels -= piece;
     }
     return points.back().point;
@@ -249,7 +253,8 @@ Measured measureAround(const Scene& scene) {
         camera.near = 0.1 * ball.radius;
         measure(scene, camera, measured);
     }
-    measure(scene, orthographic(ball.centre + ball.radius * glm::dvec3{-2, 2, 3}, 2.0 * ball.radius, ball.centre), measured);
+    measure(scene, orthographic(ball.centre + ball.radius * glm::dvec3{-2, 2, 3}, 2.0 * ball.radius, ball.centre),
+            measured);
     return measured;
 }
 

@@ -8,10 +8,10 @@
 namespace inkedge::lines {
 namespace {
 
-using testing::ElementsAre;
-using testing::FieldsAre;
 using testing::DoubleEq;
 using testing::DoubleNear;
+using testing::ElementsAre;
+using testing::FieldsAre;
 using testing::SizeIs;
 
 constexpr double placed = 0.13;  // pixels: a change is placed to half of 0.25
@@ -68,7 +68,8 @@ Seen insideUntil(double x, double end) { return x < end ? Seen::Inside : Seen::H
 TEST(VisibleParts, OfWhatLooksTheSameAreOne) {
     const Straight line{{10.0, -7.0, 3.0}};
     EXPECT_THAT(line.part([](double) { return Seen::Outline; }), ElementsAre(FieldsAre(0.0, 3.0, Seen::Outline)));
-    EXPECT_THAT(line.part([](double) { return Seen::Hidden; }, {4.0, 12.0}), ElementsAre(FieldsAre(0.0, 3.0, Seen::Hidden)));
+    EXPECT_THAT(line.part([](double) { return Seen::Hidden; }, {4.0, 12.0}),
+                ElementsAre(FieldsAre(0.0, 3.0, Seen::Hidden)));
 }
 
 TEST(VisibleParts, ChangeExactlyAtCrossings) {
@@ -118,15 +119,17 @@ TEST(VisibleParts, DoNotReachOverAGapToASpeck) {
 
 TEST(VisibleParts, HaveEveryChangeWiderThanTheSampleStep) {
     const Straight line{{33.0, 33.0, 34.0}};
-    const auto parts = line.part([](double x) { return static_cast<int>(x / 12.5) % 2 == 0 ? Seen::Outline : Seen::Hidden; });
+    const auto parts =
+        line.part([](double x) { return static_cast<int>(x / 12.5) % 2 == 0 ? Seen::Outline : Seen::Hidden; });
     ASSERT_THAT(parts, SizeIs(8));
     for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(line.x(parts[i].begin), 12.5 * double(i), placed);
 }
 
 TEST(VisibleParts, CoverTheChainWithoutGaps) {
     const Straight line{{0.1, 0.0, 12.0, -0.05, 30.0, 0.2}};
-    const auto parts = line.part([](double x) { return static_cast<int>(x / 7.0) % 2 == 0 ? Seen::Inside : Seen::Hidden; },
-                                 {0.05, 5.0, 5.1, 7.0, 25.0, 42.3});
+    const auto parts =
+        line.part([](double x) { return static_cast<int>(x / 7.0) % 2 == 0 ? Seen::Inside : Seen::Hidden; },
+                  {0.05, 5.0, 5.1, 7.0, 25.0, 42.3});
     EXPECT_EQ(parts.front().begin, 0.0);
     EXPECT_EQ(parts.back().end, 6.0);
     for (std::size_t i = 1; i < parts.size(); ++i) {
@@ -153,7 +156,9 @@ TEST(VisibleParts, KeepShortPiecesBesideOtherSeenOnes) {
     // Against the background, before a surface for half a pixel, hidden.
     const Straight line{{60.0}};
     const auto parts = line.part(
-        [](double x) { return x < 20.0 ? Seen::Outline : x < 20.5 ? Seen::Inside : Seen::Hidden; }, {20.0, 20.5});
+        [](double x) { return x < 20.0   ? Seen::Outline
+                              : x < 20.5 ? Seen::Inside
+                                         : Seen::Hidden; }, {20.0, 20.5});
     EXPECT_THAT(parts, ElementsAre(FieldsAre(0.0, DoubleEq(20.0 / 60.0), Seen::Outline),
                                    FieldsAre(DoubleEq(20.0 / 60.0), DoubleEq(20.5 / 60.0), Seen::Inside),
                                    FieldsAre(DoubleEq(20.5 / 60.0), 1.0, Seen::Hidden)));
@@ -168,7 +173,8 @@ TEST(VisibleParts, OfAChainOfSpecksAreJudgedByOne) {
 
 TEST(VisibleParts, OfClosedChainsDoNotEndWhereTheChainBegins) {
     const Straight loop{{20.0, 20.0, 20.0}, true};
-    const auto parts = loop.part([](double x) { return x > 25.0 && x < 35.0 ? Seen::Hidden : Seen::Outline; }, {25.0, 35.0});
+    const auto parts =
+        loop.part([](double x) { return x > 25.0 && x < 35.0 ? Seen::Hidden : Seen::Outline; }, {25.0, 35.0});
     EXPECT_THAT(parts, ElementsAre(FieldsAre(DoubleEq(1.25), DoubleEq(1.75), Seen::Hidden),
                                    FieldsAre(DoubleEq(1.75), DoubleEq(4.25), Seen::Outline)));
     // Whole ones stay whole.

@@ -117,11 +117,11 @@ TEST_P(Functions, equalTheirDefinitions) {
     Bench bench{gpu(), scene};
     for (const bool orthographic : {false, true}) {
         const Camera camera = cameraFor(scene, orthographic);
-        for (const char* const text : {"depth", "depth:map=window", "normal", "normal:space=world", "texture",
-                                       "texture:repeat=2.5", "base-color", "environment", "environment:space=world",
-                                       "volume", "volume:kind=gradient", "volume:kind=stripes,axis=x", "curvature",
-                                       "curvature:scale=3,steps=7",
-                                       "uv", "uv:step=0.05,direction=v", "height", "height:axis=x,step=0.3"}) {
+        for (const char* const text :
+             {"depth", "depth:map=window", "normal", "normal:space=world", "texture", "texture:repeat=2.5",
+              "base-color", "environment", "environment:space=world", "volume", "volume:kind=gradient",
+              "volume:kind=stripes,axis=x", "curvature", "curvature:scale=3,steps=7", "uv", "uv:step=0.05,direction=v",
+              "height", "height:axis=x,step=0.3"}) {
             SCOPED_TRACE(testing::Message() << text << (orthographic ? ", orthographic" : ", perspective"));
             const FunctionSettings function = surfaceFunction(text);
             const Image<double> expected = reference::drawFunction(scene, camera, function, size);

@@ -74,8 +74,7 @@ Hatched hatched(gl::Gpu& gpu, const Scene& scene, const Camera& camera, const St
     const gl::UploadedScene upload{gpu.api, scene};
     const PlaneBuffers buffers = drawPlanes(gpu, upload, scene, camera, size);
     const double unit = unitLength(scene);
-    return {gl::readFloats(gpu.api, buffers.planes, 4),
-            hatch(gpu, buffers.planes, size, camera, unit, settings, 1),
+    return {gl::readFloats(gpu.api, buffers.planes, 4), hatch(gpu, buffers.planes, size, camera, unit, settings, 1),
             camera.focalLength(size) * (camera.orthographic() ? unit : 1.0)};
 }
 
@@ -251,7 +250,8 @@ TEST_P(Styles, samplingDepthLeavesStreaks) {
         int streaks = 0;
         for (int y = 1; y + 1 < size.height; ++y) {
             const double ink = inkAt(picture, size.width / 2, y);
-            const bool peak = ink > inkAt(picture, size.width / 2, y - 1) && ink >= inkAt(picture, size.width / 2, y + 1);
+            const bool peak =
+                ink > inkAt(picture, size.width / 2, y - 1) && ink >= inkAt(picture, size.width / 2, y + 1);
             streaks += peak && ink > 0.2 ? 1 : 0;
         }
         return streaks;

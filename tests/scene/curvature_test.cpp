@@ -69,7 +69,8 @@ TEST(MeanCurvature, endsAtCreases) {
     for (std::uint32_t i = 0; i < sides; ++i) {
         const std::uint32_t next = (i + 1) % sides;
         for (const std::uint32_t c : {i, next, sides + next, i, sides + next, sides + i}) tube.indices.push_back(c);
-        for (const std::uint32_t c : {next, i, 2U * sides, sides + i, sides + next, 2U * sides + 1}) tube.indices.push_back(c);
+        for (const std::uint32_t c : {next, i, 2U * sides, sides + i, sides + next, 2U * sides + 1})
+            tube.indices.push_back(c);
     }
     const Scene scene = curved(tube);
     const Mesh& mesh = scene.meshes()[0];
@@ -88,8 +89,10 @@ TEST(MeanCurvature, ofARoughSurfaceIsNearlyThatOfASmoothOne) {
         random = random * 1664525U + 1013904223U;
         const float bump = 0.002F * (static_cast<float>(random >> 8U) / 8388608.0F - 1.0F);
         // The first and the last of a ring are one point, and so are all of a pole.
-        if (i % 257 == 256) rough.positions[i] = rough.positions[i - 256];
-        else if (i > 257 && i < rough.positions.size() - 257) rough.positions[i] *= 1.0F + bump;
+        if (i % 257 == 256)
+            rough.positions[i] = rough.positions[i - 256];
+        else if (i > 257 && i < rough.positions.size() - 257)
+            rough.positions[i] *= 1.0F + bump;
     }
     const Scene scene = curved(rough, 90.0);
     double squares = 0.0;

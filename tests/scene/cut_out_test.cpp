@@ -126,7 +126,8 @@ TEST(CutOutTest, ADiscIsCutOutOfASheetWithoutAGap) {
 TEST(CutOutTest, HolesAreLeftOpen) {
     constexpr int size = 200;
     const auto isHole = [](double x, double y) {
-        for (const glm::dvec2 centre : {glm::dvec2{60, 60}, glm::dvec2{60, 140}, glm::dvec2{140, 70}, glm::dvec2{130, 150}})
+        for (const glm::dvec2 centre :
+             {glm::dvec2{60, 60}, glm::dvec2{60, 140}, glm::dvec2{140, 70}, glm::dvec2{130, 150}})
             if (glm::distance(glm::dvec2{x, y}, centre) < 25.0) return true;
         return false;
     };

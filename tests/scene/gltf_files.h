@@ -206,7 +206,7 @@ inline std::vector<glm::dvec3> worldCorners(const Scene::Data& data) {
 }
 
 inline void expectNear(const std::vector<glm::dvec3>& found, const std::vector<glm::dvec3>& expected,
-                double tolerance = 1e-6) {
+                       double tolerance = 1e-6) {
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t i = 0; i < found.size(); ++i)
         EXPECT_LE(glm::length(found[i] - expected[i]), tolerance)

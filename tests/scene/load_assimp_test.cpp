@@ -267,10 +267,11 @@ TEST_F(LoadAssimp, recentresPositionsAndWarnsOfFloatsThatAreTooCoarse) {
     EXPECT_EQ(corners(data).at(1), glm::dvec3(5400001, 0, 0));
     EXPECT_THAT(data.warnings, IsEmpty());
     const std::string floats = raw<float>({5400000, 0, 0, 5400001, 0, 0, 5400000, 1, 0});
-    EXPECT_THAT(plyFile(ply("binary_little_endian", floatXyz,
-                            floats + raw<std::uint8_t>(3) + raw<std::int32_t>({0, 1, 2}), 3)).warnings,
-                ElementsAre("coordinates are kept to 0.64, as PLY files are read as floats: much for a model 1.41 across "
-                            "that far from the origin"));
+    EXPECT_THAT(
+        plyFile(ply("binary_little_endian", floatXyz, floats + raw<std::uint8_t>(3) + raw<std::int32_t>({0, 1, 2}), 3))
+            .warnings,
+        ElementsAre("coordinates are kept to 0.64, as PLY files are read as floats: much for a model 1.41 across "
+                    "that far from the origin"));
 }
 
 // ---- precision

@@ -61,7 +61,7 @@ TEST_F(Animation, StepsAtItsKeys) {
 
 // p(t) = (2t^3 - 3t^2 + 1) v0 + d (t^3 - 2t^2 + t) b0 + (-2t^3 + 3t^2) v1 + d (t^3 - t^2) a1, glTF 2.0, appendix C.5
 TEST_F(Animation, FollowsACubicSpline) {
-    const std::vector<float> keys{0, 0, 0, 1, 0, 0, 4, 0, 0,   // in-tangent, value, out-tangent
+    const std::vector<float> keys{0, 0, 0, 1, 0, 0, 4, 0, 0,  // in-tangent, value, out-tangent
                                   2, 0, 0, 3, 0, 0, 0, 0, 0};
     const Model model = animated("translation", {0, 2}, keys, "VEC3", "CUBICSPLINE");
     const double t = 0.25;
@@ -261,7 +261,8 @@ TEST_F(Materials, PicturesThatCannotBeReadLeaveTheMeshWhole) {
     };
     Model missing = cutOut(leftHalf());
     missing.json["images"][0] = {{"uri", "leaf.png"}};
-    EXPECT_THAT(warningOf(missing), HasSubstr("material 0 is drawn without its cut-out: image 0: expected the file 'leaf.png'"));
+    EXPECT_THAT(warningOf(missing),
+                HasSubstr("material 0 is drawn without its cut-out: image 0: expected the file 'leaf.png'"));
     missing.json["images"][0] = {{"uri", "../../leaf.png"}};
     EXPECT_THAT(warningOf(missing), HasSubstr("expected a file within the model's folder"));
     Bytes damaged = leftHalf();
@@ -270,7 +271,8 @@ TEST_F(Materials, PicturesThatCannotBeReadLeaveTheMeshWhole) {
     EXPECT_THAT(warningOf(cutOut(Bytes{'R', 'I', 'F', 'F', 0, 0})), HasSubstr("expected a PNG or JPEG picture"));
     LoadSettings small;
     small.limits.imagePixels = 63;
-    EXPECT_THAT(warningOf(cutOut(leftHalf()), small), HasSubstr("expected at most 63 pixels, found 8x8; raise max-image-pixels"));
+    EXPECT_THAT(warningOf(cutOut(leftHalf()), small),
+                HasSubstr("expected at most 63 pixels, found 8x8; raise max-image-pixels"));
     Model elsewhere = cutOut(leftHalf());
     elsewhere.json["textures"][0] = {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}};
     EXPECT_THAT(warningOf(elsewhere), HasSubstr("in another form"));
@@ -294,7 +296,8 @@ TEST_F(Materials, SidednessIsRead) {
 }
 
 TEST_F(Materials, DamageIsNamed) {
-    EXPECT_THAT(refusal(textured({{"alphaMode", "HOLLOW"}})), HasSubstr("material 0: expected OPAQUE, MASK or BLEND as alphaMode"));
+    EXPECT_THAT(refusal(textured({{"alphaMode", "HOLLOW"}})),
+                HasSubstr("material 0: expected OPAQUE, MASK or BLEND as alphaMode"));
     Model model = triangle();
     model.json["meshes"][0]["primitives"][0]["material"] = 3;
     EXPECT_THAT(load(model).warnings, ElementsAre("mesh 0, primitive 0: expected a material below 0, found 3"));
@@ -313,7 +316,8 @@ TEST_F(GltfFileTest, EveryLimitIsSaidWithTheSettingThatRaisesIt) {
     const std::string text = model.gltf();
     const std::vector<Case> cases{
         {&LoadLimits::fileSize, text.size(), "raise max-file-size"},
-        {&LoadLimits::vertices, 6, "expected at most 5 vertices and indices in the scene, found more; raise max-vertices"},
+        {&LoadLimits::vertices, 6,
+         "expected at most 5 vertices and indices in the scene, found more; raise max-vertices"},
         {&LoadLimits::instances, 2, "expected at most 1 instances in the scene, found more; raise max-instances"},
         {&LoadLimits::nodes, 2, "expected at most 1 nodes, found 2; raise max-nodes"},
         {&LoadLimits::nodeDepth, 2, "expected nodes at most 1 deep, found deeper; raise max-node-depth"},

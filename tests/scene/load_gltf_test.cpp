@@ -550,12 +550,14 @@ TEST_F(LoadGltf, refusesUnreadableFiles) {
 TEST_F(LoadGltf, refusesFilesOverTwoGibibytes) {
     const fs::path file = write("a.gltf", "{");
     fs::resize_file(file, std::uintmax_t{1} << 31);
-    EXPECT_EQ(refusal(file), "expected at most 2147483647 more bytes in the files of a model, found 2147483648; raise max-file-size");
+    EXPECT_EQ(refusal(file),
+              "expected at most 2147483647 more bytes in the files of a model, found 2147483648; raise max-file-size");
     Model model = triangle();
     static_cast<void>(write("b.bin", "b"));
     fs::resize_file(folder_ / "b.bin", (std::uintmax_t{1} << 31) - 100);
     model.json["buffers"] = {{{"byteLength", model.bytes.size()}, {"uri", "b.bin"}}};
-    EXPECT_THAT(refusal(model), AllOf(HasSubstr("buffer 0: 'b.bin': expected at most "), HasSubstr("found 2147483548; raise max-file-size")));
+    EXPECT_THAT(refusal(model), AllOf(HasSubstr("buffer 0: 'b.bin': expected at most "),
+                                      HasSubstr("found 2147483548; raise max-file-size")));
 }
 
 TEST_F(LoadGltf, refusesATruncatedFileWhereverItIsCut) {
@@ -725,7 +727,8 @@ std::vector<Fault> faults() {
          positionsOf + "expected 4 elements of 12 bytes, 12 bytes apart, from byte 0, found a bufferView of 36 bytes"},
         {"accessorOffsetBeyondItsView", accessor(0, "byteOffset", 4), positionsOf + "expected 3 elements"},
         {"accessorOffsetThatOverflows", accessor(0, "byteOffset", huge), positionsOf + "expected 3 elements"},
-        {"accessorCountThatOverflows", accessor(0, "count", huge), "primitive 0: expected at most 16777888 vertices and indices from so small a file, found more"},
+        {"accessorCountThatOverflows", accessor(0, "count", huge),
+         "primitive 0: expected at most 16777888 vertices and indices from so small a file, found more"},
         {"accessorCountBelowZero", accessor(0, "count", -1), "'count' property is not a positive integer"},
         {"zerosWithoutEnd",
          [](Model& model) {

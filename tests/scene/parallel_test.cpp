@@ -18,7 +18,8 @@ namespace inkedge {
 namespace {
 
 TEST(InRanges, coversEverythingOnce) {
-    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, 2 * elementsWorthAThread + 1, 10 * elementsWorthAThread}) {
+    for (const std::size_t count :
+         {std::size_t{0}, std::size_t{1}, 2 * elementsWorthAThread + 1, 10 * elementsWorthAThread}) {
         std::vector<int> visits(count, 0);
         inRanges(count, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) ++visits[i];
@@ -60,8 +61,8 @@ Scene steppedSheet() {
             const std::uint32_t i = x * width + y;
             sheet.indices.insert(sheet.indices.end(), {i, i + width, i + 1, i + 1, i + width, i + width + 1});
         }
-    return scenes::sceneOf({{sheet, glm::dmat4{1.0}},
-                            {scenes::quad({5, 2, 0}, {9, 2, 0}, {9, 6, 0}, {5, 6, 0}), glm::dmat4{1.0}}});
+    return scenes::sceneOf(
+        {{sheet, glm::dmat4{1.0}}, {scenes::quad({5, 2, 0}, {9, 2, 0}, {9, 6, 0}, {5, 6, 0}), glm::dmat4{1.0}}});
 }
 
 // Keeps this thread on one core.

@@ -56,8 +56,7 @@ Mesh quadCube() {
 Mesh grid(std::uint32_t n) {
     Mesh mesh;
     for (std::uint32_t y = 0; y <= n; ++y)
-        for (std::uint32_t x = 0; x <= n; ++x)
-            mesh.positions.emplace_back(2.0 * x / n - 1.0, 2.0 * y / n - 1.0, 0.0);
+        for (std::uint32_t x = 0; x <= n; ++x) mesh.positions.emplace_back(2.0 * x / n - 1.0, 2.0 * y / n - 1.0, 0.0);
     for (std::uint32_t y = 0; y < n; ++y)
         for (std::uint32_t x = 0; x < n; ++x)
             addQuad(mesh, y * (n + 1) + x, y * (n + 1) + x + 1, (y + 1) * (n + 1) + x + 1, (y + 1) * (n + 1) + x);
@@ -194,7 +193,8 @@ TEST(Subdivide, keepsCreasesThatOnlyNormalsMake) {
     // Two faces that bend by less than the crease angle, whose normals the file splits.
     Mesh roof;
     const float rise = 0.1F;
-    roof.positions = {{-1, 0, 0}, {0, 0, rise}, {0, 1, rise}, {-1, 1, 0}, {0, 0, rise}, {1, 0, 0}, {1, 1, 0}, {0, 1, rise}};
+    roof.positions = {{-1, 0, 0},   {0, 0, rise}, {0, 1, rise}, {-1, 1, 0},
+                      {0, 0, rise}, {1, 0, 0},    {1, 1, 0},    {0, 1, rise}};
     const glm::vec3 left = glm::normalize(glm::vec3{-1, 0, 1});
     const glm::vec3 right = glm::normalize(glm::vec3{1, 0, 1});
     roof.normals = {left, left, left, left, right, right, right, right};
@@ -231,7 +231,8 @@ TEST(Subdivide, givesTheNormalsOfTheLimitSurface) {
         const Mesh& mesh = fine.meshes()[0];
         for (std::size_t i = 0; i < coarse.meshes()[0].positions.size(); ++i) {
             const glm::vec3 p = coarse.meshes()[0].positions[i];
-            const auto same = std::ranges::min_element(mesh.positions, {}, [&](glm::vec3 q) { return glm::distance(p, q); });
+            const auto same =
+                std::ranges::min_element(mesh.positions, {}, [&](glm::vec3 q) { return glm::distance(p, q); });
             ASSERT_LT(glm::distance(*same, p), 1e-6F);
             const glm::vec3 normal = mesh.normals[static_cast<std::size_t>(same - mesh.positions.begin())];
             EXPECT_LT(glm::distance(normal, coarse.meshes()[0].normals[i]), 1e-5F);
@@ -299,7 +300,8 @@ TEST(Subdivide, refusesWhatIsOverTheLimitBeforeItIsMade) {
         FAIL() << "not refused";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), Error::Kind::Input);
-        EXPECT_THAT(error.what(), HasSubstr("expected at most 100000 vertices and indices once subdivided 6 times, found 2.87e+08"));
+        EXPECT_THAT(error.what(),
+                    HasSubstr("expected at most 100000 vertices and indices once subdivided 6 times, found 2.87e+08"));
     }
     // As many as there are: 4 x 16 + 2 vertices of a cube, and 6 x 16 x 6 indices.
     settings = levels(2, smoothAngle);
@@ -325,7 +327,8 @@ TEST(Subdivide, holdsTwoCubesTogetherThatShareAnEdge) {
 TEST(Subdivide, opensNoGapWhereManyFacesMeet) {
     // Three leaves of a book, each bent otherwise: at their shared spine they stay together.
     Mesh book;
-    for (int i = 0; i < 4; ++i) book.positions.emplace_back(0.1F * static_cast<float>(i * i), 0.0F, static_cast<float>(i));
+    for (int i = 0; i < 4; ++i)
+        book.positions.emplace_back(0.1F * static_cast<float>(i * i), 0.0F, static_cast<float>(i));
     for (int leaf = 0; leaf < 3; ++leaf) {
         const double angle = 2.0 * leaf;
         const auto first = static_cast<std::uint32_t>(book.positions.size());
@@ -649,7 +652,8 @@ TEST(RefineNear, holdsTheWholeContourOfTheSmoothSurface) {
 TEST(RefineNear, leavesAloneWhatTheContourIsFarFrom) {
     const Scene scene = refined(asTriangles(torus(64, 32)), levels(0));
     const ControlMesh control = controlMesh(scene.meshes()[0], scene.topology(0));
-    const std::vector<std::uint32_t> triangles = refineNear(scene, 0, control, eye, Projection::Perspective, 1).controlTriangles;
+    const std::vector<std::uint32_t> triangles =
+        refineNear(scene, 0, control, eye, Projection::Perspective, 1).controlTriangles;
     const std::set<std::uint32_t> faces(triangles.begin(), triangles.end());
     EXPECT_GT(faces.size(), 100U);
     EXPECT_LT(faces.size(), control.faceSizes.size() / 3);
