@@ -64,7 +64,7 @@ private:
         for (std::uint32_t t = 0; t < count; ++t) {
             if (topology_.originals[t] != t || tree_.normals[t] == glm::dvec3{0.0}) continue;
             const auto [a, b, c] = corners(t);
-            const auto cell = [&](int axis) {
+            const auto cell = [&, &a = a, &b = b, &c = c](int axis) {
                 const double middle = (double{a[axis]} + double{b[axis]} + double{c[axis]}) / 3.0 - double{low[axis]};
                 return spread(static_cast<std::uint64_t>(std::clamp(middle * cells, 0.0, 2097151.0)));
             };
