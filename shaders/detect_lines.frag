@@ -9,10 +9,7 @@
 //   s   |
 layout(binding = 0) uniform sampler2D planes;  // as draw_planes.frag writes them
 
-layout(location = 0) uniform float focalLength;   // pixels (orthographic: pixels a unit length)
-layout(location = 1) uniform bool orthographic;
-layout(location = 2) uniform float creaseCosine;  // c |c|, c the crease angle's cosine
-layout(location = 3) uniform vec2 centre;         // of the whole picture, pixels from the tile's corner
+layout(location = 3) uniform float creaseCosine;  // c |c|, c the crease angle's cosine
 
 // One byte a pixel, four pixels a component (the first in the low byte), four rows a texel.
 layout(location = 0) out uvec4 marks;

@@ -7,12 +7,9 @@
 // there, and on how much light falls on them.
 layout(binding = 0) uniform sampler2D planes;  // as draw_planes.frag writes them
 
-layout(location = 0) uniform float focalLength;  // pixels (orthographic: pixels a unit length)
-layout(location = 1) uniform bool orthographic;
-layout(location = 2) uniform vec2 centre;        // of the whole picture, pixels from the tile's corner
-layout(location = 3) uniform float bend;         // radians
-layout(location = 4) uniform float shade;        // 0 to 1
-layout(location = 5) uniform float markWidth;    // pixels
+layout(location = 3) uniform float bend;       // radians
+layout(location = 4) uniform float shade;      // 0 to 1
+layout(location = 5) uniform float markWidth;  // pixels
 
 layout(location = 0) out float ink;  // 0 none, 1 full
 

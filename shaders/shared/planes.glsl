@@ -1,4 +1,7 @@
-// What the planes that draw_planes.frag writes say of the surface. Reads focalLength and orthographic.
+// What the planes that draw_planes.frag writes say of the surface.
+layout(location = 0) uniform float focalLength;  // pixels (orthographic: pixels a unit length)
+layout(location = 1) uniform bool orthographic;
+layout(location = 2) uniform vec2 centre;        // of the whole picture, pixels from the tile's corner
 
 // The face normal, turned to the eye, up to a positive factor; n.xy in pixels, as the picture's axes run, and turned about.
 vec3 normalOf(vec4 plane, vec2 fromCentre) {

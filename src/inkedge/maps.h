@@ -27,7 +27,7 @@ struct StageTime {
 /// The result of one render. Every image has the picture's size, row 0 at the top; maps that were not asked for are
 /// empty. The masks hold 255 on an edge and 0 off it.
 struct Maps {
-    Image<std::uint8_t> picture;     ///< 1 channel if line and background are grey, 3 (RGB), or 4 (RGBA, not
+    Image<std::uint8_t> picture;     ///< 1 channel if all lines and the background are grey, 3 (RGB), or 4 (RGBA, not
                                      ///< premultiplied) if the background is transparent
     Image<float> depth;              ///< eye-space depth, scene units; background: camera.far
     Image<float> windowDepth;        ///< 0 at near, 1 at far; background: 1

@@ -9,7 +9,7 @@ namespace inkedge {
 /// The outline picture: the line colour where a mark is not 0, the background elsewhere (Hertzmann 1999, section 2.2,
 /// first sentence). Runs on the CPU: of the marks there are 2 bits a pixel to read back, of the picture 8 to 32. CPU
 /// definition: reference::composite(), which it equals.
-/// @return  1 channel if both colours are grey and the background is opaque; else 3, or 4 on a transparent background
+/// @return  1, 3 or 4 channels, as Maps::picture
 [[nodiscard]] Image<std::uint8_t> composite(const EdgeMarks&, const PictureSettings&);
 
 }  // namespace inkedge

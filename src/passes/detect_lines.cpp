@@ -8,6 +8,7 @@
 
 #include "gl/draw.h"
 #include "gl/read_back.h"
+#include "passes/plane_uniforms.h"
 
 namespace inkedge {
 namespace {
@@ -64,14 +65,9 @@ Image<std::uint8_t> detectLines(gl::Gpu& gpu, const gl::Texture& planes, const T
     constexpr auto program = gl::Program::DetectLines;
     const Size size = planes.size();
     const double creaseCosine = std::cos(glm::radians(creaseAngle));
-    const double focal = camera.focalLength(tile.whole) * (camera.orthographic() ? unit : 1.0);
     const GLuint id = gpu.programs.id(program);
-    gpu.api.ProgramUniform1f(id, 0, static_cast<float>(focal));
-    gpu.api.ProgramUniform1i(id, 1, camera.orthographic() ? 1 : 0);
-    gpu.api.ProgramUniform1f(id, 2, static_cast<float>(creaseCosine * std::abs(creaseCosine)));
-
-    gpu.api.ProgramUniform2f(id, 3, 0.5F * static_cast<float>(tile.whole.width) - static_cast<float>(tile.drawn.x),
-                             0.5F * static_cast<float>(tile.whole.height) - static_cast<float>(tile.drawn.y));
+    setPlanes(gpu, program, tile, camera, unit);
+    gpu.api.ProgramUniform1f(id, 3, static_cast<float>(creaseCosine * std::abs(creaseCosine)));
 
     const Size blocks{(size.width + blockSide - 1) / blockSide, (size.height + blockSide - 1) / blockSide};
     const gl::Texture marks = gpu.textures.acquire(blocks, GL_RGBA32UI);

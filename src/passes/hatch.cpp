@@ -3,6 +3,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "gl/draw.h"
+#include "passes/plane_uniforms.h"
 #include "passes/read_ink.h"
 
 namespace inkedge {
@@ -11,11 +12,7 @@ Image<std::uint8_t> hatch(gl::Gpu& gpu, const gl::Texture& planes, const Tile& t
                           const StyleSettings& settings, int samples) {
     constexpr auto program = gl::Program::Hatch;
     const GLuint id = gpu.programs.id(program);
-    const double focal = camera.focalLength(tile.whole) * (camera.orthographic() ? unit : 1.0);
-    gpu.api.ProgramUniform1f(id, 0, static_cast<float>(focal));
-    gpu.api.ProgramUniform1i(id, 1, camera.orthographic() ? 1 : 0);
-    gpu.api.ProgramUniform2f(id, 2, 0.5F * static_cast<float>(tile.whole.width) - static_cast<float>(tile.drawn.x),
-                             0.5F * static_cast<float>(tile.whole.height) - static_cast<float>(tile.drawn.y));
+    setPlanes(gpu, program, tile, camera, unit);
     gpu.api.ProgramUniform1f(id, 3, static_cast<float>(glm::radians(settings.hatchBend.value())));
     gpu.api.ProgramUniform1f(id, 4, static_cast<float>(settings.hatchShade));
     gpu.api.ProgramUniform1f(id, 5, static_cast<float>(settings.hatchWidth * samples));

@@ -13,6 +13,7 @@
 #include <inkedge/error.h>
 
 #include "reference/raster.h"
+#include "settings/picture_channels.h"
 
 namespace inkedge::reference {
 namespace {
@@ -236,8 +237,7 @@ Image<double> detectProfiles(const Image<double>& depth, const Image<double>& no
 
 Image<std::uint8_t> composite(const Image<std::uint8_t>& edges, const PictureSettings& settings) {
     const Color behind = settings.background.value_or(settings.lineColor);
-    const bool grey = settings.background && behind.grey() && settings.lineColor.grey();
-    Image<std::uint8_t> picture{edges.size, grey ? 1 : settings.background ? 3 : 4};
+    Image<std::uint8_t> picture{edges.size, pictureChannels(settings)};
     for (int y = 0; y < edges.size.height; ++y) {
         for (int x = 0; x < edges.size.width; ++x) {
             const bool edge = edges.at(x, y) != 0;
