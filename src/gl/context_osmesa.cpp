@@ -46,8 +46,10 @@ public:
     explicit OsmesaContext(const BackendInfo& info) {
         info_ = info;
         if (!osmesa().complete) {
-            throw Error{Error::Kind::Context,
-                        "expected libOSMesa.so.8, found none; install it (Debian: apt-get install libosmesa6)"};
+            throw Error{
+                Error::Kind::Context,
+                "expected libOSMesa.so.8, found none; install it (Debian 12 and 13: apt-get install libosmesa6), "
+                "or use egl, where Mesa is 25.1 or newer: it has no OSMesa"};
         }
         constexpr std::array attributes{osmesaFormat,
                                         osmesaRgba,

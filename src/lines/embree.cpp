@@ -1,5 +1,7 @@
 #include "lines/embree.h"
 
+#include <string>
+
 #include <dlfcn.h>
 #include <fmt/format.h>
 
@@ -8,25 +10,25 @@
 namespace inkedge::embree {
 namespace {
 
-constexpr const char* libraryName = "libembree3.so.3";
+const std::string libraryName = fmt::format("libembree{0}.so.{0}", INKEDGE_EMBREE_VERSION);
 
 template <class Function>
 void resolve(void* library, const char* name, Function& function) {
     function = reinterpret_cast<Function>(::dlsym(library, name));
     if (function == nullptr) {
         throw Error{Error::Kind::Runtime,
-                    fmt::format("lines from object space: expected {} in {}, found none; install Embree 3.13", name,
-                                libraryName)};
+                    fmt::format("lines from object space: expected {} in {}, found none; install Embree {}", name,
+                                libraryName, INKEDGE_EMBREE_VERSION)};
     }
 }
 
 Api load() {
-    void* const library = ::dlopen(libraryName, RTLD_NOW | RTLD_LOCAL);
+    void* const library = ::dlopen(libraryName.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr) {
         throw Error{Error::Kind::Runtime,
-                    fmt::format("lines from object space: expected {}, found: {}; install Embree 3.13, or use "
+                    fmt::format("lines from object space: expected {}, found: {}; install Embree {}, or use "
                                 "--lines-from image",
-                                libraryName, ::dlerror())};
+                                libraryName, ::dlerror(), INKEDGE_EMBREE_VERSION)};
     }
     Api api{};
     resolve(library, "rtcNewDevice", api.newDevice);
@@ -35,22 +37,16 @@ Api load() {
     resolve(library, "rtcNewScene", api.newScene);
     resolve(library, "rtcReleaseScene", api.releaseScene);
     resolve(library, "rtcSetSceneFlags", api.setSceneFlags);
-    resolve(library, "rtcSetSceneBuildQuality", api.setSceneBuildQuality);
     resolve(library, "rtcCommitScene", api.commitScene);
     resolve(library, "rtcNewGeometry", api.newGeometry);
     resolve(library, "rtcReleaseGeometry", api.releaseGeometry);
     resolve(library, "rtcCommitGeometry", api.commitGeometry);
     resolve(library, "rtcAttachGeometry", api.attachGeometry);
-    resolve(library, "rtcSetSharedGeometryBuffer", api.setSharedGeometryBuffer);
     resolve(library, "rtcSetNewGeometryBuffer", api.setNewGeometryBuffer);
     resolve(library, "rtcSetGeometryInstancedScene", api.setGeometryInstancedScene);
     resolve(library, "rtcSetGeometryTransform", api.setGeometryTransform);
-    resolve(library, "rtcSetGeometryUserData", api.setGeometryUserData);
-    resolve(library, "rtcSetGeometryUserPrimitiveCount", api.setGeometryUserPrimitiveCount);
-    resolve(library, "rtcSetGeometryBoundsFunction", api.setGeometryBoundsFunction);
     resolve(library, "rtcIntersect1", api.intersect1);
     resolve(library, "rtcOccluded1", api.occluded1);
-    resolve(library, "rtcCollide", api.collide);
     return api;
 }
 
@@ -88,6 +84,28 @@ Device makeDevice() {
     if (device == nullptr) refuse(api().getDeviceError(nullptr));
     return Device{device};
 }
+
+#if INKEDGE_EMBREE_VERSION == 4
+void intersect(const Scene& scene, RTCRayHit& hit) { api().intersect1(scene.get(), &hit, nullptr); }
+
+bool occluded(const Scene& scene, RTCRay ray) {
+    api().occluded1(scene.get(), &ray, nullptr);
+    return ray.tfar < 0.0F;
+}
+#else
+void intersect(const Scene& scene, RTCRayHit& hit) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    api().intersect1(scene.get(), &context, &hit);
+}
+
+bool occluded(const Scene& scene, RTCRay ray) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    api().occluded1(scene.get(), &context, &ray);
+    return ray.tfar < 0.0F;
+}
+#endif
 
 void check(const Device& device) {
     if (const RTCError error = api().getDeviceError(device.get()); error != RTC_ERROR_NONE) refuse(error);

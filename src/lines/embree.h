@@ -2,11 +2,16 @@
 
 #include <utility>
 
+#if INKEDGE_EMBREE_VERSION == 4
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 namespace inkedge::embree {
 
-/// Embree's functions. The library is opened on first use, so that what needs no rays does not pay for it.
+/// Functions of Embree 3 or 4, whichever was configured. The library is opened on first use, so that what needs no rays
+/// does not pay for it.
 struct Api {
     decltype(&rtcNewDevice) newDevice;
     decltype(&rtcReleaseDevice) releaseDevice;
@@ -14,22 +19,16 @@ struct Api {
     decltype(&rtcNewScene) newScene;
     decltype(&rtcReleaseScene) releaseScene;
     decltype(&rtcSetSceneFlags) setSceneFlags;
-    decltype(&rtcSetSceneBuildQuality) setSceneBuildQuality;
     decltype(&rtcCommitScene) commitScene;
     decltype(&rtcNewGeometry) newGeometry;
     decltype(&rtcReleaseGeometry) releaseGeometry;
     decltype(&rtcCommitGeometry) commitGeometry;
     decltype(&rtcAttachGeometry) attachGeometry;
-    decltype(&rtcSetSharedGeometryBuffer) setSharedGeometryBuffer;
     decltype(&rtcSetNewGeometryBuffer) setNewGeometryBuffer;
     decltype(&rtcSetGeometryInstancedScene) setGeometryInstancedScene;
     decltype(&rtcSetGeometryTransform) setGeometryTransform;
-    decltype(&rtcSetGeometryUserData) setGeometryUserData;
-    decltype(&rtcSetGeometryUserPrimitiveCount) setGeometryUserPrimitiveCount;
-    decltype(&rtcSetGeometryBoundsFunction) setGeometryBoundsFunction;
     decltype(&rtcIntersect1) intersect1;
     decltype(&rtcOccluded1) occluded1;
-    decltype(&rtcCollide) collide;
 };
 
 /// @throws Error  (Kind::Runtime) if the library is not installed or lacks a function
@@ -59,6 +58,12 @@ using Geometry = Handle<RTCGeometry, &Api::releaseGeometry>;
 
 /// @throws Error  (Kind::Runtime) with Embree's reason
 [[nodiscard]] Device makeDevice();
+
+/// The first face that a ray meets, written into it; geomID stays RTC_INVALID_GEOMETRY_ID where there is none. Thread-safe.
+void intersect(const Scene&, RTCRayHit&);
+
+/// Whether a ray meets any face. Thread-safe.
+[[nodiscard]] bool occluded(const Scene&, RTCRay);
 
 /// @throws Error  (Kind::Runtime) if a call since the last check failed: most often for want of memory
 void check(const Device&);

@@ -133,9 +133,7 @@ bool RayCaster::hides(const Screen& screen, glm::dvec3 point, std::span<const Sc
     double begin = ray.begin;
     for (int i = 0; i < mostHits && begin < end; ++i) {
         RTCRayHit hit = State::embreeRay(ray, begin, end);
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        embree::api().intersect1(state_->top.get(), &context, &hit);
+        embree::intersect(state_->top, hit);
         if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
         const SceneFace face{hit.hit.instID[0], hit.hit.primID};
         const bool counts = std::ranges::find(own, face) == own.end();
@@ -150,9 +148,7 @@ std::optional<glm::dvec3> RayCaster::firstNormal(glm::dvec3 from, glm::dvec3 to,
     double begin = 0.0;
     for (int i = 0; i < mostHits && begin < 1.0; ++i) {
         RTCRayHit hit = State::embreeRay({from, to - from, 0.0}, begin, 1.0);
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        embree::api().intersect1(state_->top.get(), &context, &hit);
+        embree::intersect(state_->top, hit);
         if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
         const SceneFace face{hit.hit.instID[0], hit.hit.primID};
         if (std::ranges::find(own, face) == own.end()) {
@@ -169,11 +165,7 @@ std::optional<glm::dvec3> RayCaster::firstNormal(glm::dvec3 from, glm::dvec3 to,
 
 bool RayCaster::meets(const Screen& screen, glm::dvec3 point) const {
     const State::Ray ray = state_->rayTo(screen, point);
-    RTCRay whole = State::embreeRay(ray, ray.begin, std::numeric_limits<double>::infinity()).ray;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    embree::api().occluded1(state_->top.get(), &context, &whole);
-    return whole.tfar < 0.0F;
+    return embree::occluded(state_->top, State::embreeRay(ray, ray.begin, std::numeric_limits<double>::infinity()).ray);
 }
 
 }  // namespace inkedge::lines

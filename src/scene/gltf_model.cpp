@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <limits>
+#include <utility>
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -15,6 +17,17 @@ namespace {
 
 using Buffers = std::vector<std::vector<std::uint8_t>>;
 
+// tinygltf 2.9 has a callback for a file's size, 2.7 none.
+template <class Callbacks>
+void serveSizes(Callbacks& served) {
+    if constexpr (requires { served.GetFileSizeInBytes; }) {
+        served.GetFileSizeInBytes = [](std::size_t* size, std::string*, const std::string& name, void* all) {
+            *size = static_cast<const Buffers*>(all)->at(std::stoul(name)).size();
+            return true;
+        };
+    }
+}
+
 // Lets tinygltf reach no file: a buffer's uri is its number among those already read.
 tinygltf::FsCallbacks servedFrom(Buffers& buffers) {
     const auto exists = [](const std::string&, void*) { return true; };
@@ -23,7 +36,17 @@ tinygltf::FsCallbacks servedFrom(Buffers& buffers) {
         *bytes = std::move(static_cast<Buffers*>(all)->at(std::stoul(name)));
         return true;
     };
-    return {exists, expand, read, nullptr, &buffers};
+    // Newer ones ask for a size as well, and read nothing unless all are set, that for writing too.
+    tinygltf::FsCallbacks served{};
+    served.FileExists = exists;
+    served.ExpandFilePath = expand;
+    served.ReadWholeFile = read;
+    served.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+        return false;
+    };
+    serveSizes(served);
+    served.user_data = &buffers;
+    return served;
 }
 
 // The first line of tinygltf's errors that is one: a skin may do without inverse bind matrices.
@@ -64,8 +87,9 @@ ElementType elementType(int type) {
     }
 }
 
-std::uint64_t notNegative(int number) {
-    if (number < 0) refuse(fmt::format("expected a number of at least 0, found {}", number));
+// An int in tinygltf 2.7, in part a size_t in 2.9.
+std::uint64_t notNegative(std::integral auto number) {
+    if (std::cmp_less(number, 0)) refuse(fmt::format("expected a number of at least 0, found {}", number));
     return static_cast<std::uint64_t>(number);
 }
 

@@ -12,6 +12,7 @@
 #include <meshoptimizer.h>
 #include <nlohmann/json.hpp>
 
+#include "encode_exponential.h"
 #include "fuzz/promise.h"
 
 namespace {
@@ -102,7 +103,7 @@ void writeDraco(const std::filesystem::path& file, int method, int bits) {
 void writeMeshopt(const std::filesystem::path& file, const std::string& mode, const std::string& filter) {
     const Grid grid;
     std::vector<float> filtered = grid.positions;
-    if (filter == "EXPONENTIAL") meshopt_encodeFilterExp(filtered.data(), vertexCount, 12, 15, grid.positions.data());
+    if (filter == "EXPONENTIAL") encodeExponential(filtered.data(), vertexCount, 12, 15, grid.positions.data());
     Bytes vertices(meshopt_encodeVertexBufferBound(vertexCount, 12));
     vertices.resize(meshopt_encodeVertexBuffer(vertices.data(), vertices.size(), filtered.data(), vertexCount, 12));
     const bool triangles = mode == "TRIANGLES";

@@ -18,6 +18,7 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "encode_exponential.h"
 #include "io/expect_error.h"
 #include "io/temporary_folder.h"
 #include "scene/gltf_draco.h"
@@ -222,7 +223,7 @@ TEST(LoadMeshopt, readsEveryFilter) {
 
     const std::vector<float> numbers{1.5F, -2, 1e-3F, 1e6F, 0, 7};
     Bytes exponential(6 * 4);
-    meshopt_encodeFilterExp(exponential.data(), 6, 4, 23, numbers.data());
+    encodeExponential(exponential.data(), 6, 4, 23, numbers.data());
     const Bytes asNumbers =
         gltf::decodeMeshopt({6, 4, "ATTRIBUTES", "EXPONENTIAL"}, encodeVertices(exponential.data(), 6, 4), 1 << 20);
     for (std::size_t i = 0; i < 6; ++i) {
