@@ -54,7 +54,7 @@ TEST(Scene, refusesIndicesThatAreNoTriangles) {
 
 TEST(Scene, refusesSharpEdgesThatAreNotOneAnIndex) {
     auto data = cubeData();
-    data.meshes[0].sharpEdges.resize(7);
+    data.meshes[0].sharpEdges = std::vector<bool>(7);
     expectRefusal(data, "mesh 0 'part': expected 36 sharp edges, one an index, found 7");
 }
 
