@@ -1,13 +1,14 @@
 #!/bin/bash
-# Embree's manual (rtcCommitScene) says that it leaves out triangles with values beyond 1.844e18, so one would expect hits
-# to be right within that. 3.13.5 and 4.3.3 get them right up to about 3e12. Of two triangles of size and depth 1e13 the
-# one behind is hit, at the distance infinity, and a segment that ends before both counts as blocked; at 1e-16 both are
-# missed, or, with the robust flag, the one behind is hit at 0. No error is raised: callers must scale such scenes.
+# Embree's manual (rtcCommitScene) says that it leaves out triangles with values beyond 1.844e18, so one would expect
+# hits to be right within that. 3.13.5 and 4.3.3 get them right up to about 3e12. Of two triangles of size and depth
+# 1e13 the one behind is hit, at the distance infinity, and a segment that ends before both counts as blocked; at 1e-16
+# both are missed, or, with the robust flag, the one behind is hit at 0. No error is raised: callers must scale such
+# scenes.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "$0")/lib.sh"
 need g++
-unpack bookworm libembree-dev=3.13.5+dfsg-2 libembree3-3=3.13.5+dfsg-2 libtbb12 libstdc++6 libgcc-s1 libc6
+unpack bookworm libembree-dev=3.13.5+dfsg-2 libembree3-3=3.13.5+dfsg-2 libtbb12
 unpack trixie libembree-dev=4.3.3+dfsg-1 libembree4-4=4.3.3+dfsg-1 libtbb12 libstdc++6 libgcc-s1 libc6
 
 cat >"$work/hit.cpp" <<'CPP'
@@ -30,7 +31,7 @@ static void add(RTCDevice device, RTCScene scene, float size, float z) {
   rtcReleaseGeometry(geometry);
 }
 
-// Triangle 0 at z = 0 and triangle 1 at z = depth; a ray comes down from z = 4 * depth, and a segment ends at 3 * depth.
+// Triangle 0 at z = 0 and triangle 1 at z = depth. A ray comes down from z = 4 * depth, and a segment to 3 * depth.
 static void look(RTCDevice device, float size, float depth, RTCSceneFlags flags) {
   RTCScene scene = rtcNewScene(device);
   rtcSetSceneFlags(scene, flags);
@@ -78,7 +79,7 @@ for suite in bookworm trixie; do
   g++ -I"$(echo "$root"/include/embree?)" "$work/hit.cpp" "$root"/lib/x86_64-linux-gnu/libembree?.so \
     -Wl,--allow-shlib-undefined -o "$work/hit"
   run "$suite" "$work/hit" >"$work/seen"
-  expect "$work/seen" <<'SEEN'
+  expect "$work/seen" "$suite" <<'SEEN'
 size 1, depth 1: triangle 1 at 3, segment free, error 0
 size 1e+12, depth 1e+12: triangle 1 at 3e+12, segment free, error 0
 size 1e+13, depth 1e+13: triangle 0 at inf, segment blocked, error 0

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Sourced by the scripts beside it: a temp folder that goes at exit, and Debian packages unpacked into it, never installed.
+# Sourced by the scripts beside it: a temp folder that goes at exit, and Debian packages that are unpacked into it.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -17,16 +17,16 @@ need() {
   [[ $(dpkg --print-architecture) == amd64 ]] || skip "the packages are pinned for amd64"
 }
 
-# unpack SUITE PACKAGE=VERSION...: packages of that Debian suite, into $work/SUITE. A package named without a version is
-# only the ground to run on (the C library and the like): the suite's own serves.
+# unpack SUITE PACKAGE=VERSION...: packages of that Debian suite, into $work/SUITE. One named without a version is only
+# what the others stand on (the C library and the like): the suite's current one serves.
 unpack() {
   local suite=$1 state=$work/apt-$1 uri package
   shift
   # The archive is the one that this machine takes its own Debian suite from.
   # shellcheck disable=SC2016  # apt fills these in
   uri=$(apt-get indextargets --format '$(RELEASE) $(REPO_URI)' 'Created-By: Packages' |
-    awk '$1 ~ /^(bookworm|trixie|forky|sid|stable|testing)$/ { print $2; exit }')
-  [[ -n $uri ]] || skip "apt knows no Debian archive here"
+    awk '$1 ~ /^(bookworm|trixie)$/ { uri = $2 } END { print uri }')
+  [[ -n $uri ]] || skip "apt knows no archive of Debian 12 or 13 here"
   local apt=(apt-get -qq -o "Dir::Etc::SourceList=$state/sources.list" -o Dir::Etc::SourceParts=/dev/null
     -o "Dir::State=$state" -o Dir::State::status=/dev/null -o "Dir::Cache=$state" -o Acquire::Languages=none
     -o APT::Sandbox::User=root)
@@ -43,16 +43,17 @@ unpack() {
   done
 }
 
-# run SUITE PROGRAM...: with that suite's libraries, its C library among them.
+# run SUITE PROGRAM...: with that suite's libraries, on trixie's C and C++ library, which serve older programs as well.
 run() {
-  local root=$work/$1 loader
-  loader=$(find "$root" -path '*/x86_64-linux-gnu/ld-linux-x86-64.so.2' -print -quit)
+  local libraries=lib/x86_64-linux-gnu own=$work/$1 ground=$work/trixie/usr
   shift
-  "$loader" --library-path "$root/lib/x86_64-linux-gnu:$root/usr/lib/x86_64-linux-gnu" "$@"
+  "$ground/$libraries/ld-linux-x86-64.so.2" \
+    --library-path "$own/usr/$libraries:$own/$libraries:$ground/$libraries" "$@"
 }
 
-# expect FILE: the lines that FILE must hold are on standard input. It prints FILE, and fails where they differ.
+# expect FILE SUITE: the lines that FILE must hold are on standard input. It prints FILE, and fails where they differ.
 expect() {
+  echo "-- seen with the packages of $2:"
   cat "$1"
   diff -u --label expected --label seen - "$1" >"$work/difference" && return
   echo "no longer as stated:" >&2

@@ -1,8 +1,8 @@
 #!/bin/bash
 # A program may hand tinygltf its own file functions, for instance to read from memory. To load, one would expect the
-# three that reading needs to do, and with 2.7.0 they do. 2.9.5 adds a fifth function, GetFileSizeInBytes, and refuses the
-# whole set unless all five are there, the one that writes files too. The old code still compiles without a warning: the
-# refusal is a bool that was void before. Where it goes unread, the load reports success, with a file from the disk.
+# three that reading needs to do, and with 2.7.0 they do. 2.9.5 adds a fifth function, GetFileSizeInBytes, and refuses
+# the whole set unless all five are there, the one that writes files too. The old code still compiles without a warning:
+# the refusal is a bool that was void before. Where it goes unread, the load reports success, with a file from the disk.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "$0")/lib.sh"
@@ -42,7 +42,7 @@ int main() {
     return true;
   };
   load("three to read", files);
-  files.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; };
+  files.WriteWholeFile = [](auto*, const std::string&, const std::vector<unsigned char>&, void*) { return false; };
   load("and one to write", files);
 #ifdef WITH_SIZE
   files.GetFileSizeInBytes = [](std::size_t* size, std::string*, const std::string&, void*) { return *size = 6, true; };
@@ -56,13 +56,13 @@ cd "$work"
 printf disk:: >a.bin
 g++ -Wall -Wextra -Werror -isystem bookworm/usr/include load.cpp -o load
 ./load >seen
-expect seen <<'SEEN'
+expect seen bookworm <<'SEEN'
 three to read: loaded yes, own functions called yes, buffer "memory", error "", warning ""
 and one to write: loaded yes, own functions called yes, buffer "memory", error "", warning ""
 SEEN
 g++ -DWITH_SIZE -Wall -Wextra -Werror -isystem trixie/usr/include load.cpp -o load
 ./load >seen
-expect seen <<'SEEN'
+expect seen trixie <<'SEEN'
 three to read: loaded yes, own functions called no, buffer "disk::", error "", warning ""
 and one to write: loaded yes, own functions called no, buffer "disk::", error "", warning ""
 and one for sizes: loaded yes, own functions called yes, buffer "memory", error "", warning ""

@@ -1,8 +1,8 @@
 #!/bin/bash
 # glTF 2.0 (JSON Encoding) lets a whole number be written 36, 36.0 or 3.6e1, so one would expect these to be read alike.
 # tinygltf 2.7.0 and 2.9.5 take only 36. An optional property written otherwise counts as absent, with no error and no
-# warning: the node loses its mesh, the primitive its indices, the accessor its offset. Only a required one,
-# such as an accessor's count, fails. Programs that hold every JSON number as a double write such files.
+# warning: the node loses its mesh, the primitive its indices, the accessor its offset. Only a required one, such as an
+# accessor's count, fails. A writer that holds every JSON number as a double may write such files.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "$0")/lib.sh"
@@ -52,7 +52,8 @@ int main(int, char** arguments) {
       const std::size_t at = model.accessors[primitive.attributes.at("POSITION")].byteOffset;
       float point[3];
       std::memcpy(point, model.buffers[0].data.data() + at, sizeof point);
-      std::printf("node's mesh %d, z %g, %s; ", model.nodes[0].mesh, point[2], primitive.indices < 0 ? "no indices" : "indices");
+      std::printf("node's mesh %d, z %g, %s; ", model.nodes[0].mesh, point[2],
+                  primitive.indices < 0 ? "no indices" : "indices");
     }
     std::printf("error \"%s\", warning \"%s\"\n", error.substr(0, error.find('\n')).c_str(), warning.c_str());
   }
@@ -62,7 +63,7 @@ files=("$work"/{plain,indices-1.0,offset-36.0,offset-3.6e1,mesh-0.0,count-3.0}.g
 for suite in bookworm trixie; do
   g++ -isystem "$work/$suite/usr/include" "$work/read.cpp" -o "$work/read"
   "$work/read" "${files[@]}" >"$work/seen"
-  expect "$work/seen" <<'SEEN'
+  expect "$work/seen" "$suite" <<'SEEN'
 plain.gltf: node's mesh 0, z 2, indices; error "", warning ""
 indices-1.0.gltf: node's mesh 0, z 2, no indices; error "", warning ""
 offset-36.0.gltf: node's mesh 0, z 0, indices; error "", warning ""

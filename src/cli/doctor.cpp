@@ -8,7 +8,7 @@
 #include <inkedge/error.h>
 #include <inkedge/renderer.h>
 
-#include "cli/child_process.h"
+#include "process/child_process.h"
 #include "cli/streams.h"
 #include "cli/verbs.h"
 
@@ -43,7 +43,7 @@ std::string text(const ordered_json& json, int indent = -1) {
 }
 
 std::vector<BackendReport> probeInChildren() {
-    const Answer list = answerOfChild(
+    const process::Answer list = process::answerOfChild(
         [] {
             ordered_json all = ordered_json::array();
             for (const BackendInfo& info : listBackends()) all.push_back(toJson({info, {}}));
@@ -57,7 +57,7 @@ std::vector<BackendReport> probeInChildren() {
     std::vector<BackendReport> reports;
     for (const ordered_json& each : ordered_json::parse(list.text)) {
         const std::size_t number = reports.size();
-        const Answer trial = answerOfChild([number] { return text(toJson(probeBackend(number))); }, longestTrial);
+        const process::Answer trial = process::answerOfChild([number] { return text(toJson(probeBackend(number))); }, longestTrial);
         reports.push_back(fromJson(trial.failure.empty() ? ordered_json::parse(trial.text) : each));
         if (trial.failure.empty()) continue;
         reports.back().failure = fmt::format("expected the driver to start, {}; {}", trial.failure, remedy);

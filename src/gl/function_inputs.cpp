@@ -11,9 +11,9 @@
 #include <inkedge/settings.h>
 
 #include "gl/errors.h"
-#include "scene/decode_picture.h"
-#include "scene/load_file.h"
-#include "scene/load_message.h"
+#include "images/decode_picture.h"
+#include "base/read_file.h"
+#include "base/message.h"
 
 namespace inkedge::gl {
 namespace {

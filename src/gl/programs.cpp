@@ -10,8 +10,8 @@
 
 #include <inkedge/error.h>
 
-#include "scene/load_file.h"
-#include "scene/load_message.h"
+#include "base/read_file.h"
+#include "base/message.h"
 
 namespace inkedge::gl {
 namespace {

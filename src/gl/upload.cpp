@@ -12,7 +12,7 @@
 
 #include "gl/errors.h"
 #include "scene/patch_numbers.h"
-#include "scene/topology.h"
+#include "mesh/topology.h"
 
 namespace inkedge::gl {
 namespace {

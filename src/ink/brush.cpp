@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/load_file.h"
-#include "scene/load_message.h"
-#include "scene/opacity_map.h"
+#include "base/read_file.h"
+#include "base/message.h"
+#include "images/opacity_map.h"
 
 namespace inkedge {
 namespace {

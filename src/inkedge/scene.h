@@ -12,47 +12,13 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <inkedge/bounds.h>
 #include <inkedge/export.h>
 #include <inkedge/image.h>
+#include <inkedge/mesh.h>
 #include <inkedge/settings.h>
 
 namespace inkedge {
-
-/// How texture coordinates outside 0..1 find their place in a picture.
-enum class TextureWrap { Clamp, Mirror, Repeat };
-
-/// What a vertex says of its surface's colour.
-struct VertexPaint {
-    glm::vec4 color{1.0F};  ///< linear: a factor of the material's
-    glm::vec2 place{0.0F};  ///< in the material's picture: (0, 0) its top left corner, (1, 1) its bottom right one
-};
-
-/// Triangles in a space of their own.
-struct Mesh {
-    std::string name;
-    glm::dvec3 origin{0.0};  ///< added to every position: keeps floats near zero, however far off the mesh lies
-    std::vector<glm::vec3> positions;      ///< mesh space, less origin
-    std::vector<glm::vec3> normals;        ///< unit length, one for each position; empty: made by completeNormals()
-    std::vector<std::uint32_t> indices;    ///< three a triangle, into positions
-    std::vector<std::uint32_t> materials;  ///< one a triangle: 1 + its number in the file, 0: none; empty: all 0
-    /// One an index: whether the edge from this corner to its triangle's next only cuts a polygon of the file into
-    /// triangles; such an edge is smooth, however the polygon bends there. Empty: none does.
-    std::vector<bool> innerEdges;
-    /// One an index: whether the edge from this corner to its triangle's next is a crease, however little its faces
-    /// bend. Empty: by their angle and normals alone.
-    std::vector<bool> sharpEdges;
-    /// One a position, v = 0 at the top of the picture as in glTF; empty: none, or not asked for
-    /// (LoadSettings::textureCoordinates). Of a mesh of several parts those without have (0, 0).
-    std::vector<glm::vec2> textureCoordinates;
-    std::vector<VertexPaint>
-        paint;  ///< one a position; empty: all as by default, or not asked for (LoadSettings::paint)
-    /// Mean curvature, one a position, one over mesh space's unit, over 0 where the surface bulges; made by the scene if
-    /// LoadSettings::curvature asks for it, else empty.
-    std::vector<float> curvatures;
-    /// One an index: whether the file marks the edge from this corner to its triangle's next, or the same edge of
-    /// another triangle, as a line (LineType::Marked). Empty: none is.
-    std::vector<bool> markedEdges;
-};
 
 /// What a model's file is, and what it offers to choose from.
 struct SceneSource {
@@ -88,18 +54,6 @@ struct SceneCamera {
 
 struct MeshTopology;  // internal: scene/topology.h
 struct PatchNumbers;  // internal: scene/patch_numbers.h
-
-struct Sphere {
-    glm::dvec3 centre{0.0};
-    double radius = 0.0;
-};
-
-/// Axis-aligned box; empty while min > max.
-struct Box {
-    glm::dvec3 min{1.0};
-    glm::dvec3 max{-1.0};
-    [[nodiscard]] bool empty() const noexcept { return min.x > max.x; }
-};
 
 /// An immutable set of meshes, their placements and cameras. Copies are cheap and share the data.
 /// Safe to read from several threads.

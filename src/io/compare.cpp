@@ -14,10 +14,10 @@
 #include <inkedge/error.h>
 #include <inkedge/write.h>
 
-#include "io/file.h"
+#include "base/staged_files.h"
 #include "io/picture.h"
-#include "io/read_png.h"
-#include "modules/image_module.h"
+#include "images/read_png.h"
+#include "images/image_module.h"
 
 namespace fs = std::filesystem;
 

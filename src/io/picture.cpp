@@ -11,8 +11,8 @@
 #include <inkedge/error.h>
 #include <inkedge/write.h>
 
-#include "io/file.h"
-#include "modules/image_module.h"
+#include "base/staged_files.h"
+#include "images/image_module.h"
 
 namespace inkedge::io {
 namespace {

@@ -9,9 +9,9 @@
 
 #include <inkedge/error.h>
 
-#include "io/file.h"
+#include "base/staged_files.h"
 #include "io/picture.h"
-#include "modules/image_module.h"
+#include "images/image_module.h"
 #include "raster/memory.h"
 
 namespace fs = std::filesystem;

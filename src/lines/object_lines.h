@@ -6,7 +6,7 @@
 #include <inkedge/scene.h>
 #include <inkedge/settings.h>
 
-#include "lines/view_buffers.h"
+#include "lines/see/view_buffers.h"
 
 namespace inkedge::lines {
 

@@ -14,8 +14,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "scene/parallel.h"
-#include "scene/topology.h"
+#include "base/parallel.h"
+#include "mesh/topology.h"
 #include "scene/world_triangles.h"
 
 namespace inkedge {

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "scene/load_message.h"
-#include "scene/topology.h"
+#include "base/message.h"
+#include "mesh/topology.h"
 
 namespace inkedge {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "scene/coplanar_layers.h"
 #include "scene/seams.h"
-#include "scene/topology.h"
-#include "scene/union_find.h"
+#include "mesh/topology.h"
+#include "base/union_find.h"
 
 namespace inkedge {
 

@@ -6,7 +6,7 @@
 #include <inkedge/scene.h>
 
 #include "scene/scene_face.h"
-#include "scene/topology.h"
+#include "mesh/topology.h"
 
 namespace inkedge {
 

@@ -15,14 +15,14 @@
 
 #include <inkedge/error.h>
 
-#include "scene/closed_surface.h"
-#include "scene/curvature.h"
+#include "mesh/closed_surface.h"
+#include "mesh/curvature.h"
 #include "scene/distortion.h"
 #include "scene/extent.h"
-#include "scene/normals.h"
+#include "mesh/normals.h"
 #include "scene/patch_numbers.h"
 #include "scene/subdivide.h"
-#include "scene/topology.h"
+#include "mesh/topology.h"
 
 namespace inkedge {
 

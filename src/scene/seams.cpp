@@ -8,7 +8,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "scene/box_tree.h"
-#include "scene/topology.h"
+#include "mesh/topology.h"
 #include "scene/world_triangles.h"
 
 namespace inkedge {

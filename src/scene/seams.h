@@ -8,7 +8,7 @@
 #include <inkedge/scene.h>
 
 #include "scene/box_tree.h"
-#include "scene/union_find.h"
+#include "base/union_find.h"
 
 namespace inkedge {
 

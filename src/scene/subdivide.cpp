@@ -11,10 +11,10 @@
 
 #include <inkedge/error.h>
 
-#include "scene/load_message.h"
-#include "scene/normals.h"
-#include "scene/subdivision.h"
-#include "scene/topology.h"
+#include "base/message.h"
+#include "mesh/normals.h"
+#include "mesh/subdivision.h"
+#include "mesh/topology.h"
 
 namespace inkedge {
 namespace {

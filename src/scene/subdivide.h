@@ -8,7 +8,7 @@
 
 #include <inkedge/scene.h>
 
-#include "scene/control_mesh.h"
+#include "mesh/control_mesh.h"
 
 namespace inkedge {
 

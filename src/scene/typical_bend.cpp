@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "scene/topology.h"
+#include "mesh/topology.h"
 
 namespace inkedge {
 namespace {

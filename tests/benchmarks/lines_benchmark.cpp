@@ -16,12 +16,12 @@
 #include <inkedge/camera.h>
 #include <inkedge/lines.h>
 
-#include "lines/contour_finders.h"
-#include "lines/mesh_edges.h"
+#include "lines/find/contour_finders.h"
+#include "lines/find/mesh_edges.h"
 #include "lines/object_lines.h"
-#include "lines/ray_caster.h"
+#include "lines/see/ray_caster.h"
 #include "meshes.h"
-#include "scene/topology.h"
+#include "mesh/topology.h"
 
 namespace inkedge::benchmarks {
 namespace {

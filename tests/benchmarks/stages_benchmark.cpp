@@ -22,7 +22,7 @@
 #include "gl/read_back.h"
 #include "gl/upload.h"
 #include "ink/paint_strokes.h"
-#include "ink/trace_lines.h"
+#include "trace/trace_lines.h"
 #include "meshes.h"
 #include "passes/composite.h"
 #include "passes/detect_edges.h"

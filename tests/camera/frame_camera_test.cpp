@@ -10,7 +10,7 @@
 
 #include <inkedge/error.h>
 
-#include "io/expect_error.h"
+#include "base/expect_error.h"
 #include "scenes.h"
 
 namespace inkedge {

@@ -10,8 +10,8 @@
 
 #include <inkedge/error.h>
 
-#include "io/expect_error.h"
-#include "io/temporary_folder.h"
+#include "base/expect_error.h"
+#include "base/temporary_folder.h"
 
 namespace inkedge {
 namespace {

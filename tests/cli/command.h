@@ -18,7 +18,7 @@
 #include <inkedge/settings.h>
 
 #include "cli/run_command.h"
-#include "io/temporary_folder.h"
+#include "base/temporary_folder.h"
 
 /// "depth,normal,...", as --maps takes it.
 inline std::string everyMap() {

@@ -12,7 +12,7 @@
 #include <meshoptimizer.h>
 #include <nlohmann/json.hpp>
 
-#include "encode_exponential.h"
+#include "formats/gltf/encode_exponential.h"
 #include "fuzz/promise.h"
 
 namespace {

@@ -2,7 +2,7 @@
 #include <inkedge/settings.h>
 
 #include "fuzz/promise.h"
-#include "io/temporary_folder.h"
+#include "base/temporary_folder.h"
 
 namespace {
 

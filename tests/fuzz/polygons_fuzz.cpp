@@ -2,7 +2,7 @@
 #include <array>
 
 #include "fuzz/load_promise.h"
-#include "io/temporary_folder.h"
+#include "base/temporary_folder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace inkedge::fuzz;

@@ -15,7 +15,7 @@
 #include <inkedge/reference.h>
 
 #include "gl/gl_test.h"
-#include "io/expect_error.h"
+#include "base/expect_error.h"
 #include "scenes.h"
 
 namespace inkedge {

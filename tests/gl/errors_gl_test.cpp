@@ -7,7 +7,7 @@
 #include "gl/shared_object.h"
 #include "gl/stage_clock.h"
 #include "gl/upload.h"
-#include "io/expect_error.h"
+#include "base/expect_error.h"
 #include "scenes.h"
 
 namespace inkedge {

@@ -14,7 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/run_command.h"
-#include "io/temporary_folder.h"
+#include "base/temporary_folder.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool sanitized = true;

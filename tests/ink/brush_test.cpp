@@ -13,8 +13,8 @@
 #include "curves/curves.h"
 #include "ink/ink_measures.h"
 #include "ink/strokes_of.h"
-#include "io/expect_error.h"
-#include "io/temporary_folder.h"
+#include "base/expect_error.h"
+#include "base/temporary_folder.h"
 
 namespace inkedge {
 namespace {

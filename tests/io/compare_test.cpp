@@ -8,10 +8,10 @@
 #include <cmath>
 #include <limits>
 
-#include "io/expect_error.h"
-#include "io/read_png.h"
-#include "io/temporary_folder.h"
-#include "modules/image_module.h"
+#include "base/expect_error.h"
+#include "images/read_png.h"
+#include "base/temporary_folder.h"
+#include "images/image_module.h"
 
 using namespace inkedge;
 using testing::AllOf;

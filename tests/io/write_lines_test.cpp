@@ -11,10 +11,10 @@
 
 #include "curves/curves.h"
 #include "ink/strokes_of.h"
-#include "io/expect_error.h"
-#include "io/read_png.h"
+#include "base/expect_error.h"
+#include "images/read_png.h"
 #include "io/svg_path.h"
-#include "io/temporary_folder.h"
+#include "base/temporary_folder.h"
 #include "io/well_formed.h"
 
 namespace inkedge {

@@ -15,9 +15,9 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <nlohmann/json.hpp>
 
-#include "io/expect_error.h"
-#include "io/temporary_folder.h"
-#include "modules/image_module.h"
+#include "base/expect_error.h"
+#include "base/temporary_folder.h"
+#include "images/image_module.h"
 
 using namespace inkedge;
 using testing::AllOf;

@@ -1,4 +1,4 @@
-#include "lines/border_parts.h"
+#include "lines/find/border_parts.h"
 
 #include <gmock/gmock.h>
 #include <glm/trigonometric.hpp>

@@ -1,4 +1,4 @@
-#include "lines/contour_finders.h"
+#include "lines/find/contour_finders.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "lines/contours.h"
+#include "lines/find/contours.h"
 
 #include <map>
 

@@ -1,4 +1,4 @@
-#include "lines/crossings.h"
+#include "lines/see/crossings.h"
 
 #include <random>
 

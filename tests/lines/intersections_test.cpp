@@ -1,4 +1,4 @@
-#include "lines/intersections.h"
+#include "lines/find/intersections.h"
 #include "lines/views.h"
 
 #include <algorithm>

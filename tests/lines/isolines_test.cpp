@@ -1,4 +1,4 @@
-#include "lines/isolines.h"
+#include "lines/find/isolines.h"
 
 #include <algorithm>
 #include <map>

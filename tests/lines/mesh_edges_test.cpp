@@ -1,4 +1,4 @@
-#include "lines/mesh_edges.h"
+#include "lines/find/mesh_edges.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "lines/ray_caster.h"
+#include "lines/see/ray_caster.h"
 
 #include <array>
 

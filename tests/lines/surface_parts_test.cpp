@@ -1,4 +1,4 @@
-#include "lines/surface_parts.h"
+#include "lines/see/surface_parts.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "lines/visible_parts.h"
+#include "lines/see/visible_parts.h"
 
 #include <atomic>
 #include <functional>

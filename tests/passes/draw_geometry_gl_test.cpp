@@ -6,7 +6,7 @@
 #include <inkedge/renderer.h>
 
 #include "gl/gl_test.h"
-#include "scene/load_gltf.h"
+#include "formats/gltf/load_gltf.h"
 
 namespace inkedge {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "io/expect_error.h"
+#include "base/expect_error.h"
 
 namespace inkedge {
 namespace {

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <glm/trigonometric.hpp>
 
-#include "scene/topology.h"
+#include "mesh/topology.h"
 #include "scenes.h"
 
 namespace inkedge {

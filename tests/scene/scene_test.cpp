@@ -9,9 +9,9 @@
 
 #include <inkedge/error.h>
 
-#include "io/expect_error.h"
+#include "base/expect_error.h"
 #include "scene/extent.h"
-#include "scene/topology.h"
+#include "mesh/topology.h"
 #include "scenes.h"
 
 namespace inkedge {

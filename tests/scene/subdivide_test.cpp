@@ -11,8 +11,8 @@
 
 #include <inkedge/error.h>
 
-#include "scene/closed_surface.h"
-#include "scene/topology.h"
+#include "mesh/closed_surface.h"
+#include "mesh/topology.h"
 #include "scenes.h"
 
 namespace inkedge {

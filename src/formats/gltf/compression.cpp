@@ -1,0 +1,223 @@
+#include "formats/gltf/compression.h"
+
+#include <limits>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/message.h"
+#include "formats/gltf/accessor.h"
+#include "formats/gltf/draco.h"
+#include "formats/gltf/json.h"
+#include "formats/gltf/meshopt.h"
+#include "formats/gltf/triangles.h"
+
+namespace inkedge::gltf {
+
+using namespace load;
+
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr const char* meshopt = "EXT_meshopt_compression";
+constexpr const char* draco = "KHR_draco_mesh_compression";
+
+// ---- the work
+
+class Decompression {
+public:
+    Decompression(Json& document, std::vector<Bytes>& buffers, std::uint64_t mostBytes)
+        : document_{document}, buffers_{buffers}, bytesLeft_{mostBytes} {}
+
+    void run() {
+        const std::size_t views = sizeOf(member(document_, "bufferViews"));
+        for (std::size_t i = 0; i < views; ++i)
+            within(label("bufferView", i), [&] { readView(document_["bufferViews"][i]); });
+        const std::size_t meshes = sizeOf(member(document_, "meshes"));
+        for (std::size_t i = 0; i < meshes; ++i) readMesh(i);
+    }
+
+private:
+    // ---- EXT_meshopt_compression
+
+    void readView(Json& view) {
+        const Json& compressed = extension(view, meshopt);
+        if (compressed.is_null() || !readsMeshopt()) {
+            if (liesInFallback(view)) refuse("expected data of its own, found a buffer that stands in for some");
+            return;
+        }
+        Bytes bytes = within(meshopt, [&] { return decoded(compressed); });
+        if (const std::uint64_t length = number(view, "byteLength"); length != bytes.size())
+            refuse(fmt::format("expected a byteLength of {} as {} gives, found {}", bytes.size(), meshopt, length));
+        view["buffer"] = addBuffer(std::move(bytes));
+        view.erase("byteOffset");
+        view.erase("extensions");
+    }
+
+    Bytes decoded(const Json& compressed) {
+        const MeshoptView view{number(compressed, "count"), number(compressed, "byteStride"),
+                               text(compressed, "mode", ""), text(compressed, "filter", "NONE")};
+        Bytes bytes = decodeMeshopt(view, bytesOf(compressed), bytesLeft_);
+        bytesLeft_ -= bytes.size();
+        return bytes;
+    }
+
+    // ---- KHR_draco_mesh_compression
+
+    void readMesh(std::size_t mesh) {
+        const Json& source = document_["meshes"][mesh];
+        const std::size_t primitives = sizeOf(member(source, "primitives"));
+        for (std::size_t i = 0; i < primitives; ++i) {
+            Json& primitive = document_["meshes"][mesh]["primitives"][i];
+            if (extension(primitive, draco).is_null()) continue;
+            within(label("mesh", mesh, text(source, "name", "")) + ", " + label("primitive", i),
+                   [&] { readPrimitive(primitive); });
+        }
+    }
+
+    // Primitives that hold the same data in the same way share what comes out.
+    void readPrimitive(Json& primitive) {
+        if (!readsDraco()) return checkPlainData(primitive);
+        const Mode mode{static_cast<int>(number(primitive, "mode", static_cast<std::uint64_t>(Mode::Triangles)))};
+        if (!drawsTriangles(mode)) return;
+        const Json same =
+            Json::array({extension(primitive, draco), primitive["attributes"], member(primitive, "indices"), mode});
+        auto known = plain_.find(same);
+        if (known == plain_.end())
+            known = plain_.emplace(same, within(draco, [&] { return plainForm(primitive, mode); })).first;
+        primitive.update(known->second);
+        primitive.erase("extensions");
+    }
+
+    // The members that a primitive has in place of the extension.
+    Json plainForm(const Json& primitive, Mode mode) {
+        if (mode == Mode::TriangleFan) refuse("expected mode TRIANGLES or TRIANGLE_STRIP, found TRIANGLE_FAN");
+        const Json& compressed = extension(primitive, draco);
+        const Json& ids = member(compressed, "attributes");
+        if (!ids.is_object()) refuse("expected attributes, found " + found(ids));
+
+        DracoExpected expected;
+        for (const auto& [name, id] : ids.items()) expected.attributes.push_back(attributeId(name, id));
+        if (mode == Mode::Triangles && primitive.contains("indices"))
+            expected.triangleCount = number(entry(document_, "accessors", number(primitive, "indices")), "count") / 3;
+        DracoMesh mesh = decodeDraco(bytesOfView(number(compressed, "bufferView")), expected, bytesLeft_);
+
+        Json attributes = primitive["attributes"];
+        std::size_t i = 0;
+        for (const auto& id : ids.items())
+            attributes[id.key()] = within(printable(id.key()), [&] {
+                return addAttribute(attributes, id.key(), std::move(mesh.attributes[i++]), mesh.vertexCount);
+            });
+        return {{"attributes", attributes}, {"indices", addIndices(mesh.indices)}, {"mode", Mode::Triangles}};
+    }
+
+    static std::uint32_t attributeId(const std::string& name, const Json& id) {
+        if (!id.is_number_unsigned() || id > std::numeric_limits<std::uint32_t>::max())
+            refuse(fmt::format("{}: expected the id of an attribute, found {}", printable(name), found(id)));
+        return id.get<std::uint32_t>();
+    }
+
+    // The new accessor is the old one, but for its data.
+    std::size_t addAttribute(const Json& attributes, const std::string& name, DracoMesh::Attribute attribute,
+                             std::uint64_t vertexCount) {
+        Json accessor = entry(document_, "accessors", number(attributes, name.c_str()));
+        const std::string type = text(accessor, "type", "");
+        const auto component = static_cast<int>(attribute.component);
+        const bool vectorFits =
+            attribute.components == 1 ? type == "SCALAR" : type == fmt::format("VEC{}", attribute.components);
+        if (!vectorFits || number(accessor, "componentType") != static_cast<std::uint64_t>(component))
+            refuse(fmt::format("expected {} of componentType {} as the accessor says, found {} components of {}",
+                               printable(type), number(accessor, "componentType"), attribute.components, component));
+        if (const std::uint64_t count = number(accessor, "count"); count != vertexCount)
+            refuse(fmt::format("expected {} vertices as the accessor says, found {}", count, vertexCount));
+        accessor["bufferView"] = addView(std::move(attribute.bytes));
+        accessor.erase("byteOffset");
+        return add("accessors", std::move(accessor));
+    }
+
+    std::size_t addIndices(const std::vector<std::uint32_t>& indices) {
+        const auto* const start = reinterpret_cast<const std::uint8_t*>(indices.data());
+        return add("accessors", {{"bufferView", addView({start, start + indices.size() * sizeof(std::uint32_t)})},
+                                 {"componentType", Component::Uint32},
+                                 {"count", indices.size()},
+                                 {"type", scalar.name}});
+    }
+
+    // Accessors of a compressed primitive may have no data of their own.
+    void checkPlainData(const Json& primitive) const {
+        const Json& position = member(member(primitive, "attributes"), "POSITION");
+        if (position.is_null()) return;
+        if (entry(document_, "accessors", number(primitive["attributes"], "POSITION")).contains("bufferView")) return;
+        refuse(fmt::format("the geometry is compressed with {}, which this build does not read", draco));
+    }
+
+    // ---- buffers
+
+    // A bufferView of no buffer is the reader's to refuse, should anything use it.
+    bool liesInFallback(const Json& view) const {
+        const Json& index = member(view, "buffer");
+        const Json& buffers = member(document_, "buffers");
+        return index.is_number_unsigned() && index < sizeOf(buffers) && isFallback(buffers[index.get<std::size_t>()]);
+    }
+
+    // The part of a buffer that a bufferView or the like means.
+    std::span<const std::uint8_t> bytesOf(const Json& view) const {
+        const std::uint64_t buffer = number(view, "buffer");
+        if (isFallback(entry(document_, "buffers", buffer)))
+            refuse("expected data, found a buffer that stands in for some");
+        return partOf(buffers_.at(buffer), number(view, "byteOffset", 0), number(view, "byteLength"));
+    }
+
+    std::span<const std::uint8_t> bytesOfView(std::uint64_t view) const {
+        const Json& source = entry(document_, "bufferViews", view);
+        return within(label("bufferView", view), [&] { return bytesOf(source); });
+    }
+
+    std::size_t addBuffer(Bytes bytes) {
+        const std::size_t index = buffers_.size();
+        document_["buffers"].push_back({{"byteLength", bytes.size()}, {"uri", std::to_string(index)}});
+        buffers_.push_back(std::move(bytes));
+        return index;
+    }
+
+    std::size_t addView(Bytes bytes) {
+        if (bytes.empty()) refuse("expected at least one vertex and one triangle, found none");
+        bytesLeft_ -= bytes.size();
+        const std::size_t size = bytes.size();
+        return add("bufferViews", {{"buffer", addBuffer(std::move(bytes))}, {"byteLength", size}});
+    }
+
+    std::size_t add(const char* list, Json item) {
+        document_[list].push_back(std::move(item));
+        return document_[list].size() - 1;
+    }
+
+    Json& document_;
+    std::vector<Bytes>& buffers_;
+    std::uint64_t bytesLeft_;
+    std::map<Json, Json> plain_;
+};
+
+}  // namespace
+
+bool isCompression(std::string_view extension) noexcept { return extension == draco || extension == meshopt; }
+
+bool readsCompression(std::string_view extension) noexcept {
+    return (extension == draco && readsDraco()) || (extension == meshopt && readsMeshopt());
+}
+
+bool isFallback(const Json& buffer) {
+    return member(extension(buffer, meshopt), "fallback") == true && (readsMeshopt() || !buffer.contains("uri"));
+}
+
+void decompress(Json& document, std::vector<Bytes>& buffers, std::uint64_t mostBytes) {
+    Decompression{document, buffers, mostBytes}.run();
+}
+
+}  // namespace inkedge::gltf

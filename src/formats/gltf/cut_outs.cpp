@@ -1,0 +1,128 @@
+#include "formats/gltf/cut_outs.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "base/message.h"
+#include "formats/gltf/attributes.h"
+#include "formats/gltf/paint.h"
+#include "images/opacity_map.h"
+
+namespace inkedge::gltf {
+
+using load::label;
+using load::refuse;
+using load::within;
+
+namespace {
+
+// Of COLOR_0, where it has an alpha; none: all are 1.
+std::vector<double> vertexOpacities(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+                                    std::size_t count) {
+    const auto color = primitive.attributes.find("COLOR_0");
+    if (color == primitive.attributes.end()) return {};
+    if (at(model.accessors, color->second, "an accessor").type != TINYGLTF_TYPE_VEC4) return {};
+    std::vector<double> opacities;
+    for (const glm::dvec4& c : readAttribute<glm::dvec4>(model, primitive.attributes, "COLOR_0", anyColor, count))
+        opacities.push_back(c.a);
+    return opacities;
+}
+
+// What is said of an edge goes for the pieces' edges that lie on it.
+void addEdges(const std::vector<bool>& of, std::size_t triangle, const CutOut::Piece& piece, std::vector<bool>& rest) {
+    constexpr double nothing = 1e-9;  // what rounding leaves of a weight
+    if (of.empty()) return;
+    for (std::size_t k = 0; k < 3; ++k) {
+        bool said = false;
+        for (std::size_t edge = 0; edge < 3; ++edge) {
+            const auto opposite = static_cast<int>((edge + 2) % 3);
+            const bool liesOnIt = piece[k][opposite] <= nothing && piece[(k + 1) % 3][opposite] <= nothing;
+            said = said || (liesOnIt && of[3 * triangle + edge]);
+        }
+        rest.push_back(said);
+    }
+}
+
+void add(const Shape& part, std::size_t triangle, const CutOut::Piece& piece, Shape& rest) {
+    const std::uint32_t* const corners = &part.indices[3 * triangle];
+    const auto mixed = [&](const std::vector<glm::dvec3>& of, const glm::dvec3& weights) {
+        return weights.x * of[corners[0]] + weights.y * of[corners[1]] + weights.z * of[corners[2]];
+    };
+    for (const glm::dvec3& weights : piece) {
+        rest.indices.push_back(static_cast<std::uint32_t>(rest.positions.size()));
+        rest.positions.push_back(mixed(part.positions, weights));
+        rest.normals.push_back(mixed(part.normals, weights));
+        if (!part.coordinates.empty()) {
+            const glm::vec3 w{weights};
+            rest.coordinates.push_back(w.x * part.coordinates[corners[0]] + w.y * part.coordinates[corners[1]] +
+                                       w.z * part.coordinates[corners[2]]);
+        }
+    }
+    for (const glm::dvec3& weights : piece) {
+        if (part.paint.empty()) break;
+        const glm::vec3 w{weights};
+        const VertexPaint* const at[]{&part.paint[corners[0]], &part.paint[corners[1]], &part.paint[corners[2]]};
+        rest.paint.push_back({w.x * at[0]->color + w.y * at[1]->color + w.z * at[2]->color,
+                              w.x * at[0]->place + w.y * at[1]->place + w.z * at[2]->place});
+    }
+    rest.materials.push_back(part.materials[triangle]);
+    addEdges(part.marked, triangle, piece, rest.marked);
+    addEdges(part.inner, triangle, piece, rest.inner);
+}
+
+}  // namespace
+
+void CutOuts::apply(const Material& material, const tinygltf::Primitive& primitive, Shape& part) {
+    const std::vector<double> opacities = vertexOpacities(model_, primitive, part.positions.size());
+    const auto opacityOf = [&](std::size_t triangle) {
+        if (opacities.empty()) return material.opacity;
+        const std::uint32_t* const corner = &part.indices[3 * triangle];
+        return material.opacity * (opacities[corner[0]] + opacities[corner[1]] + opacities[corner[2]]) / 3.0;
+    };
+    std::vector<glm::dvec2> places;
+    if (material.texture) places = texturePlaces(model_, *material.texture, primitive, part.positions.size());
+    Shape rest;
+    rest.authored = part.authored;
+    for (std::size_t t = 0; t < part.indices.size() / 3; ++t)
+        cutTriangle(material, places, opacityOf(t), part, t, rest);
+    part = std::move(rest);
+}
+
+void CutOuts::cutTriangle(const Material& material, const std::vector<glm::dvec2>& places, double opacity,
+                          const Shape& part, std::size_t triangle, Shape& rest) {
+    constexpr CutOut::Piece whole{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}};
+    if (opacity < material.cutoff) return;
+    const std::uint32_t* const corners = &part.indices[3 * triangle];
+    CutOut* const cutOut = places.empty() ? nullptr : find(*material.texture, material.cutoff / opacity);
+    if (cutOut == nullptr) return add(part, triangle, whole, rest);
+    for (const CutOut::Piece& piece : cutOut->cut({places[corners[0]], places[corners[1]], places[corners[2]]}))
+        add(part, triangle, piece, rest);
+}
+
+// None where the picture has no alpha or the threshold is nothing.
+CutOut* CutOuts::find(const Texture& texture, double threshold) {
+    constexpr double opaque = 255.0;
+    if (!texture.image) refuse("expected its picture as PNG or JPEG, found it in another form only");
+    if (!(threshold > 0.0)) return nullptr;
+    const Alpha& alpha = opacityMap(*texture.image);
+    if (!alpha) return nullptr;
+    auto& cutOut = cutOuts_[{*texture.image, texture.wrapS, texture.wrapT, threshold}];
+    if (!cutOut)
+        cutOut = std::make_unique<CutOut>(*alpha, std::array{wrapOf(texture.wrapS), wrapOf(texture.wrapT)},
+                                          opaque * threshold);
+    return cutOut.get();
+}
+
+const CutOuts::Alpha& CutOuts::opacityMap(std::uint64_t image) {
+    const auto known = maps_.find(image);
+    if (known != maps_.end()) return known->second;
+    if (image >= file_.images.size())
+        refuse(fmt::format("expected an image below {}, found {}", file_.images.size(), image));
+    return within(label("image", image), [&]() -> const Alpha& {
+        const load::Bytes bytes = pictureBytes(model_, path_, file_.images[image], bytesLeft_);
+        return maps_.emplace(image, decodeOpacity(bytes, mostPixels_)).first->second;
+    });
+}
+
+}  // namespace inkedge::gltf

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "mesh/cut_out.h"
+#include "formats/gltf/file.h"
+#include "formats/gltf/model.h"
+#include "formats/gltf/shape.h"
+
+namespace inkedge::gltf {
+
+/// The cut-outs of a file's materials with a mask, made when first asked for. What it is made from must outlive it.
+class CutOuts {
+public:
+    CutOuts(const tinygltf::Model& model, const File& file, const std::filesystem::path& path, const LoadLimits& limits)
+        : model_{model}, file_{file}, path_{path}, mostPixels_{limits.imagePixels}, bytesLeft_{file.bytesLeft} {}
+
+    /// Leaves of a part what its material's mask lets be seen.
+    /// @throws Error  (Kind::Input) if the mask's picture cannot be read
+    void apply(const Material&, const tinygltf::Primitive&, Shape& part);
+
+private:
+    using Alpha = std::optional<inkedge::Image<std::uint8_t>>;
+
+    void cutTriangle(const Material&, const std::vector<glm::dvec2>& places, double opacity, const Shape& part,
+                     std::size_t triangle, Shape& rest);
+    CutOut* find(const Texture&, double threshold);
+    const Alpha& opacityMap(std::uint64_t image);
+
+    const tinygltf::Model& model_;
+    const File& file_;
+    const std::filesystem::path& path_;
+    std::uint64_t mostPixels_;
+    std::uint64_t bytesLeft_;
+    std::map<std::uint64_t, Alpha> maps_;
+    std::map<std::tuple<std::uint64_t, Wrap, Wrap, double>, std::unique_ptr<CutOut>> cutOuts_;
+};
+
+}  // namespace inkedge::gltf

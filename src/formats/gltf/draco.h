@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "formats/gltf/accessor.h"
+
+namespace inkedge::gltf {
+
+/// A mesh out of KHR_draco_mesh_compression.
+struct DracoMesh {
+    struct Attribute {
+        std::uint64_t components = 0;  ///< an element
+        Component component = Component::Float;
+        std::vector<std::uint8_t> bytes;  ///< one element a vertex, tightly packed
+    };
+    std::uint64_t vertexCount = 0;
+    std::vector<std::uint32_t> indices;  ///< three a triangle
+    std::vector<Attribute> attributes;   ///< in the order asked for
+};
+
+/// What a primitive says about its compressed mesh.
+struct DracoExpected {
+    std::vector<std::uint32_t> attributes;       ///< the unique ids of those to read
+    std::optional<std::uint64_t> triangleCount;  ///< none: any
+};
+
+/// Whether this build reads KHR_draco_mesh_compression.
+[[nodiscard]] bool readsDraco() noexcept;
+
+/// @param bytesLeft  the most that may come out, in bytes
+/// @throws Error     (Kind::Input) if the data are no Draco mesh of bitstream 2.2, are damaged, lack an attribute, are
+///                   not as expected, hold over 2^24 triangles or over bytesLeft bytes, or this build does not read
+///                   them
+[[nodiscard]] DracoMesh decodeDraco(std::span<const std::uint8_t> data, const DracoExpected&, std::uint64_t bytesLeft);
+
+}  // namespace inkedge::gltf

@@ -1,0 +1,309 @@
+#include "formats/gltf/file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/message.h"
+#include "base/read_file.h"
+#include "formats/gltf/compression.h"
+#include "formats/gltf/json.h"
+#include "formats/gltf/uri.h"
+
+namespace inkedge::gltf {
+
+using namespace load;
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::string_view_literals;
+
+constexpr int maximumDepth = 500;
+
+// Where the chunks of a .glb lie.
+struct Chunks {
+    std::string_view json;
+    std::span<const std::uint8_t> binary;
+};
+
+std::uint32_t littleEndianAt(std::span<const std::uint8_t> bytes, std::size_t at) {
+    return static_cast<std::uint32_t>(bytes[at]) | static_cast<std::uint32_t>(bytes[at + 1]) << 8 |
+           static_cast<std::uint32_t>(bytes[at + 2]) << 16 | static_cast<std::uint32_t>(bytes[at + 3]) << 24;
+}
+
+Chunks splitGlb(std::span<const std::uint8_t> bytes) {
+    constexpr std::size_t headerSize = 12;
+    constexpr std::size_t chunkHeaderSize = 8;
+    constexpr std::uint32_t jsonChunk = 0x4e4f534a;
+    constexpr std::uint32_t binaryChunk = 0x004e4942;
+    if (bytes.size() < headerSize + chunkHeaderSize)
+        refuse(fmt::format("expected a .glb of at least 20 bytes, found {}: the file is truncated", bytes.size()));
+    if (const std::uint32_t version = littleEndianAt(bytes, 4); version != 2)
+        refuse(fmt::format("expected version 2 of binary glTF, found version {}", version));
+    const std::uint32_t length = littleEndianAt(bytes, 8);
+    if (length > bytes.size())
+        refuse(
+            fmt::format("expected {} bytes as the header says, found {}: the file is truncated", length, bytes.size()));
+    bytes = bytes.first(length);
+
+    Chunks chunks;
+    std::size_t at = headerSize;
+    for (int chunk = 0; chunk < 2 && at + chunkHeaderSize <= bytes.size(); ++chunk) {
+        const std::uint32_t size = littleEndianAt(bytes, at);
+        const std::uint32_t type = littleEndianAt(bytes, at + 4);
+        at += chunkHeaderSize;
+        if (size > bytes.size() - at)
+            refuse(fmt::format("expected {} bytes in chunk {}, found {}", size, chunk, bytes.size() - at));
+        if (chunk == 0 && type != jsonChunk)
+            refuse(fmt::format("expected a JSON chunk first, found type 0x{:08x}", type));
+        if (chunk == 0) chunks.json = textOf(bytes.subspan(at, size));
+        if (chunk == 1 && type == binaryChunk) chunks.binary = bytes.subspan(at, size);
+        at += size;
+    }
+    while (chunks.json.ends_with('\0')) chunks.json.remove_suffix(1);  // some writers pad with zeros, not spaces
+    return chunks;
+}
+
+// tinygltf takes 12.0 for a missing value where it reads an integer, and cuts integers to 32 bits.
+void normalizeNumber(Json& value) {
+    constexpr std::int64_t largest = std::numeric_limits<std::int32_t>::max();
+    if (value.is_number_float()) {
+        const double number = value.get<double>();
+        if (number < 0 || number > static_cast<double>(largest) || number != std::floor(number)) return;
+        value = static_cast<std::uint64_t>(number);
+    } else if (value.is_number_unsigned()) {
+        value = std::min(value.get<std::uint64_t>(), static_cast<std::uint64_t>(largest));
+    } else if (value.is_number_integer()) {
+        value = std::max(value.get<std::int64_t>(), -largest);
+    }
+}
+
+// Before parsing, since a nested value takes many times the memory of its text.
+void checkDepth(std::string_view text) {
+    int depth = 0;
+    bool inString = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"') inString = !inString;
+        if (inString) {
+            if (c == '\\') ++i;
+        } else if (c == '{' || c == '[') {
+            if (++depth > maximumDepth)
+                refuse(fmt::format("expected JSON nested at most {} deep, found deeper", maximumDepth));
+        } else if (c == '}' || c == ']') {
+            --depth;
+        }
+    }
+}
+
+// Recursion is safe: checkDepth() has bounded it.
+void simplify(Json& value) {
+    if (value.is_object()) value.erase("extras");
+    if (value.is_structured())
+        for (Json& member : value) simplify(member);
+    else
+        normalizeNumber(value);
+}
+
+Json parseJson(std::string_view text) {
+    checkDepth(text);
+    Json document;
+    try {
+        document = Json::parse(text.begin(), text.end());
+    } catch (const Json::exception& error) {
+        const std::string_view message = error.what();  // "[json.exception.parse_error.101] parse error at ..."
+        const std::size_t end = message.find("] ");
+        refuse("expected JSON, found " +
+               printable(message.substr(end == std::string_view::npos ? 0 : end + 2).substr(0, 300)));
+    }
+    if (!document.is_object()) refuse(fmt::format("expected a JSON object, found {}", document.type_name()));
+    document.erase("extensions");
+    simplify(document);
+    return document;
+}
+
+// The string member of an object, or nothing.
+std::string stringIn(const Json& object, const char* key) {
+    if (!object.is_object() || !object.contains(key) || !object[key].is_string()) return {};
+    return object[key].get<std::string>();
+}
+
+void checkVersion(const Json& document) {
+    const Json asset = document.value("asset", Json::object());
+    const std::string version = stringIn(asset, "version");
+    const std::string minimum = stringIn(asset, "minVersion");
+    if (version.empty()) refuse("expected glTF 2.0, found JSON without asset.version");
+    if (!version.starts_with("2.")) refuse("expected glTF 2.0, found version " + quote(version));
+    if (!minimum.empty() && minimum != "2.0") refuse("expected glTF 2.0, found minVersion " + quote(minimum));
+}
+
+// tinygltf takes 0 for an optional number that is none or below 0: these would be read as if they were not there.
+void checkExtents(const Json& object) {
+    if (!object.is_object()) return;
+    for (const char* name : {"byteOffset", "byteLength", "byteStride", "count"}) {
+        const auto found = object.find(name);
+        if (found != object.end() && !found->is_number_unsigned())
+            refuse(fmt::format("{}: expected a number of at least 0, found {}", name,
+                               printable(found->dump().substr(0, 80))));
+    }
+    for (const char* part : {"sparse", "indices", "values"})
+        if (const auto found = object.find(part); found != object.end()) within(part, [&] { checkExtents(*found); });
+}
+
+void checkExtents(const Json& document, const char* list, const char* kind) {
+    const auto found = document.find(list);
+    if (found == document.end() || !found->is_array()) return;
+    for (std::size_t i = 0; i < found->size(); ++i) within(label(kind, i), [&] { checkExtents((*found)[i]); });
+}
+
+// Extensions that bear on the shape and are read, and those that do not bear on it.
+bool isRead(std::string_view extension) {
+    constexpr std::array names{
+        "KHR_mesh_quantization"sv,  "EXT_mesh_gpu_instancing"sv, "KHR_texture_transform"sv,
+        "KHR_texture_basisu"sv,     "EXT_texture_webp"sv,        "KHR_lights_punctual"sv,
+        "KHR_animation_pointer"sv,  "KHR_node_visibility"sv,     "KHR_node_hoverability"sv,
+        "KHR_node_selectability"sv, "EXT_lights_image_based"sv,  "EXT_mesh_primitive_edge_visibility"sv,
+    };
+    return readsCompression(extension) || std::ranges::find(names, extension) != names.end() ||
+           extension.starts_with("KHR_materials_") || extension.starts_with("KHR_xmp");
+}
+
+std::vector<std::string> extensionsIn(const Json& document, const char* list) {
+    const Json extensions = document.value(list, Json::array());
+    if (!extensions.is_array()) refuse(fmt::format("{}: expected an array, found {}", list, extensions.type_name()));
+    std::vector<std::string> names;
+    for (const Json& entry : extensions) {
+        if (!entry.is_string()) refuse(fmt::format("{}: expected names, found {}", list, entry.type_name()));
+        names.push_back(entry.get<std::string>());
+    }
+    return names;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names)
+        list += (list.empty() ? "" : ", ") + printable(std::string_view{name}.substr(0, 80));
+    return list;
+}
+
+void checkRequiredExtensions(const Json& document) {
+    std::vector<std::string> unread = extensionsIn(document, "extensionsRequired");
+    std::erase_if(unread, isRead);
+    if (unread.empty()) return;
+    if (std::ranges::all_of(unread, isCompression))
+        refuse("the geometry is compressed with " + listed(unread) + ", which this build does not read");
+    refuse("expected only required extensions that this version reads, found " + listed(unread));
+}
+
+std::vector<std::string> warningsOf(std::vector<std::string> used) {
+    std::erase_if(used, [](const std::string& name) { return isRead(name) || isCompression(name); });
+    if (used.empty()) return {};
+    return {fmt::format("uses {} that this version does not read: {}", used.size() == 1 ? "an extension" : "extensions",
+                        listed(used))};
+}
+
+Bytes bufferBytes(const fs::path& model, const Json& buffer, std::optional<Bytes> binaryChunk,
+                  std::uint64_t& bytesLeft) {
+    if (buffer.contains("uri")) {
+        if (!buffer["uri"].is_string())
+            refuse(fmt::format("expected a string as uri, found {}", buffer["uri"].type_name()));
+        return readUri(model, buffer["uri"].get_ref<const std::string&>(), bytesLeft);
+    }
+    if (!binaryChunk) refuse("expected a uri or the binary chunk of a .glb, found neither");
+    return std::move(*binaryChunk);
+}
+
+// A byte in place of a buffer that nothing reads, as no buffer may be empty.
+Bytes standIn(Json& buffer, std::size_t number) {
+    if (!readsCompression("EXT_meshopt_compression"))
+        refuse("it stands in for data compressed with EXT_meshopt_compression, which this build does not read");
+    buffer["uri"] = std::to_string(number);
+    buffer["byteLength"] = 1;
+    return {0};
+}
+
+// Takes the buffers' bytes, leaving numbers in place of their URIs.
+std::vector<Bytes> takeBuffers(const fs::path& model, Json& document, std::optional<Bytes> binaryChunk,
+                               std::uint64_t& bytesLeft) {
+    std::vector<Bytes> buffers;
+    if (!document.contains("buffers")) return buffers;
+    Json& list = document["buffers"];
+    if (!list.is_array()) refuse(fmt::format("buffers: expected an array, found {}", list.type_name()));
+    for (Json& buffer : list) {
+        const std::size_t number = buffers.size();
+        within(label("buffer", number), [&] {
+            if (!buffer.is_object()) refuse(fmt::format("expected an object, found {}", buffer.type_name()));
+            const Json length = buffer.value("byteLength", Json{});
+            if (!length.is_number_unsigned() || length == 0)
+                refuse("expected a byteLength over 0, found " + printable(length.dump().substr(0, 80)));
+            if (isFallback(buffer)) return buffers.push_back(standIn(buffer, number));
+            Bytes bytes = bufferBytes(model, buffer, number == 0 ? std::move(binaryChunk) : std::nullopt, bytesLeft);
+            if (bytes.size() < length.get<std::uint64_t>())
+                refuse(fmt::format("expected {} bytes, found {}", length.get<std::uint64_t>(), bytes.size()));
+            bytes.resize(length.get<std::uint64_t>());
+            buffer["uri"] = std::to_string(number);
+            buffers.push_back(std::move(bytes));
+        });
+    }
+    return buffers;
+}
+
+// The bytes of a chunk, moved to the front of the file's.
+Bytes keepOnly(Bytes&& bytes, std::span<const std::uint8_t> chunk) {
+    const auto start = chunk.data() - bytes.data();
+    bytes.resize(static_cast<std::size_t>(start) + chunk.size());
+    bytes.erase(bytes.begin(), bytes.begin() + start);
+    return std::move(bytes);
+}
+
+bool looksLikeJson(std::string_view text) {
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    const std::size_t start = text.find_first_not_of(" \t\r\n");
+    return start != std::string_view::npos && text[start] == '{';
+}
+
+}  // namespace
+
+Bytes readUri(const fs::path& model, const std::string& uri, std::uint64_t& bytesLeft) {
+    if (isDataUri(uri)) return decodeDataUri(uri);
+    const fs::path file = fileOfUri(model, uri);
+    return within(quote(uri), [&] { return readBytes(file, bytesLeft); });
+}
+
+File readFile(const fs::path& model, const LoadLimits& limits) {
+    File file;
+    file.bytesLeft = limits.fileSize;
+    Bytes bytes = readBytes(model, file.bytesLeft);
+    const std::string_view content = textOf(bytes);
+    const bool binary = content.starts_with("glTF");
+    if (!binary && !looksLikeJson(content))
+        refuse(fmt::format("expected glTF 2.0 (.glb or .gltf), found {}", kindOf(content)));
+
+    const Chunks chunks = binary ? splitGlb(bytes) : Chunks{content, {}};
+    Json document = parseJson(chunks.json);
+    checkVersion(document);
+    checkRequiredExtensions(document);
+    checkExtents(document, "accessors", "accessor");
+    checkExtents(document, "bufferViews", "bufferView");
+    file.extensions = extensionsIn(document, "extensionsUsed");
+    file.warnings = warningsOf(file.extensions);
+    file.materials = readMaterials(document);
+    file.images = readImages(document);
+    for (const char* read : {"images", "materials", "samplers", "textures"}) document.erase(read);
+    std::optional<Bytes> binaryChunk;
+    if (!chunks.binary.empty()) binaryChunk = keepOnly(std::move(bytes), chunks.binary);
+    file.buffers = takeBuffers(model, document, std::move(binaryChunk), file.bytesLeft);
+    decompress(document, file.buffers, limits.decompressedSize);
+    file.json = document.dump();
+    return file;
+}
+
+}  // namespace inkedge::gltf

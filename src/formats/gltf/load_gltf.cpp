@@ -1,0 +1,380 @@
+#include "formats/gltf/load_gltf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <new>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
+#include "formats/gltf/animation.h"
+#include "formats/gltf/attributes.h"
+#include "formats/gltf/cameras.h"
+#include "formats/gltf/cut_outs.h"
+#include "formats/gltf/edges.h"
+#include "formats/gltf/file.h"
+#include "formats/gltf/instancing.h"
+#include "formats/gltf/model.h"
+#include "formats/gltf/nodes.h"
+#include "formats/gltf/paint.h"
+#include "formats/gltf/shape.h"
+#include "formats/gltf/triangles.h"
+#include "images/decode_picture.h"
+
+namespace inkedge {
+namespace {
+
+using gltf::at;
+using gltf::finite;
+using gltf::nodeLabel;
+using gltf::Pose;
+using gltf::readAttribute;
+using gltf::Shape;
+using load::label;
+using load::refuse;
+using load::within;
+
+template <class T>
+std::vector<std::string> namesOf(const std::vector<T>& all) {
+    std::vector<std::string> names;
+    for (const T& each : all) names.push_back(load::printable(each.name));
+    return names;
+}
+
+// Primitives may share accessors, but a small file must not ask for much memory.
+std::uint64_t mostElements(const tinygltf::Model& model) {
+    std::uint64_t bytes = 0;
+    for (const tinygltf::Buffer& buffer : model.buffers) bytes += buffer.data.size();
+    return (std::uint64_t{1} << 24U) + 16 * bytes;
+}
+
+// ---- the scene
+
+class Loader {
+public:
+    Loader(const tinygltf::Model& model, const gltf::File& file, const std::filesystem::path& path,
+           const LoadSettings& settings)
+        : model_{model},
+          file_{file},
+          path_{path},
+          settings_{settings},
+          nodes_{gltf::placeNodes(model, settings.limits)},
+          cutOuts_{model, file, path, settings.limits},
+          elementsLeft_{std::min(settings.limits.vertices, mostElements(model))} {}
+
+    Scene::Data load() {
+        for (const gltf::Material& material : file_.materials)
+            data_.materials.push_back({material.name, material.doubleSided});
+        if (settings_.paint) readPaints();
+        for (const auto& [node, visible] : gltf::nodesOfScene(model_, nodes_, settings_.scene)) {
+            within(nodeLabel(model_, node), [&, node = node, visible = visible] {
+                if (model_.nodes[node].camera != -1) placeCamera(node);
+                if (model_.nodes[node].mesh != -1 && visible) placeMesh(node);
+            });
+        }
+        warnOfModes();
+        return std::move(data_);
+    }
+
+private:
+    void placeCamera(std::size_t node) {
+        const int index = model_.nodes[node].camera;
+        const tinygltf::Camera& source = at(model_.cameras, index, "a camera");
+        SceneCamera camera{nameOf(node, source.name), gltf::rigid(nodes_.toWorld[node]), SceneCamera{}.viewAngle, 0.0};
+        if (const std::optional<std::string> missing = gltf::readLens(source, camera))
+            warn(label("camera", static_cast<std::size_t>(index), source.name) + " is left out: expected " + *missing);
+        else
+            data_.cameras.push_back(std::move(camera));
+    }
+
+    void placeMesh(std::size_t node) {
+        const tinygltf::Node& source = model_.nodes[node];
+        const tinygltf::Mesh& mesh = at(model_.meshes, source.mesh, "a mesh");
+        Pose pose{source.weights.empty() ? mesh.weights : source.weights, {}};
+        if (std::ranges::all_of(pose.weights, [](double weight) { return weight == 0.0; })) pose.weights.clear();
+        if (source.skin != -1) pose.joints = jointMatrices(source.skin);
+
+        const std::optional<std::uint32_t> drawn = meshInPose(source.mesh, pose);
+        if (!drawn) return;
+        const std::string name = nameOf(node, mesh.name);
+        if (!pose.joints.empty()) return place({name, *drawn, glm::dmat4{1.0}});  // a skin places its mesh itself
+        for (const glm::dmat4& copy : gltf::copiesOf(model_, source, instancesLeft()))
+            place({name, *drawn, nodes_.toWorld[node] * copy});
+    }
+
+    void place(Instance instance) {
+        if (!finite(instance.transform)) refuse("expected instances with finite transforms, found an infinite one");
+        if (instancesLeft() == 0)
+            refuse(fmt::format("expected at most {} instances in the scene, found more; raise max-instances",
+                               settings_.limits.instances));
+        data_.instances.push_back(std::move(instance));
+    }
+
+    std::uint64_t instancesLeft() const { return settings_.limits.instances - data_.instances.size(); }
+
+    std::vector<glm::dmat4> jointMatrices(int index) const {
+        const tinygltf::Skin& source = at(model_.skins, index, "a skin");
+        return within(label("skin", static_cast<std::size_t>(index), source.name), [&] {
+            if (source.joints.empty()) refuse("expected joints, found none");
+            std::vector<glm::dmat4> joints;
+            for (const int joint : source.joints) joints.push_back(at(nodes_.toWorld, joint, "a joint node"));
+            if (source.inverseBindMatrices == -1) return joints;
+            const std::vector<double> inverses =
+                gltf::readNumbers(model_, source.inverseBindMatrices, "inverseBindMatrices", gltf::floatMat4);
+            if (inverses.size() < joints.size() * 16)
+                refuse(fmt::format("expected an inverse bind matrix for each of {} joints, found {}", joints.size(),
+                                   inverses.size() / 16));
+            for (std::size_t i = 0; i < joints.size(); ++i) joints[i] *= glm::make_mat4(&inverses[i * 16]);
+            return joints;
+        });
+    }
+
+    // The mesh's place in the scene's list; none if it draws no triangle. Nodes in one pose share it.
+    std::optional<std::uint32_t> meshInPose(int index, const Pose& pose) {
+        if (!pose.joints.empty()) return makeMesh(index, pose);
+        const std::pair key{index, pose.weights};
+        const auto known = meshes_.find(key);
+        if (known != meshes_.end()) return known->second;
+        return meshes_.emplace(key, makeMesh(index, pose)).first->second;
+    }
+
+    std::optional<std::uint32_t> makeMesh(int index, const Pose& pose) {
+        const auto number = static_cast<std::size_t>(index);
+        const tinygltf::Mesh& source = model_.meshes[number];
+        const bool isNew = seen_.insert(index).second;
+        Shape shape;
+        for (std::size_t i = 0; i < source.primitives.size(); ++i) {
+            const std::string where = label("mesh", number, source.name) + ", " + label("primitive", i);
+            within(where, [&] {
+                const gltf::Mode mode{source.primitives[i].mode};
+                const std::string_view modeName = gltf::name(mode);
+                if (gltf::drawsTriangles(mode))
+                    gltf::append(shape, readPrimitive(source.primitives[i], pose, isNew ? where : std::string{}));
+                else if (isNew)
+                    ++ignored_[modeName];
+            });
+        }
+        if (shape.indices.empty()) return {};
+        data_.meshes.push_back(gltf::meshOf(std::move(shape), source.name));
+        return static_cast<std::uint32_t>(data_.meshes.size() - 1);
+    }
+
+    // A warning starts with warnedAs; with none, the primitive has been warned of before.
+    Shape readPrimitive(const tinygltf::Primitive& primitive, const Pose& pose, const std::string& warnedAs) {
+        Shape part;
+        const auto position = primitive.attributes.find("POSITION");
+        if (position == primitive.attributes.end()) {
+            if (!warnedAs.empty()) warn(warnedAs + ": has no positions and is not drawn");
+            return part;
+        }
+        const gltf::Material* const material = materialOf(primitive);
+        if (material == nullptr && primitive.material != -1 && !warnedAs.empty())
+            warn(fmt::format("{}: expected a material below {}, found {}", warnedAs, file_.materials.size(),
+                             primitive.material));
+        if (isIgnored(material)) return part;
+        spend(gltf::elementCount(model_, position->second, "POSITION"));
+        part.positions = gltf::readVectors<glm::dvec3>(model_, position->second, "POSITION", gltf::anyPosition);
+        const std::size_t count = part.positions.size();
+        part.normals = readAttribute<glm::dvec3>(model_, primitive.attributes, "NORMAL", gltf::anyNormal, count);
+        part.authored = !part.normals.empty();
+        part.normals.resize(count);
+
+        const gltf::Mode mode{primitive.mode};
+        std::vector<std::uint32_t> corners = cornersOf(primitive, count);
+        if (mode == gltf::Mode::Triangles && corners.size() % 3 != 0 && !warnedAs.empty())
+            warn(fmt::format("{}: expected a multiple of 3 corners, found {}: the last are not drawn", warnedAs,
+                             corners.size()));
+        readEdges(primitive, corners, part, warnedAs);
+        part.indices = gltf::triangleList(mode, std::move(corners));
+        spend(part.indices.size());
+        if (settings_.textureCoordinates) readCoordinates(primitive, part);
+        if (settings_.paint) readPaint(material, primitive, part);
+        part.materials.assign(part.indices.size() / 3, static_cast<std::uint32_t>(primitive.material) + 1U);
+        gltf::morph(model_, primitive, pose.weights, part);
+        if (!pose.joints.empty()) gltf::skin(model_, primitive, pose.joints, part);
+        gltf::checkPositions(part.positions);
+        if (isCut(material)) cutOut(*material, primitive, part);
+        gltf::normalize(part.normals);
+        return part;
+    }
+
+    void readEdges(const tinygltf::Primitive& primitive, const std::vector<std::uint32_t>& corners, Shape& part,
+                   const std::string& warnedAs) {
+        gltf::EdgeVisibility edges =
+            gltf::readEdgeVisibility(model_, primitive, gltf::Mode{primitive.mode}, corners, part.positions.size());
+        part.marked = std::move(edges.hard);
+        part.inner = std::move(edges.hidden);
+        if (edges.lost > 0 && !warnedAs.empty())
+            warn(fmt::format("{}: {} edges of its line strings belong to no triangle and are not drawn", warnedAs,
+                             edges.lost));
+    }
+
+    void readCoordinates(const tinygltf::Primitive& primitive, Shape& part) {
+        const auto coordinates = readAttribute<glm::dvec2>(model_, primitive.attributes, "TEXCOORD_0",
+                                                           gltf::anyCoordinates, part.positions.size());
+        part.coordinates.reserve(coordinates.size());
+        for (const glm::dvec2& c : coordinates) {
+            if (const glm::vec2 f{c}; !std::isfinite(f.x) || !std::isfinite(f.y))
+                refuse(fmt::format("TEXCOORD_0: expected finite numbers, found ({}, {})", c.x, c.y));
+            part.coordinates.emplace_back(c);
+        }
+    }
+
+    void readPaint(const gltf::Material* material, const tinygltf::Primitive& primitive, Shape& part) {
+        const std::size_t count = part.positions.size();
+        const std::vector<glm::dvec4> colors = gltf::vertexColors(model_, primitive, count);
+        std::vector<glm::dvec2> places;
+        if (material != nullptr && material->texture)
+            places = gltf::texturePlaces(model_, *material->texture, primitive, count);
+        part.paint.resize(count);
+        const auto finiteOrZero = [](float x) { return std::isfinite(x) ? x : 0.0F; };
+        for (std::size_t i = 0; i < count; ++i) {
+            for (int c = 0; c < 4 && !colors.empty(); ++c)
+                part.paint[i].color[c] = finiteOrZero(static_cast<float>(colors[i][c]));
+            for (int c = 0; c < 2 && !places.empty(); ++c)
+                part.paint[i].place[c] = finiteOrZero(static_cast<float>(places[i][c]));
+        }
+    }
+
+    // What the materials are painted with. A picture that cannot be read leaves its material's colour.
+    void readPaints() {
+        std::map<std::uint64_t, std::shared_ptr<const Image<std::uint8_t>>> pictures;
+        std::uint64_t bytesLeft = file_.bytesLeft;
+        for (std::size_t i = 0; i < file_.materials.size(); ++i) {
+            const gltf::Material& source = file_.materials[i];
+            Material& material = data_.materials[i];
+            material.color = glm::vec4{source.color, source.opacity};
+            try {
+                if (!source.unpainted.empty()) refuse(source.unpainted);
+                if (!source.texture) continue;
+                material.wrap = {gltf::wrapOf(source.texture->wrapS), gltf::wrapOf(source.texture->wrapT)};
+                const gltf::Image& image = gltf::imageOf(file_, *source.texture);
+                auto& picture = pictures[*source.texture->image];
+                if (!picture)
+                    picture = within(label("image", *source.texture->image), [&] {
+                        return std::make_shared<const Image<std::uint8_t>>(decodePicture(
+                            gltf::pictureBytes(model_, path_, image, bytesLeft), settings_.limits.imagePixels));
+                    });
+                material.picture = picture;
+            } catch (const Error& error) {
+                warn(fmt::format("{} is drawn without its picture: {}", label("material", i, source.name),
+                                 error.what()));
+            }
+        }
+    }
+
+    // None, too, where the file leaves it out: what is drawn does not depend on it.
+    const gltf::Material* materialOf(const tinygltf::Primitive& primitive) const {
+        if (primitive.material < -1)
+            refuse(fmt::format("expected a material of at least 0, found {}", primitive.material));
+        const auto number = static_cast<std::size_t>(primitive.material);
+        return primitive.material == -1 || number >= file_.materials.size() ? nullptr : &file_.materials[number];
+    }
+
+    bool isCut(const gltf::Material* material) const {
+        return settings_.alphaMask == AlphaMask::Cut && material != nullptr &&
+               material->alpha == gltf::Material::Alpha::Mask;
+    }
+
+    bool isIgnored(const gltf::Material* material) const {
+        return settings_.transparent == Transparent::Ignore && material != nullptr &&
+               material->alpha == gltf::Material::Alpha::Blend;
+    }
+
+    // A cut-out that cannot be made is drawn whole: one picture less is no reason to draw nothing.
+    void cutOut(const gltf::Material& material, const tinygltf::Primitive& primitive, Shape& part) {
+        try {
+            cutOuts_.apply(material, primitive, part);
+            spend(part.indices.size());
+        } catch (const Error& error) {
+            if (!uncut_.insert(primitive.material).second) return;
+            warn(fmt::format("{} is drawn without its cut-out: {}",
+                             label("material", static_cast<std::size_t>(primitive.material), material.name),
+                             error.what()));
+        }
+    }
+
+    std::vector<std::uint32_t> cornersOf(const tinygltf::Primitive& primitive, std::size_t vertexCount) const {
+        if (primitive.indices != -1) return gltf::readIndices(model_, primitive.indices, vertexCount);
+        std::vector<std::uint32_t> corners(vertexCount);
+        std::iota(corners.begin(), corners.end(), 0U);
+        return corners;
+    }
+
+    void spend(std::size_t elements) {
+        if (elements > elementsLeft_ && mostElements(model_) < settings_.limits.vertices)
+            refuse(fmt::format("expected at most {} vertices and indices from so small a file, found more",
+                               mostElements(model_)));
+        if (elements > elementsLeft_)
+            refuse(fmt::format("expected at most {} vertices and indices in the scene, found more; raise max-vertices",
+                               settings_.limits.vertices));
+        elementsLeft_ -= elements;
+    }
+
+    void warnOfModes() {
+        std::size_t count = 0;
+        std::string modes;
+        for (const auto& [mode, number] : ignored_) {
+            count += number;
+            modes += fmt::format("{}{} {}", modes.empty() ? "" : ", ", number, mode);
+        }
+        if (count == 1) warn(fmt::format("1 primitive of points or lines is not drawn: {}", modes));
+        if (count > 1) warn(fmt::format("{} primitives of points or lines are not drawn: {}", count, modes));
+    }
+
+    void warn(std::string line) { data_.warnings.push_back(std::move(line)); }
+
+    std::string nameOf(std::size_t node, const std::string& otherwise) const {
+        return model_.nodes[node].name.empty() ? otherwise : model_.nodes[node].name;
+    }
+
+    const tinygltf::Model& model_;
+    const gltf::File& file_;
+    const std::filesystem::path& path_;
+    const LoadSettings& settings_;
+    gltf::Nodes nodes_;
+    gltf::CutOuts cutOuts_;
+    Scene::Data data_;
+    std::map<std::pair<int, std::vector<double>>, std::optional<std::uint32_t>> meshes_;  // by mesh and morph weights
+    std::set<int> seen_;                               // meshes whose ignored primitives are counted
+    std::map<std::string_view, std::size_t> ignored_;  // primitives by mode
+    std::set<int> uncut_;                              // materials warned of
+    std::uint64_t elementsLeft_;
+};
+
+}  // namespace
+
+Scene::Data loadGltf(const std::filesystem::path& path, const LoadSettings& settings) {
+    return within(load::printable(path.string()), [&] {
+        try {
+            gltf::File file = gltf::readFile(path, settings.limits);
+            tinygltf::Model model = gltf::parse(std::move(file.json), std::move(file.buffers));
+            std::vector<std::string> warnings = std::move(file.warnings);
+            if (!settings.animation.empty())
+                for (std::string& warning : gltf::poseNodes(model, settings.animation, settings.time))
+                    warnings.push_back(std::move(warning));
+            Scene::Data data = Loader{model, file, path, settings}.load();
+            data.source = {"glTF 2.0", namesOf(model.scenes), namesOf(model.animations), file.extensions};
+            data.warnings.insert(data.warnings.begin(), warnings.begin(), warnings.end());
+            return data;
+        } catch (const Error&) {
+            throw;
+        } catch (const std::bad_alloc&) {
+            refuse("expected a model that fits into memory, found one that does not");
+        } catch (const std::exception& error) {
+            refuse("expected glTF 2.0, found: " + load::printable(error.what()));
+        }
+    });
+}
+
+}  // namespace inkedge

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <inkedge/scene.h>
+
+#include "formats/gltf/model.h"
+
+namespace inkedge::gltf {
+
+/// Triangles as the file has them, before they move to their origin.
+struct Shape {
+    std::vector<glm::dvec3> positions;
+    std::vector<glm::dvec3> normals;  ///< as many; (0, 0, 0) where the file has none
+    std::vector<std::uint32_t> indices;
+    std::vector<std::uint32_t> materials;  ///< one a triangle; 0: none
+    std::vector<glm::vec2> coordinates;    ///< one a position, or none
+    std::vector<VertexPaint> paint;        ///< likewise
+    std::vector<bool> marked;              ///< one an index, or none: Mesh::markedEdges
+    std::vector<bool> inner;               ///< one an index, or none: Mesh::innerEdges
+    bool authored = false;                 ///< some normals are the file's
+};
+
+/// How a mesh is bent out of the shape that the file stores.
+struct Pose {
+    std::vector<double> weights;     ///< of the morph targets; empty: none is on
+    std::vector<glm::dmat4> joints;  ///< joint -> world; empty: no skin
+};
+
+/// Moves a primitive's vertices by its morph targets.
+/// @throws Error  (Kind::Input) if a target does not fit
+void morph(const tinygltf::Model&, const tinygltf::Primitive&, const std::vector<double>& weights, Shape& part);
+
+/// Moves a primitive's vertices by their joints: glTF 2.0, section 3.7.3.3.
+/// @throws Error  (Kind::Input) if joints or weights are missing or do not fit
+void skin(const tinygltf::Model&, const tinygltf::Primitive&, const std::vector<glm::dmat4>& joints, Shape& part);
+
+/// @throws Error  (Kind::Input) if one is not finite as a float
+void checkPositions(const std::vector<glm::dvec3>&);
+
+/// Of length 1; (0, 0, 0) where there is no direction.
+void normalize(std::vector<glm::dvec3>& normals);
+
+/// Adds a primitive's triangles to its mesh's.
+void append(Shape&, Shape part);
+
+[[nodiscard]] Mesh meshOf(Shape, const std::string& name);
+
+}  // namespace inkedge::gltf

@@ -1,0 +1,103 @@
+#include "lines/find/border_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "scene/seams.h"
+#include "mesh/topology.h"
+
+namespace inkedge::lines {
+namespace {
+
+// A part of a border that another border runs along.
+struct Cover {
+    double from;
+    double to;
+    std::uint32_t other;  // into Borders::edges(); noBorder: that one names the part
+    bool bends;
+};
+constexpr std::uint32_t noBorder = ~0U;
+
+std::vector<std::vector<Cover>> findCovers(const Scene& scene, Borders& borders) {
+    const double straightCosine = -std::cos(glm::radians(scene.creaseAngle()));
+    constexpr double foldedBack = 0.999;  // two layers that end together: no surface goes on
+    std::vector<std::vector<Cover>> covers(borders.edges().size());
+    for (std::uint32_t i = 0; i < covers.size(); ++i) {
+        const BorderEdge& border = borders.edges()[i];
+        borders.forEachNear(i, [&](std::uint32_t j) {
+            const BorderEdge& other = borders.edges()[j];
+            const double cosine = glm::dot(border.into, other.into);
+            if (cosine > foldedBack) return;
+            const auto shared = runAlong(border, other, borders.tolerance());
+            if (!shared) return;
+            const bool bends = cosine > straightCosine;
+            covers[i].push_back({shared->from[0], shared->to[0], j, bends});
+            covers[j].push_back({shared->from[1], shared->to[1], noBorder, bends});
+        });
+    }
+    return covers;
+}
+
+bool isMarkedBorder(const Scene& scene, const BorderEdge& edge) {
+    const Mesh& mesh = scene.meshes()[scene.instances()[edge.instance].mesh];
+    return !mesh.markedEdges.empty() && mesh.markedEdges[edge.halfEdge];
+}
+
+// Those of faces too thin to say where a surface would go on.
+void addThinBorders(const Scene& scene, std::span<const MeshEdges> meshes, std::vector<BorderPart>& parts) {
+    for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
+        const std::uint32_t mesh = scene.instances()[i].mesh;
+        for (const std::uint32_t h : meshes[mesh].thinBorders) {
+            parts.push_back({i, h, 0.0, 1.0});
+            parts.back().marked = isMarked(scene.meshes()[mesh], scene.topology(mesh), h);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<BorderPart> findBorderParts(const Scene& scene, std::span<const MeshEdges> meshes) {
+    Borders borders{scene,
+                    [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& { return meshes[mesh].faceNormals; }};
+    const std::vector<std::vector<Cover>> covers = findCovers(scene, borders);
+    std::vector<BorderPart> parts;
+    for (std::uint32_t i = 0; i < covers.size(); ++i) {
+        const BorderEdge& edge = borders.edges()[i];
+        const bool marked = isMarkedBorder(scene, edge);
+        const auto add = [&](double from, double to) {
+            parts.push_back({edge.instance, edge.halfEdge, from, to});
+            parts.back().marked = marked;
+        };
+        const double least =
+            borders.tolerance() / glm::length(edge.b - edge.a);  // shorter gaps between covers are none
+        std::vector<Cover> own = covers[i];
+        std::ranges::sort(own, [](const Cover& a, const Cover& b) { return a.from < b.from; });
+        double reached = 0.0;
+        for (const Cover& cover : own) {
+            if (cover.from > reached + least) add(reached, cover.from);
+            const double from = std::max(cover.from, reached);
+            reached = std::max(reached, cover.to);
+            if (cover.to <= from || cover.other == noBorder) continue;
+            const BorderEdge& other = borders.edges()[cover.other];
+            parts.push_back({edge.instance,
+                             edge.halfEdge,
+                             from,
+                             cover.to,
+                             {other.instance, other.halfEdge / 3},
+                             0.5 * (other.a + other.b) + other.into * glm::length(other.b - other.a),
+                             cover.bends,
+                             marked || isMarkedBorder(scene, other)});
+        }
+        if (reached < 1.0 - least) add(reached, 1.0);
+    }
+    addThinBorders(scene, meshes, parts);
+    std::ranges::stable_sort(parts, [](const BorderPart& a, const BorderPart& b) {
+        return a.instance != b.instance ? a.instance < b.instance : a.halfEdge < b.halfEdge;
+    });
+    return parts;
+}
+
+}  // namespace inkedge::lines

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include <inkedge/scene.h>
+#include <inkedge/settings.h>
+
+#include "lines/find/gauss_map.h"
+#include "lines/find/mesh_edges.h"
+
+namespace inkedge::lines {
+
+/// The eye in a mesh's space less Mesh::origin, where facing needs no care for mirrors.
+struct MeshEye {
+    bool orthographic = false;
+    glm::dvec3 place{0.0};      ///< perspective
+    glm::dvec3 direction{0.0};  ///< into the scene, of any length; orthographic
+
+    /// From the eye to a point: x - C.
+    [[nodiscard]] glm::dvec3 view(glm::dvec3 p) const noexcept { return orthographic ? direction : p - place; }
+};
+
+/// The contour edges of a mesh for one eye.
+struct FoundContours {
+    std::vector<std::uint32_t> edges;  ///< into MeshEdges::shared, ascending
+    std::vector<std::uint8_t>
+        facing;  ///< one a face: 1 if its front is to the eye; empty unless every edge was looked at
+};
+
+/// What ContourFinder::Random goes on from in its next view of an instance.
+struct ContourMemory {
+    std::vector<std::uint32_t> last;  ///< contour edges of the last view
+    std::size_t sample = 0;           ///< where the next samples begin
+};
+
+/// Finds the contour edges of one mesh: those between a front-facing and a back-facing face (Hertzmann 1999, section 3.2).
+/// Safe to use from several threads, each with a memory of its own.
+class ContourSearch {
+public:
+    /// @param edges  of the mesh; all three must outlive this
+    ContourSearch(const Mesh&, const MeshTopology&, const MeshEdges& edges);
+    ~ContourSearch();
+
+    [[nodiscard]] const MeshEdges& edges() const noexcept { return edges_; }
+
+    /// Every: a facing byte a face and an exclusive or an edge. O(n).
+    ///
+    /// Gauss: the edges that GaussMap keeps near the view's great circle, the same as those of Every. Orthographic views
+    /// only. The map is made for the first such view.
+    ///
+    /// Random: the randomized search of Markosian et al. 1997. It tests some edges, the likelier the more they bend, and
+    /// those of the last view, or what lies beside them towards the contour, and follows each contour found over its end
+    /// points. Contours that no test hits are missed, small ones most likely. About O(sqrt(n)); meshes of few edges are
+    /// searched whole. The outcome depends on the mesh, the eye and the memory only.
+    /// @throws Error  (Kind::Usage) for Gauss with a perspective eye
+    [[nodiscard]] FoundContours find(const MeshEye&, ContourFinder, ContourMemory&) const;
+
+    /// Whether face t turns its front to the eye: the side that its normal points to. A face without a normal does not.
+    [[nodiscard]] bool isFront(const MeshEye& eye, std::uint32_t t) const {
+        const glm::dvec3 corner{mesh_.positions[mesh_.indices[3 * std::size_t{t}]]};
+        return glm::dot(edges_.faceNormals[t], eye.view(corner)) < 0.0;
+    }
+
+    /// Makes what a finder needs now rather than for its first view.
+    /// @return  the bytes that it takes beyond the edge table
+    std::size_t prepare(ContourFinder) const;
+
+private:
+    struct Samples;
+    class Walk;
+
+    // In floats, beside each other: what the eye's side is decided by wherever rounding leaves no doubt.
+    struct Planes {
+        std::vector<float> x, y, z, offset;
+        float largestOffset = 0.0F;
+    };
+
+    [[nodiscard]] std::vector<std::uint8_t> findFacing(const MeshEye&) const;
+    [[nodiscard]] std::vector<std::uint32_t> findDiffering(const std::vector<std::uint8_t>& facing) const;
+    [[nodiscard]] std::vector<std::uint32_t> searchAtRandom(const MeshEye&, ContourMemory&) const;
+    [[nodiscard]] std::vector<std::uint32_t> searchMap(const MeshEye&) const;
+    [[nodiscard]] const Samples& samples() const;
+    [[nodiscard]] const GaussMap& map() const;
+    [[nodiscard]] bool isContour(const MeshEye&, std::uint32_t edge) const;
+
+    const Mesh& mesh_;
+    const MeshTopology& topology_;
+    const MeshEdges& edges_;
+    Planes planes_;
+    mutable std::mutex mutex_;  // of what is made on first use
+    mutable std::unique_ptr<const Samples> samples_;
+    mutable std::unique_ptr<const GaussMap> map_;
+};
+
+}  // namespace inkedge::lines

@@ -1,0 +1,404 @@
+#include "lines/find/contours.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "base/parallel.h"
+#include "scene/subdivide.h"
+
+namespace inkedge::lines {
+namespace {
+
+// An instance and the eye in its mesh's space, where facing needs no care for mirrors.
+class InstanceCurves {
+public:
+    InstanceCurves(const Scene& scene, std::uint32_t instance, const InstanceEdges& edges, const Screen& screen,
+                   const CurveChoice& choice, std::vector<Segment>& to)
+        : scene_{scene},
+          instance_{instance},
+          mesh_{scene.meshes()[scene.instances()[instance].mesh]},
+          topology_{scene.topology(scene.instances()[instance].mesh)},
+          search_{edges.search},
+          edges_{edges.search.edges()},
+          screen_{screen},
+          choice_{choice},
+          borders_{edges.borders},
+          isolines_{edges.isolines},
+          to_{to},
+          place_{scene.instances()[instance].transform} {
+        place_[3] += place_ * glm::dvec4{mesh_.origin, 0.0} - glm::dvec4{scene.bounds().centre, 0.0};
+        const glm::dmat4 back = glm::inverse(place_);
+        eye_ = {screen.orthographic(), glm::dvec3{back * glm::dvec4{screen.eye(), 1.0}},
+                glm::dmat3{back} * screen.direction()};
+    }
+
+    void collect(ContourMemory& memory) {
+        if (glm::determinant(glm::dmat3{place_}) == 0.0) return;  // scaled to a point
+        contours_ = search_.find(eye_, choice_.finder, memory);
+        chooseSmoothPatches();
+        addContourEdges();
+        addCreases();
+        addBorders();
+        addMany();
+        addIsolines();
+        if (std::ranges::find(smooth_, true) != smooth_.end()) addSmoothContours();
+    }
+
+private:
+    [[nodiscard]] glm::dvec3 position(std::uint32_t corner) const {
+        return glm::dvec3{mesh_.positions[mesh_.indices[corner]]};
+    }
+    [[nodiscard]] glm::dvec3 toWorld(glm::dvec3 p) const { return glm::dvec3{place_ * glm::dvec4{p, 1.0}}; }
+    // From the eye to a point: x - C.
+    [[nodiscard]] glm::dvec3 view(glm::dvec3 p) const { return eye_.view(p); }
+    [[nodiscard]] SceneFace face(std::uint32_t t) const { return {instance_, t}; }
+    [[nodiscard]] bool hidesItsBack(std::uint32_t t) const { return choice_.eyeOutside && edges_.closed[t] != 0; }
+
+    [[nodiscard]] bool keepsHidden() const { return choice_.hidden != HiddenLines::None; }
+
+    [[nodiscard]] bool mayBeSmooth(std::uint32_t e) const { return edges_.shared.split[e] == 0; }
+
+    void chooseSmoothPatches() {
+        const bool refined = choice_.refinement > 0 && choice_.contour != Contour::Mesh;
+        smooth_.assign(topology_.patchCount, refined || choice_.contour == Contour::Smooth);
+        if (refined || choice_.contour != Contour::Auto) return;
+        struct Mean {
+            double pixels = 0.0;
+            int count = 0;
+        };
+        std::vector<Mean> means(topology_.patchCount);
+        for (const std::uint32_t e : contours_.edges) {
+            if (!mayBeSmooth(e)) continue;
+            const std::uint32_t h = edges_.shared.halfEdges[e];
+            const glm::dvec3 from = toWorld(position(h));
+            const glm::dvec3 to = toWorld(position(nextHalfEdge(h)));
+            if (screen_.depth(from) <= screen_.near()) continue;
+            Mean& mean = means[topology_.patches[h / 3]];
+            mean.pixels += glm::length(to - from) / screen_.footprint(from);
+            ++mean.count;
+        }
+        for (std::size_t patch = 0; patch < means.size(); ++patch)
+            smooth_[patch] = means[patch].count > 0 && means[patch].pixels <= smoothEdge * means[patch].count;
+    }
+
+    Segment& add(Curve curve, std::uint32_t halfEdge, SceneFace other) {
+        Segment& segment = to_.emplace_back();
+        segment.curve = curve;
+        segment.occludes = curve == Curve::Contour || curve == Curve::Boundary;
+        const std::uint32_t end = nextHalfEdge(halfEdge);
+        segment.faces = {face(halfEdge / 3), other};
+        segment.ends = {toWorld(position(halfEdge)), toWorld(position(end))};
+        segment.keys = {pointKey(instance_, topology_.points[halfEdge]), pointKey(instance_, topology_.points[end])};
+        segment.inner = toWorld(position(nextHalfEdge(end)));
+        return segment;
+    }
+
+    // Whether a closed part is concave at an edge: such a contour lies behind the part itself.
+    [[nodiscard]] bool isHiddenFold(std::uint32_t e) const {
+        const std::uint32_t h = edges_.shared.halfEdges[e];
+        const std::uint32_t t = edges_.shared.faces[2 * e];
+        if (!hidesItsBack(t)) return false;
+        const std::uint32_t other = topology_.twins[h];
+        if (edges_.faceNormals[other / 3] == glm::dvec3{0.0}) return false;  // too thin to say
+        const glm::dvec3 opposite = position(nextHalfEdge(nextHalfEdge(other)));
+        return glm::dot(edges_.faceNormals[t], opposite - position(h)) * edges_.closed[t] > 0.0;
+    }
+
+    // Whether a smooth contour stands for the contour edge.
+    [[nodiscard]] bool isReplaced(std::uint32_t e) const {
+        return smooth_[topology_.patches[edges_.shared.halfEdges[e] / 3]] && mayBeSmooth(e);
+    }
+
+    [[nodiscard]] bool draws(LineType type) const { return (choice_.lines & static_cast<std::uint8_t>(type)) != 0; }
+    [[nodiscard]] bool isMarked(std::uint32_t halfEdge) const {
+        return draws(LineType::Marked) && lines::isMarked(mesh_, topology_, halfEdge);
+    }
+    // Where all these types are drawn no contour or boundary becomes a marked line: chains need not be parted.
+    [[nodiscard]] bool marksOutlines() const {
+        return !draws(LineType::Outline) || !draws(LineType::Occlusion) || !draws(LineType::Boundary);
+    }
+
+    // The third point of one of an edge's two faces: of the one that is seen less edge-on.
+    [[nodiscard]] glm::dvec3 innerOf(std::uint32_t h) const {
+        const glm::dvec3 from = position(h);
+        const glm::dvec3 side = glm::cross(position(nextHalfEdge(h)) - from, view(from));
+        const glm::dvec3 one = position(nextHalfEdge(nextHalfEdge(h)));
+        const glm::dvec3 other = position(nextHalfEdge(nextHalfEdge(topology_.twins[h])));
+        const bool first = std::abs(glm::dot(side, one - from)) >= std::abs(glm::dot(side, other - from));
+        return toWorld(first ? one : other);
+    }
+
+    void addContourEdges() {
+        for (const std::uint32_t e : contours_.edges) {
+            const bool hidden = isHiddenFold(e);
+            if (hidden && !keepsHidden()) continue;
+            const std::uint32_t h = edges_.shared.halfEdges[e];
+            Segment& segment = add(Curve::Contour, h, face(edges_.shared.faces[2 * e + 1]));
+            segment.faces[0] = face(edges_.shared.faces[2 * e]);
+            segment.inner = innerOf(h);
+            segment.hidden = hidden;
+            segment.occludes = !hidden;
+            segment.drawn = !isReplaced(e);
+            segment.marked = marksOutlines() && isMarked(h);
+        }
+    }
+
+    [[nodiscard]] bool isBack(std::uint32_t t) const {
+        if (!hidesItsBack(t)) return false;
+        const bool front = contours_.facing.empty() ? search_.isFront(eye_, t) : contours_.facing[t] != 0;
+        return front != (edges_.closed[t] > 0);
+    }
+
+    void addCreases() {
+        addUnlessContours(edges_.creases);
+        if (draws(LineType::Marked)) addUnlessContours(edges_.marked);
+    }
+
+    void addUnlessContours(const std::vector<std::uint32_t>& edges) {
+        std::size_t nextContour = 0;
+        for (const std::uint32_t e : edges) {  // both lists are in order
+            while (nextContour < contours_.edges.size() && contours_.edges[nextContour] < e) ++nextContour;
+            if (nextContour < contours_.edges.size() && contours_.edges[nextContour] == e && !isReplaced(e)) continue;
+            const std::uint32_t other = edges_.shared.faces[2 * e + 1];
+            const bool hidden = isBack(other) && isBack(edges_.shared.faces[2 * e]);
+            if (hidden && !keepsHidden()) continue;
+            const std::uint32_t h = edges_.shared.halfEdges[e];
+            add(isMarked(h) ? Curve::Marked : Curve::Crease, h, face(other)).hidden = hidden;
+        }
+    }
+
+    void addBorders() {
+        for (const BorderPart& part : borders_) {
+            Curve curve = Curve::Boundary;
+            const bool marked = part.marked && draws(LineType::Marked);
+            if (part.other != noFace) {
+                if (bothToOneSide(part)) {
+                    curve = Curve::Contour;
+                } else if (marked) {
+                    curve = Curve::Marked;
+                } else if (part.bends) {
+                    curve = Curve::Crease;
+                } else {
+                    continue;  // a seam
+                }
+            }
+            Segment& segment = add(curve, part.halfEdge, part.other);
+            segment.marked = segment.occludes && marked && marksOutlines();
+            const std::array<glm::dvec3, 2> whole = segment.ends;
+            const auto cut = [&](std::size_t end, double at) {
+                segment.ends[end] = whole[0] + at * (whole[1] - whole[0]);
+                segment.keys[end] = noKey;
+            };
+            if (part.from > 0.0) cut(0, part.from);
+            if (part.to < 1.0) cut(1, part.to);
+        }
+    }
+
+    // Whether the two faces at a seam lie to one side of it in the picture: a contour.
+    [[nodiscard]] bool bothToOneSide(const BorderPart& part) const {
+        const glm::dvec3 from = toWorld(position(part.halfEdge));
+        const glm::dvec3 to = toWorld(position(nextHalfEdge(part.halfEdge)));
+        const glm::dvec3 inner = toWorld(position(nextHalfEdge(nextHalfEdge(part.halfEdge))));
+        const glm::dvec3 side = glm::cross(to - from, screen_.ray(from));
+        return (glm::dot(side, inner - from) > 0.0) == (glm::dot(side, part.otherInner - from) > 0.0);
+    }
+
+    // An edge of many faces is a contour if all of them lie to one side of it in the picture.
+    void addMany() {
+        for (std::size_t i = 0; i + 1 < edges_.manyBegins.size(); ++i) {
+            const std::uint32_t begin = edges_.manyBegins[i];
+            const std::uint32_t end = edges_.manyBegins[i + 1];
+            const std::uint32_t first = edges_.many[begin];
+            const glm::dvec3 from = position(first);
+            const glm::dvec3 side = glm::cross(position(nextHalfEdge(first)) - from, view(from));
+            bool left = false;
+            bool right = false;
+            bool marked = false;
+            for (std::uint32_t k = begin; k < end; ++k) {
+                const std::uint32_t h = edges_.many[k];
+                const double distance = glm::dot(side, position(nextHalfEdge(nextHalfEdge(h))) - from);
+                left = left || distance > 0.0;
+                right = right || distance < 0.0;
+                marked = marked || isMarked(h);
+            }
+            const Curve inside = marked ? Curve::Marked : Curve::Crease;
+            Segment& segment = add(left != right ? Curve::Contour : inside, first, face(edges_.many[begin + 1] / 3));
+            segment.marked = segment.occludes && marked && marksOutlines();
+        }
+    }
+
+    void addIsolines() {
+        for (const IsolineSegment& line : isolines_) {
+            const SceneFace other = faceBeside(line);
+            const bool hidden = isBack(line.triangle) && (other == noFace || isBack(other.triangle));
+            if (hidden && !keepsHidden()) continue;
+            Segment& segment = to_.emplace_back();
+            segment.curve = Curve::Isoparametric;
+            segment.hidden = hidden;
+            segment.occludes = false;
+            segment.faces = {face(line.triangle), other};
+            for (std::size_t k = 0; k < 2; ++k) {
+                segment.ends[k] = toWorld(line.ends[k]);
+                segment.keys[k] = isolineKey(instance_, line.nodes[k]);
+            }
+        }
+    }
+
+    // Of a line that follows an edge, the other face there.
+    [[nodiscard]] SceneFace faceBeside(const IsolineSegment& line) const {
+        for (int k = 0; k < 3; ++k) {
+            if (line.weights[0][k] != 0.0 || line.weights[1][k] != 0.0) continue;
+            const std::uint32_t twin = topology_.twins[nextHalfEdge(3 * line.triangle + static_cast<std::uint32_t>(k))];
+            if (isHalfEdge(twin)) return face(twin / 3);
+        }
+        return noFace;
+    }
+
+    // Equation 2 at each corner: n . (x - C).
+    void findSlants() {
+        slants_.resize(mesh_.positions.size());
+        inRanges(slants_.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                slants_[i] = glm::dot(glm::dvec3{mesh_.normals[i]}, view(glm::dvec3{mesh_.positions[i]}));
+        });
+    }
+
+    // A triangle as smooth contours see it: its corners, n . (x - C) at each, and the names of the edges from each to the
+    // next.
+    struct Facet {
+        std::uint32_t face;  // that it is, or lies on
+        glm::dvec3 corners[3];
+        double slants[3];
+        double slant;  // of its plane, by the side that the corners' normals point to
+        Key edges[3];
+        double size;  // mesh units: how far off the mesh it may lie
+    };
+
+    void addRefinedContours() {
+        const auto projection = screen_.orthographic() ? Projection::Orthographic : Projection::Perspective;
+        const glm::dvec3 eye = eye_.orthographic ? eye_.direction : eye_.place + mesh_.origin;
+        const std::size_t number = scene_.instances()[instance_].mesh;
+        const RefinedContourMesh refined =
+            refineNear(scene_, number, *choice_.control, eye, projection, choice_.refinement);
+        std::unordered_map<std::uint64_t, std::uint32_t> edges;
+        for (std::size_t t = 0; t < refined.controlTriangles.size(); ++t) {
+            Facet facet{refined.controlTriangles[t], {}, {}, 0.0, {}, longestEdge(refined.controlTriangles[t])};
+            glm::dvec3 normals{0.0};
+            const std::uint32_t* const corners = &refined.indices[3 * t];
+            for (std::size_t k = 0; k < 3; ++k) {
+                facet.corners[k] = refined.positions[corners[k]];
+                facet.slants[k] = glm::dot(refined.normals[corners[k]], view(facet.corners[k]));
+                normals += glm::dvec3{refined.normals[corners[k]]};
+                const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
+                const auto next = static_cast<std::uint32_t>(edges.size());
+                facet.edges[k] =
+                    refinedKey(instance_, edges.try_emplace((std::uint64_t{low} << 32U) | high, next).first->second);
+            }
+            facet.slant = planeSlant(facet.corners, normals);
+            addSmoothContour(facet);
+        }
+    }
+
+    [[nodiscard]] double longestEdge(std::uint32_t t) const {
+        double longest = 0.0;
+        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
+            longest = std::max(longest, glm::length(position(nextHalfEdge(h)) - position(h)));
+        return longest;
+    }
+
+    void addSmoothContours() {
+        if (choice_.refinement > 0) return addRefinedContours();
+        findSlants();
+        for (std::uint32_t t = 0; t < topology_.patches.size(); ++t) {
+            const std::uint32_t* const corners = &mesh_.indices[3 * std::size_t{t}];
+            const bool plus[3]{slants_[corners[0]] >= 0.0, slants_[corners[1]] >= 0.0, slants_[corners[2]] >= 0.0};
+            if (plus[0] == plus[1] && plus[1] == plus[2]) continue;
+            if (!smooth_[topology_.patches[t]] || topology_.originals[t] != t) continue;
+            Facet facet{t, {}, {}, 0.0, {}, longestEdge(t)};
+            glm::dvec3 normals{0.0};
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const std::uint32_t h = 3 * t + k;
+                const std::uint32_t twin = topology_.twins[h];
+                facet.corners[k] = position(h);
+                facet.slants[k] = slants_[corners[k]];
+                normals += glm::dvec3{mesh_.normals[corners[k]]};
+                facet.edges[k] = edgeKey(instance_, isHalfEdge(twin) ? std::min(h, twin) : h);
+            }
+            facet.slant = planeSlant(facet.corners, normals);
+            addSmoothContour(facet);
+        }
+    }
+
+    [[nodiscard]] double planeSlant(const glm::dvec3 (&corners)[3], glm::dvec3 normals) const {
+        const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+        return glm::dot(normal, view(corners[0])) * (glm::dot(normal, normals) < 0.0 ? -1.0 : 1.0);
+    }
+
+    void addSmoothContour(const Facet& facet) {
+        const auto& [face, corners, slants, slant, edges, size] = facet;
+        const bool plus[3]{slants[0] >= 0.0, slants[1] >= 0.0, slants[2] >= 0.0};
+        if (plus[0] == plus[1] && plus[1] == plus[2]) return;
+        const bool hidden = hidesItsBack(face) && turnsTowardsEye(corners, slants, edges_.closed[face]);
+        if (hidden && !keepsHidden()) return;
+        Segment segment;
+        segment.hidden = hidden;
+        segment.occludes = false;  // the faces' own contour does
+        segment.faces = {SceneFace{instance_, face}, noFace};
+        std::size_t found = 0;
+        std::uint32_t inner = 0;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const std::uint32_t next = (k + 1) % 3;
+            // In the picture the surface lies to the side where it is turned as the facet is.
+            if (slants[k] * slant > slants[inner] * slant) inner = k;
+            if (plus[k] == plus[next]) continue;
+            const double a = std::abs(slants[k]);
+            const double b = std::abs(slants[next]);
+            segment.ends[found] = toWorld((b * corners[k] + a * corners[next]) / (a + b));  // equation 4
+            segment.keys[found++] = edges[k];
+        }
+        segment.inner = toWorld(corners[inner]);
+        segment.slack = size * std::cbrt(std::abs(glm::determinant(glm::dmat3{place_})));
+        to_.push_back(segment);
+    }
+
+    // Whether the surface, followed away from the eye, turns its front to it: the contour is then behind the surface.
+    [[nodiscard]] bool turnsTowardsEye(const glm::dvec3 (&corners)[3], const double (&slants)[3], int outward) const {
+        const glm::dvec3 u = corners[1] - corners[0];
+        const glm::dvec3 v = corners[2] - corners[0];
+        const glm::dvec3 normal = glm::cross(u, v);
+        const glm::dvec3 gradient =
+            glm::cross(v, normal) * (slants[1] - slants[0]) + glm::cross(normal, u) * (slants[2] - slants[0]);
+        return glm::dot(gradient, view(corners[0])) * outward < 0.0;
+    }
+
+    const Scene& scene_;
+    std::uint32_t instance_;
+    const Mesh& mesh_;
+    const MeshTopology& topology_;
+    const ContourSearch& search_;
+    const MeshEdges& edges_;
+    const Screen& screen_;
+    const CurveChoice& choice_;
+    std::span<const BorderPart> borders_;
+    std::span<const IsolineSegment> isolines_;
+    std::vector<Segment>& to_;
+    glm::dmat4 place_;
+    MeshEye eye_;
+    FoundContours contours_;
+    std::vector<bool> smooth_;    // one a patch
+    std::vector<double> slants_;  // one a position
+};
+
+}  // namespace
+
+void collectInstanceCurves(const Scene& scene, std::uint32_t instance, const InstanceEdges& edges,
+                           ContourMemory& memory, const Screen& screen, const CurveChoice& choice,
+                           std::vector<Segment>& to) {
+    InstanceCurves{scene, instance, edges, screen, choice, to}.collect(memory);
+}
+
+}  // namespace inkedge::lines

@@ -1,0 +1,132 @@
+#include "lines/find/mesh_edges.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "mesh/closed_surface.h"
+
+namespace inkedge::lines {
+
+bool isMarked(const Mesh& mesh, const MeshTopology& topology, std::uint32_t halfEdge) {
+    if (mesh.markedEdges.empty()) return false;
+    const std::uint32_t twin = topology.twins[halfEdge];
+    return mesh.markedEdges[halfEdge] || (isHalfEdge(twin) && mesh.markedEdges[twin]);
+}
+
+namespace {
+
+bool takesPart(const MeshTopology& topology, std::uint32_t t) {
+    const std::uint32_t* const p = &topology.points[3 * std::size_t{t}];
+    return topology.originals[t] == t && p[0] != p[1] && p[1] != p[2] && p[2] != p[0];
+}
+
+bool sameNormals(const Mesh& mesh, const MeshTopology& topology, std::uint32_t halfEdge, std::uint32_t twin) {
+    constexpr float same = 0.9999F;  // cosine: under a degree
+    const bool opposite = topology.points[halfEdge] != topology.points[twin];
+    const std::uint32_t atStart = opposite ? nextHalfEdge(twin) : twin;
+    const std::uint32_t atEnd = opposite ? twin : nextHalfEdge(twin);
+    const auto agree = [&](std::uint32_t a, std::uint32_t b) {
+        if (mesh.indices[a] == mesh.indices[b]) return true;
+        return glm::dot(mesh.normals[mesh.indices[a]], mesh.normals[mesh.indices[b]]) > same;
+    };
+    return agree(halfEdge, atStart) && agree(nextHalfEdge(halfEdge), atEnd);
+}
+
+// The half-edges of edges that many faces share, an edge's next to each other.
+void collectMany(const MeshTopology& topology, MeshEdges& edges) {
+    auto& many = edges.many;
+    for (std::uint32_t h = 0; h < topology.twins.size(); ++h)
+        if (topology.twins[h] == manyHalfEdges) many.push_back(h);
+    const auto ends = [&](std::uint32_t h) {
+        return std::minmax(topology.points[h], topology.points[nextHalfEdge(h)]);
+    };
+    std::ranges::sort(many, [&](std::uint32_t a, std::uint32_t b) {
+        const auto ea = ends(a);
+        const auto eb = ends(b);
+        if (ea.first != eb.first) return ea.first < eb.first;
+        if (ea.second != eb.second) return ea.second < eb.second;
+        return a < b;
+    });
+    for (std::uint32_t i = 0; i < many.size(); ++i)
+        if (i == 0 || ends(many[i]) != ends(many[i - 1])) edges.manyBegins.push_back(i);
+    edges.manyBegins.push_back(static_cast<std::uint32_t>(many.size()));
+}
+
+// The face that a thin one is a part of.
+struct Whole {
+    std::uint32_t face;
+    bool against = false;  // it is wound against the thin one
+};
+
+Whole wholeOf(const Mesh& mesh, const MeshTopology& topology, const std::vector<glm::dvec3>& normals, std::uint32_t t) {
+    constexpr int longestRow = 32;  // of thin faces beside each other
+    Whole whole{t};
+    const auto length = [&](std::uint32_t h) {
+        return glm::length(mesh.positions[mesh.indices[nextHalfEdge(h)]] - mesh.positions[mesh.indices[h]]);
+    };
+    std::uint32_t entry = noHalfEdge;
+    for (int step = 0; step < longestRow && normals[whole.face] == glm::dvec3{0.0}; ++step) {
+        std::uint32_t longest = noHalfEdge;
+        for (std::uint32_t h = 3 * whole.face; h < 3 * whole.face + 3; ++h) {
+            if (!isHalfEdge(topology.twins[h]) || h == entry) continue;
+            if (longest == noHalfEdge || length(h) > length(longest)) longest = h;
+        }
+        if (longest == noHalfEdge) break;
+        entry = topology.twins[longest];
+        if (topology.points[longest] == topology.points[entry]) whole.against = !whole.against;
+        whole.face = entry / 3;
+    }
+    return whole;
+}
+
+// Two faces that share an edge; which ones, and whether they meet in a crease, where thin faces lie between.
+void addShared(const Mesh& mesh, const MeshTopology& topology, std::uint32_t h, double creaseCosine, MeshEdges& edges) {
+    const std::uint32_t twin = topology.twins[h];
+    const auto isThin = [&](std::uint32_t t) { return edges.faceNormals[t] == glm::dvec3{0.0}; };
+    bool against = topology.points[h] == topology.points[twin];
+    bool crease = topology.creases[h];
+    std::uint32_t first = h / 3;
+    std::uint32_t second = twin / 3;
+    if (isThin(first) || isThin(second)) {
+        const Whole a = wholeOf(mesh, topology, edges.faceNormals, first);
+        const Whole b = wholeOf(mesh, topology, edges.faceNormals, second);
+        first = a.face;
+        second = b.face;
+        if (first == second) return;
+        against = against != (a.against != b.against);
+        const double cosine = glm::dot(edges.faceNormals[first], edges.faceNormals[second]);
+        crease = !isThin(first) && !isThin(second) && (against ? -cosine : cosine) < creaseCosine;
+    }
+    MeshEdges::Shared& shared = edges.shared;
+    const auto number = static_cast<std::uint32_t>(shared.halfEdges.size());
+    if (crease)
+        edges.creases.push_back(number);
+    else if (isMarked(mesh, topology, h))
+        edges.marked.push_back(number);
+    shared.faces.push_back(first);
+    shared.faces.push_back(second);
+    shared.halfEdges.push_back(h);
+    shared.against.push_back(against ? 1 : 0);
+    shared.split.push_back(crease || !sameNormals(mesh, topology, h, twin) ? 1 : 0);
+}
+
+}  // namespace
+
+MeshEdges findEdges(const Mesh& mesh, const MeshTopology& topology, double creaseAngle) {
+    const double creaseCosine = std::cos(glm::radians(creaseAngle));
+    MeshEdges edges;
+    edges.faceNormals = makeFaceNormals(mesh);
+    for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
+        if (isHalfEdge(topology.twins[h]) && h < topology.twins[h]) addShared(mesh, topology, h, creaseCosine, edges);
+        const bool thin = topology.twins[h] == noHalfEdge && edges.faceNormals[h / 3] == glm::dvec3{0.0};
+        if (thin && takesPart(topology, h / 3)) edges.thinBorders.push_back(h);
+    }
+    collectMany(topology, edges);
+    edges.closed = closedParts(mesh, topology);
+    return edges;
+}
+
+}  // namespace inkedge::lines

@@ -1,0 +1,72 @@
+#include "mesh/closed_surface.h"
+
+#include <glm/geometric.hpp>
+
+#include "base/union_find.h"
+
+namespace inkedge {
+namespace {
+
+bool isCollapsed(const MeshTopology& topology, std::uint32_t t) {
+    const std::uint32_t* const p = &topology.points[3 * std::size_t{t}];
+    return p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
+}
+
+// Whether just one other face has a half-edge's edge, wound alike.
+bool isOpposed(const MeshTopology& topology, std::uint32_t h) {
+    const std::uint32_t twin = topology.twins[h];
+    return isHalfEdge(twin) && topology.points[h] != topology.points[twin];
+}
+
+// Of the tetrahedron of a face and the mesh's origin, times 6.
+double signedVolume(const Mesh& mesh, std::uint32_t t) {
+    const auto corner = [&](std::uint32_t k) {
+        return glm::dvec3{mesh.positions[mesh.indices[3 * std::size_t{t} + k]]};
+    };
+    return glm::dot(corner(0), glm::cross(corner(1), corner(2)));
+}
+
+}  // namespace
+
+std::vector<std::int8_t> closedParts(const Mesh& mesh, const MeshTopology& topology) {
+    const auto count = static_cast<std::uint32_t>(topology.originals.size());
+    const auto takesPart = [&](std::uint32_t t) { return topology.originals[t] == t && !isCollapsed(topology, t); };
+    UnionFind parts{count};
+    std::vector<bool> open(count, false);
+    for (std::uint32_t t = 0; t < count; ++t) {
+        if (!takesPart(t)) continue;
+        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+            if (!isOpposed(topology, h)) open[t] = true;
+            if (isHalfEdge(topology.twins[h])) parts.unite(t, topology.twins[h] / 3);
+        }
+    }
+    std::vector<double> volumes(count, 0.0);
+    for (std::uint32_t t = 0; t < count; ++t) {
+        if (!takesPart(t)) continue;
+        if (open[t]) open[parts.root(t)] = true;
+        volumes[parts.root(t)] += signedVolume(mesh, t);
+    }
+    std::vector<std::int8_t> closed(count, 0);
+    for (std::uint32_t t = 0; t < count; ++t) {
+        const std::uint32_t root = parts.root(t);
+        if (!takesPart(t) || open[root] || volumes[root] == 0.0) continue;
+        closed[t] = volumes[root] > 0.0 ? 1 : -1;
+    }
+    return closed;
+}
+
+bool isClosedOutward(const Mesh& mesh, const MeshTopology& topology) {
+    const auto count = static_cast<std::uint32_t>(topology.originals.size());
+    for (std::uint32_t t = 0; t < count; ++t) {  // most open meshes show it early
+        if (isCollapsed(topology, t)) continue;
+        if (topology.originals[t] != t) return false;
+        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
+            if (!isOpposed(topology, h)) return false;
+    }
+    const std::vector<std::int8_t> closed = closedParts(mesh, topology);
+    for (std::uint32_t t = 0; t < count; ++t)
+        if (!isCollapsed(topology, t) && closed[t] != 1) return false;
+    return true;
+}
+
+}  // namespace inkedge

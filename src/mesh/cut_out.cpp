@@ -1,0 +1,382 @@
+#include "mesh/cut_out.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/message.h"
+#include "mesh/polygon_triangles.h"
+
+namespace inkedge {
+namespace {
+
+using load::refuse;
+
+constexpr int cellSize = 128;             // texels: the lattice that triangles and the outline are cut along
+constexpr double simplification = 0.1;    // texels
+constexpr std::int64_t mostCells = 4096;  // of one triangle
+constexpr std::uint64_t mostPieces = 4'000'000;
+
+// ---- the outline within a cell
+
+// Texel coordinates: whole numbers at the centres of texels.
+class Opacity {
+public:
+    Opacity(Image<std::uint8_t> map, std::array<TextureWrap, 2> wrap) : map_{std::move(map)}, wrap_{wrap} {}
+
+    [[nodiscard]] double at(std::int64_t x, std::int64_t y) const {
+        return map_.at(place(x, map_.size.width, wrap_[0]), place(y, map_.size.height, wrap_[1]));
+    }
+    [[nodiscard]] glm::dvec2 texels(glm::dvec2 coordinates) const {
+        return coordinates * glm::dvec2{map_.size.width, map_.size.height} - 0.5;
+    }
+
+private:
+    static int place(std::int64_t i, int size, TextureWrap wrap) {
+        if (wrap == TextureWrap::Clamp) return static_cast<int>(std::clamp<std::int64_t>(i, 0, size - 1));
+        const std::int64_t period = wrap == TextureWrap::Mirror ? 2 * std::int64_t{size} : size;
+        const std::int64_t rest = ((i % period) + period) % period;
+        return static_cast<int>(rest < size ? rest : period - 1 - rest);
+    }
+
+    Image<std::uint8_t> map_;
+    std::array<TextureWrap, 2> wrap_;
+};
+
+// The parts of a cell that are there, as loops anticlockwise around them (x to the right, y up), holes clockwise.
+class CellOutline {
+public:
+    CellOutline(const Opacity& opacity, std::int64_t cellX, std::int64_t cellY, double threshold)
+        : threshold_{threshold} {
+        for (int y = 0; y <= cellSize; ++y)
+            for (int x = 0; x <= cellSize; ++x)
+                values_[at(x, y)] = opacity.at(cellX * cellSize + x, cellY * cellSize + y);
+    }
+
+    [[nodiscard]] bool whole() const {
+        return std::ranges::all_of(values_, [&](double v) { return v >= threshold_; });
+    }
+    [[nodiscard]] bool nothing() const {
+        return std::ranges::none_of(values_, [&](double v) { return v >= threshold_; });
+    }
+
+    [[nodiscard]] std::vector<Polygon> trace() {
+        for (int y = 0; y < cellSize; ++y)
+            for (int x = 0; x < cellSize; ++x) traceSquare(x, y);
+        traceBorder();
+        return takeLoops();
+    }
+
+private:
+    // A corner of the outline: a grid point, or the crossing of the grid's edge from it to the right or upwards.
+    enum Kind { Point, Right, Up };
+    static int key(int x, int y, Kind kind) { return 3 * static_cast<int>(at(x, y)) + kind; }
+    static constexpr std::size_t at(int x, int y) {
+        return static_cast<std::size_t>(y) * (cellSize + 1) + static_cast<std::size_t>(x);
+    }
+    [[nodiscard]] bool inside(int x, int y) const { return values_[at(x, y)] >= threshold_; }
+
+    [[nodiscard]] glm::dvec2 placeOf(int corner) const {
+        const int point = corner / 3;
+        const int x = point % (cellSize + 1);
+        const int y = point / (cellSize + 1);
+        glm::dvec2 place{x, y};
+        const auto kind = static_cast<Kind>(corner % 3);
+        if (kind == Point) return place;
+        const double a = values_[at(x, y)];
+        const double b = kind == Right ? values_[at(x + 1, y)] : values_[at(x, y + 1)];
+        place[kind == Right ? 0 : 1] += (threshold_ - a) / (b - a);
+        return place;
+    }
+
+    void link(int from, int to) { next_.emplace(from, to); }
+
+    // Marching squares; the inside lies to the left.
+    void traceSquare(int x, int y) {
+        const int bottom = key(x, y, Right);
+        const int top = key(x, y + 1, Right);
+        const int left = key(x, y, Up);
+        const int right = key(x + 1, y, Up);
+        const int corners = inside(x, y) | inside(x + 1, y) << 1 | inside(x + 1, y + 1) << 2 | inside(x, y + 1) << 3;
+        switch (corners) {
+            case 1:
+                return link(bottom, left);
+            case 2:
+                return link(right, bottom);
+            case 3:
+                return link(right, left);
+            case 4:
+                return link(top, right);
+            case 6:
+                return link(top, bottom);
+            case 7:
+                return link(top, left);
+            case 8:
+                return link(left, top);
+            case 9:
+                return link(bottom, top);
+            case 11:
+                return link(right, top);
+            case 12:
+                return link(left, right);
+            case 13:
+                return link(bottom, right);
+            case 14:
+                return link(left, bottom);
+            case 5:
+            case 10:
+                return traceSaddle(x, y, corners == 5);
+            default:
+                return;
+        }
+    }
+
+    void traceSaddle(int x, int y, bool risingInside) {
+        const int bottom = key(x, y, Right);
+        const int top = key(x, y + 1, Right);
+        const int left = key(x, y, Up);
+        const int right = key(x + 1, y, Up);
+        const double centre =
+            0.25 * (values_[at(x, y)] + values_[at(x + 1, y)] + values_[at(x, y + 1)] + values_[at(x + 1, y + 1)]);
+        const bool joined = centre >= threshold_;
+        if (risingInside) {
+            link(bottom, joined ? right : left);
+            link(top, joined ? left : right);
+        } else {
+            link(right, joined ? top : bottom);
+            link(left, joined ? bottom : top);
+        }
+    }
+
+    // Along the cell's border, anticlockwise.
+    void traceBorder() {
+        const auto side = [&](auto pointAt, auto crossingAt) {
+            for (int i = 0; i < cellSize; ++i) {
+                const auto [ax, ay] = pointAt(i);
+                const auto [bx, by] = pointAt(i + 1);
+                const int a = key(ax, ay, Point);
+                const int b = key(bx, by, Point);
+                const bool aInside = inside(ax, ay);
+                const bool bInside = inside(bx, by);
+                if (aInside && bInside) link(a, b);
+                if (aInside && !bInside) link(a, crossingAt(i));
+                if (!aInside && bInside) link(crossingAt(i), b);
+            }
+        };
+        using P = std::pair<int, int>;
+        side([](int i) { return P{i, 0}; }, [](int i) { return key(i, 0, Right); });
+        side([](int i) { return P{cellSize, i}; }, [](int i) { return key(cellSize, i, Up); });
+        side(
+            [](int i) {
+                return P{cellSize - i, cellSize};
+            },
+            [](int i) { return key(cellSize - i - 1, cellSize, Right); });
+        side([](int i) { return P{0, cellSize - i}; }, [](int i) { return key(0, cellSize - i - 1, Up); });
+    }
+
+    [[nodiscard]] std::vector<Polygon> takeLoops() {
+        std::vector<Polygon> loops;
+        while (!next_.empty()) {
+            Polygon loop;
+            std::vector<bool> fixed;
+            for (auto link = next_.begin(); link != next_.end(); link = next_.find(takeNext(link))) {
+                loop.push_back(placeOf(link->first));
+                fixed.push_back(isFixed(link->first, loop.back()));
+            }
+            loops.push_back(simplified(loop, fixed));
+        }
+        return loops;
+    }
+
+    int takeNext(std::unordered_map<int, int>::iterator link) {
+        const int to = link->second;
+        next_.erase(link);
+        return to;
+    }
+
+    // Where the outline crosses the cell's border the cell beyond has the same corner.
+    static bool isFixed(int corner, glm::dvec2 place) {
+        const auto onBorder = [](double x) { return x == 0.0 || x == cellSize; };
+        if (corner % 3 != Point) return onBorder(place.x) || onBorder(place.y);
+        return onBorder(place.x) && onBorder(place.y);
+    }
+
+    // Douglas and Peucker, between the corners that stay.
+    static Polygon simplified(const Polygon& loop, const std::vector<bool>& fixed) {
+        const std::size_t n = loop.size();
+        std::vector<std::size_t> stays;
+        for (std::size_t i = 0; i < n; ++i)
+            if (fixed[i]) stays.push_back(i);
+        if (stays.empty()) stays.push_back(0);
+        if (stays.size() == 1) stays.push_back(farthestFrom(loop, stays[0]));
+        std::ranges::sort(stays);
+        std::vector<bool> kept(n, false);
+        for (std::size_t i = 0; i < stays.size(); ++i) {
+            kept[stays[i]] = true;
+            simplify(loop, stays[i], i + 1 < stays.size() ? stays[i + 1] : stays[0] + n, kept);
+        }
+        Polygon result;
+        for (std::size_t i = 0; i < n; ++i)
+            if (kept[i]) result.push_back(loop[i]);
+        return result;
+    }
+
+    static std::size_t farthestFrom(const Polygon& loop, std::size_t from) {
+        std::size_t farthest = from;
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            if (glm::distance(loop[i], loop[from]) > glm::distance(loop[farthest], loop[from])) farthest = i;
+        return farthest;
+    }
+
+    static double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
+        const glm::dvec2 ab = b - a;
+        const double square = glm::dot(ab, ab);
+        const double t = square > 0.0 ? std::clamp(glm::dot(p - a, ab) / square, 0.0, 1.0) : 0.0;
+        return glm::distance(p, a + t * ab);
+    }
+
+    static void simplify(const Polygon& loop, std::size_t from, std::size_t to, std::vector<bool>& kept) {
+        const std::size_t n = loop.size();
+        std::vector<std::pair<std::size_t, std::size_t>> spans{{from, to}};
+        while (!spans.empty()) {
+            const auto [begin, end] = spans.back();
+            spans.pop_back();
+            double farthest = simplification;
+            std::size_t split = end;
+            for (std::size_t i = begin + 1; i < end; ++i) {
+                const double distance = distanceToSegment(loop[i % n], loop[begin % n], loop[end % n]);
+                if (distance <= farthest) continue;
+                farthest = distance;
+                split = i;
+            }
+            if (split == end) continue;
+            kept[split % n] = true;
+            spans.push_back({begin, split});
+            spans.push_back({split, end});
+        }
+    }
+
+    double threshold_;
+    std::array<double, (cellSize + 1) * (cellSize + 1)> values_{};
+    std::unordered_map<int, int> next_;  // corner -> the next along the outline
+};
+
+// Sutherland and Hodgman: a convex polygon's part in the cell, whose corners are (0, 0) and (cellSize, cellSize).
+Polygon withinCell(Polygon polygon) {
+    for (const int axis : {0, 1}) {
+        for (const double border : {0.0, static_cast<double>(cellSize)}) {
+            const double sign = border == 0.0 ? 1.0 : -1.0;
+            Polygon part;
+            for (std::size_t i = 0; i < polygon.size(); ++i) {
+                const glm::dvec2 a = polygon[i];
+                const glm::dvec2 b = polygon[(i + 1) % polygon.size()];
+                const double da = sign * (a[axis] - border);
+                const double db = sign * (b[axis] - border);
+                if (da >= 0.0) part.push_back(a);
+                if ((da > 0.0 && db < 0.0) || (da < 0.0 && db > 0.0)) {
+                    glm::dvec2 crossing = a + (da / (da - db)) * (b - a);
+                    crossing[axis] = border;
+                    part.push_back(crossing);
+                }
+            }
+            polygon = std::move(part);
+        }
+    }
+    return polygon;
+}
+
+double doubleArea(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+}  // namespace
+
+struct CutOut::State {
+    struct Cell {
+        bool whole = false;
+        std::vector<Polygon> outline;  // empty: nothing, unless whole
+    };
+
+    const Cell& cell(std::int64_t x, std::int64_t y) {
+        const auto known = cells.find({x, y});
+        if (known != cells.end()) return known->second;
+        CellOutline outline{opacity, x, y, threshold};
+        Cell made{outline.whole(), {}};
+        if (!made.whole && !outline.nothing()) made.outline = untangled(outline.trace());
+        return cells.emplace(std::pair{x, y}, std::move(made)).first->second;
+    }
+
+    [[nodiscard]] bool isThere(glm::dvec2 texels) const {
+        const glm::dvec2 nearest = glm::round(texels);
+        return opacity.at(static_cast<std::int64_t>(nearest.x), static_cast<std::int64_t>(nearest.y)) >= threshold;
+    }
+
+    Opacity opacity;
+    double threshold;
+    std::map<std::pair<std::int64_t, std::int64_t>, Cell> cells;
+    std::uint64_t pieces = 0;
+};
+
+CutOut::CutOut(Image<std::uint8_t> opacity, std::array<TextureWrap, 2> wrap, double threshold)
+    : state_{std::make_unique<State>(State{Opacity{std::move(opacity), wrap}, threshold, {}, 0})} {}
+CutOut::~CutOut() = default;
+
+std::vector<CutOut::Piece> CutOut::cut(const std::array<glm::dvec2, 3>& corners) {
+    constexpr double farthest = 1e9;  // texels
+    std::array<glm::dvec2, 3> places;
+    for (std::size_t i = 0; i < 3; ++i) {
+        places[i] = state_->opacity.texels(corners[i]);
+        if (!(std::abs(places[i].x) < farthest && std::abs(places[i].y) < farthest))
+            refuse(fmt::format("expected texture coordinates near the picture, found ({}, {})", corners[i].x,
+                               corners[i].y));
+    }
+    const double area = doubleArea(places[0], places[1], places[2]);
+    constexpr double thinnest = 1e-4;  // square texels
+    if (std::abs(area) < thinnest) {
+        if (!state_->isThere((places[0] + places[1] + places[2]) / 3.0)) return {};
+        return {Piece{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}}};
+    }
+    const auto cellOf = [](double texels) { return static_cast<std::int64_t>(std::floor(texels / cellSize)); };
+    const glm::dvec2 low = glm::min(glm::min(places[0], places[1]), places[2]);
+    const glm::dvec2 high = glm::max(glm::max(places[0], places[1]), places[2]);
+    const std::int64_t columns = cellOf(high.x) - cellOf(low.x) + 1;
+    const std::int64_t rows = cellOf(high.y) - cellOf(low.y) + 1;
+    if (columns > mostCells || rows > mostCells || columns * rows > mostCells)
+        refuse("expected triangles that repeat the picture less often, found one across too many texels");
+
+    std::vector<Piece> pieces;
+    for (std::int64_t y = cellOf(low.y); y <= cellOf(high.y); ++y) {
+        for (std::int64_t x = cellOf(low.x); x <= cellOf(high.x); ++x) {
+            const glm::dvec2 origin{static_cast<double>(x * cellSize), static_cast<double>(y * cellSize)};
+            const State::Cell& cell = state_->cell(x, y);
+            if (!cell.whole && cell.outline.empty()) continue;
+            const Polygon part = withinCell({places[0] - origin, places[1] - origin, places[2] - origin});
+            if (part.size() < 3) continue;
+            const auto weights = [&](const glm::dvec2& place) {
+                const glm::dvec2 p = place + origin;
+                const glm::dvec2 w{doubleArea(p, places[1], places[2]) / area,
+                                   doubleArea(places[0], p, places[2]) / area};
+                return glm::clamp(glm::dvec3{w, 1.0 - w.x - w.y}, 0.0, 1.0);
+            };
+            const std::vector<PolygonTriangle> triangles =
+                cell.whole ? convexTriangles(part) : trianglesWithin(part, cell.outline);
+            for (const PolygonTriangle& t : triangles) {
+                Piece piece{weights(t[0]), weights(t[1]), weights(t[2])};
+                if (area < 0.0) std::swap(piece[1], piece[2]);
+                pieces.push_back(piece);
+            }
+        }
+    }
+    state_->pieces += pieces.size();
+    if (state_->pieces > mostPieces)
+        refuse(fmt::format("expected a cut-out of at most {} triangles, found more", mostPieces));
+    return pieces;
+}
+
+}  // namespace inkedge

@@ -1,0 +1,201 @@
+#include "mesh/normals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "base/parallel.h"
+
+namespace inkedge {
+namespace {
+
+using Corners = std::vector<std::uint32_t>;
+
+constexpr std::uint32_t none = ~0U;
+
+constexpr glm::vec3 anyNormal{0.0F, 0.0F, 1.0F};  // of a face without area: it is never drawn
+
+bool isWanted(glm::vec3 normal) { return normal == glm::vec3{0.0F}; }
+
+glm::dvec3 unitOrZero(glm::dvec3 v) {
+    const double length = glm::length(v);
+    return length > 0.0 ? v / length : glm::dvec3{0.0};
+}
+
+// For every corner the first of all that share its normal. A corner shares it with at most one other across each of its
+// triangle's two edges there, so that walking both ways finds all.
+class SmoothingGroups {
+public:
+    SmoothingGroups(const Mesh& mesh, const MeshTopology& topology, double creaseAngle)
+        : mesh_{mesh},
+          topology_{topology},
+          smoothCosine_{std::cos(glm::radians(creaseAngle))},
+          first_(topology.points.size(), none) {}
+
+    Corners find() {
+        inRanges(topology_.pointCount, [&](std::size_t begin, std::size_t end) {  // no group is at two points
+            for (std::uint32_t c = 0; c < first_.size(); ++c) {
+                if (topology_.points[c] < begin || topology_.points[c] >= end || first_[c] != none) continue;
+                first_[c] = c;
+                follow(
+                    c, [&](std::uint32_t corner) { return nextHalfEdge(topology_.twins[corner]); },
+                    [](std::uint32_t corner) { return corner; });
+                follow(
+                    c, [&](std::uint32_t corner) { return topology_.twins[previous(corner)]; }, previous);
+            }
+        });
+        return std::move(first_);
+    }
+
+private:
+    static std::uint32_t previous(std::uint32_t h) { return nextHalfEdge(nextHalfEdge(h)); }
+
+    // Marks what is reached from a corner, until there is nothing new.
+    template <class Across, class HalfEdge>
+    void follow(std::uint32_t group, Across across, HalfEdge halfEdge) {
+        for (std::uint32_t c = group; isSmooth(halfEdge(c));) {
+            c = across(c);
+            if (first_[c] != none) return;
+            first_[c] = group;
+        }
+    }
+
+    [[nodiscard]] bool isSmooth(std::uint32_t h) const {
+        const std::uint32_t twin = topology_.twins[h];
+        // Faces wound against each other have normals to opposite sides: they cannot share one.
+        if (!isHalfEdge(twin) || topology_.points[h] == topology_.points[twin]) return false;
+        return bendCosine(topology_, h, twin) >= smoothCosine_ || isInner(mesh_, h, twin);
+    }
+
+    const Mesh& mesh_;
+    const MeshTopology& topology_;
+    double smoothCosine_;
+    Corners first_;
+};
+
+// Rewrites the mesh so that a vertex is one position with one normal; that of a wanted one stays (0, 0, 0).
+// @param groups  a corner's first of its group; becomes its group's vertex, or none
+void splitVertices(Mesh& mesh, Corners& groups) {
+    Corners vertexOfGroup(groups.size(), none);
+    Corners keptVertex(mesh.positions.size(), none);
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    positions.reserve(mesh.positions.size());
+    normals.reserve(mesh.positions.size());
+    for (std::uint32_t c = 0; c < groups.size(); ++c) {
+        const std::uint32_t vertex = mesh.indices[c];
+        std::uint32_t& to = isWanted(mesh.normals[vertex]) ? vertexOfGroup[groups[c]] : keptVertex[vertex];
+        if (to == none) {
+            to = static_cast<std::uint32_t>(positions.size());
+            positions.push_back(mesh.positions[vertex]);
+            normals.push_back(mesh.normals[vertex]);
+        }
+        mesh.indices[c] = to;
+    }
+    mesh.positions = std::move(positions);
+    mesh.normals = std::move(normals);
+    for (std::uint32_t& group : groups) group = vertexOfGroup[group];
+}
+
+// Splits vertices once more where texture coordinates or paint have a seam: a smoothing group may cross it.
+// @param before  a corner's vertex before splitVertices()
+void splitAtSeams(Mesh& mesh, const Corners& before) {
+    std::unordered_map<std::uint64_t, std::uint32_t> vertices;  // by the vertices now and before
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec2> coordinates;
+    std::vector<VertexPaint> paint;
+    for (std::size_t c = 0; c < before.size(); ++c) {
+        const std::uint32_t vertex = mesh.indices[c];
+        const auto next = static_cast<std::uint32_t>(positions.size());
+        const auto [found, isNew] = vertices.try_emplace(std::uint64_t{vertex} << 32U | before[c], next);
+        if (isNew) {
+            positions.push_back(mesh.positions[vertex]);
+            normals.push_back(mesh.normals[vertex]);
+            if (!mesh.textureCoordinates.empty()) coordinates.push_back(mesh.textureCoordinates[before[c]]);
+            if (!mesh.paint.empty()) paint.push_back(mesh.paint[before[c]]);
+        }
+        mesh.indices[c] = found->second;
+    }
+    mesh.positions = std::move(positions);
+    mesh.normals = std::move(normals);
+    mesh.textureCoordinates = std::move(coordinates);
+    mesh.paint = std::move(paint);
+}
+
+std::array<double, 3> cornerAngles(const Mesh& mesh, std::size_t triangle) {
+    const auto position = [&](std::size_t k) { return glm::dvec3{mesh.positions[mesh.indices[3 * triangle + k]]}; };
+    const glm::dvec3 a = unitOrZero(position(1) - position(0));
+    const glm::dvec3 b = unitOrZero(position(2) - position(1));
+    const glm::dvec3 c = unitOrZero(position(0) - position(2));
+    const auto between = [](glm::dvec3 to, glm::dvec3 from) {
+        return std::acos(std::clamp(-glm::dot(to, from), -1.0, 1.0));
+    };
+    return {between(c, a), between(a, b), between(b, c)};
+}
+
+// @param vertices  a corner's vertex whose normal its face counts for, or none
+void makeNormals(Mesh& mesh, const std::vector<glm::dvec3>& faces, const Corners& vertices) {
+    inRanges(mesh.normals.size(), [&](std::size_t begin, std::size_t end) {
+        std::vector<glm::dvec3> sums(end - begin, glm::dvec3{0.0});
+        const auto within = [&](std::uint32_t vertex) { return vertex >= begin && vertex < end && vertex != none; };
+        for (std::size_t t = 0; t < faces.size(); ++t) {
+            const std::uint32_t* const v = &vertices[3 * t];
+            if (!within(v[0]) && !within(v[1]) && !within(v[2])) continue;
+            const std::array angles = cornerAngles(mesh, t);
+            for (std::size_t k = 0; k < 3; ++k)
+                if (within(v[k])) sums[v[k] - begin] += angles[k] * faces[t];
+        }
+        for (std::size_t v = begin; v < end; ++v) {
+            if (!isWanted(mesh.normals[v])) continue;
+            const glm::dvec3 unit = unitOrZero(sums[v - begin]);
+            mesh.normals[v] = unit == glm::dvec3{0.0} ? anyNormal : glm::vec3{unit};
+        }
+    });
+}
+
+void windByNormals(Mesh& mesh) {
+    for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
+        const auto face = mesh.indices.begin() + static_cast<std::ptrdiff_t>(t);
+        const glm::dvec3 a{mesh.positions[face[0]]};
+        const glm::dvec3 area =
+            glm::cross(glm::dvec3{mesh.positions[face[1]]} - a, glm::dvec3{mesh.positions[face[2]]} - a);
+        const glm::dvec3 normals{mesh.normals[face[0]] + mesh.normals[face[1]] + mesh.normals[face[2]]};
+        if (glm::dot(area, normals) < 0.0) turnOver(mesh, t);
+    }
+}
+
+}  // namespace
+
+void applyAuthoredNormals(Mesh& mesh, const LoadSettings& settings) {
+    if (settings.normals == Normals::Flat) mesh.normals.clear();
+    const bool authored = !mesh.normals.empty();
+    mesh.normals.resize(mesh.positions.size(), glm::vec3{0.0F});
+    if (!authored) return;
+    for (glm::vec3& normal : mesh.normals) {
+        if (!std::isfinite(glm::dot(normal, normal))) normal = glm::vec3{0.0F};
+    }
+    windByNormals(mesh);
+}
+
+void completeNormals(Mesh& mesh, const MeshTopology& topology, const LoadSettings& settings) {
+    if (std::ranges::none_of(mesh.normals, isWanted)) return;
+    Corners groups;
+    if (settings.normals == Normals::Auto) {
+        groups = SmoothingGroups{mesh, topology, settings.creaseAngle}.find();
+    } else {
+        groups.resize(mesh.indices.size());
+        std::iota(groups.begin(), groups.end(), 0U);
+    }
+    const Corners before = mesh.textureCoordinates.empty() && mesh.paint.empty() ? Corners{} : mesh.indices;
+    splitVertices(mesh, groups);
+    makeNormals(mesh, topology.faceNormals, groups);
+    if (!before.empty()) splitAtSeams(mesh, before);
+}
+
+}  // namespace inkedge

@@ -1,0 +1,241 @@
+#include "mesh/topology.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "base/parallel.h"
+#include "base/union_find.h"
+#include "mesh/weld.h"
+
+namespace inkedge {
+namespace {
+
+std::array<std::uint32_t, 3> sortedPoints(const MeshTopology& topology, std::uint32_t t) {
+    std::array p{topology.points[3 * t], topology.points[3 * t + 1], topology.points[3 * t + 2]};
+    std::ranges::sort(p);
+    return p;
+}
+
+bool collapsed(const MeshTopology& topology, std::uint32_t t) {
+    const std::uint32_t* const p = &topology.points[3 * std::size_t{t}];
+    return p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
+}
+
+// A half-edge by the points of its triangle, without the lesser of its own.
+struct Entry {
+    std::uint32_t greaterPoint;
+    std::uint32_t thirdPoint;
+    std::uint32_t halfEdge;
+    friend auto operator<=>(const Entry&, const Entry&) = default;
+};
+
+// Half-edges along one edge, sorted: those of triangles with the same three points stand together.
+void joinAlongEdge(std::span<Entry> edge, MeshTopology& topology) {
+    std::size_t kept = 0;
+    for (const Entry& entry : edge) {
+        if (kept == 0 || edge[kept - 1].thirdPoint != entry.thirdPoint)
+            edge[kept++] = entry;
+        else if (entry.thirdPoint > entry.greaterPoint)  // once for the three edges, that of the least points
+            topology.originals[entry.halfEdge / 3] = edge[kept - 1].halfEdge / 3;
+    }
+    if (kept == 2) {
+        topology.twins[edge[0].halfEdge] = edge[1].halfEdge;
+        topology.twins[edge[1].halfEdge] = edge[0].halfEdge;
+    } else if (kept > 2) {
+        for (const Entry& entry : edge.first(kept)) topology.twins[entry.halfEdge] = manyHalfEdges;
+    }
+}
+
+// Finds twins and originals along the edges whose lesser point is one of a range.
+void joinAtPoints(std::uint32_t low, std::uint32_t high, MeshTopology& topology) {
+    const auto& points = topology.points;
+    const auto triangleCount = static_cast<std::uint32_t>(points.size() / 3);
+    const auto forEachHalfEdge = [&](auto&& visit) {
+        for (std::uint32_t t = 0; t < triangleCount; ++t) {
+            const std::uint32_t a = points[3 * t];
+            const std::uint32_t b = points[3 * t + 1];
+            const std::uint32_t c = points[3 * t + 2];
+            if (a == b || b == c || c == a) continue;
+            const std::array lesser{std::min(a, b), std::min(b, c), std::min(c, a)};
+            for (std::uint32_t k = 0; k < 3; ++k)
+                if (lesser[k] >= low && lesser[k] < high) visit(lesser[k] - low, 3 * t + k);
+        }
+    };
+    // Counting sort by the lesser point: place[p + 1] runs from the first of p's half-edges to the first of p + 1's.
+    std::vector<std::uint32_t> place(std::size_t{high} - low + 2, 0);
+    forEachHalfEdge([&](std::uint32_t p, std::uint32_t) { ++place[p + 2]; });
+    for (std::size_t p = 2; p < place.size(); ++p) place[p] += place[p - 1];
+    std::vector<std::uint32_t> halfEdges(place.back());
+    forEachHalfEdge([&](std::uint32_t p, std::uint32_t h) { halfEdges[place[p + 1]++] = h; });
+
+    std::vector<Entry> entries;
+    for (std::uint32_t p = low; p < high; ++p) {
+        entries.clear();
+        for (std::uint32_t i = place[p - low]; i < place[p - low + 1]; ++i) {
+            const std::uint32_t h = halfEdges[i];
+            const std::uint32_t end = nextHalfEdge(h);
+            entries.push_back({std::max(points[h], points[end]), points[nextHalfEdge(end)], h});
+        }
+        std::ranges::sort(entries);
+        for (auto edge = entries.begin(); edge != entries.end();) {
+            const auto end =
+                std::find_if(edge, entries.end(), [&](const Entry& e) { return e.greaterPoint != edge->greaterPoint; });
+            joinAlongEdge({edge, end}, topology);
+            edge = end;
+        }
+    }
+}
+
+// Collapsed triangles have no edges to be found by.
+void findCollapsedOriginals(MeshTopology& topology) {
+    std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> all;
+    for (std::uint32_t t = 0; t < topology.originals.size(); ++t)
+        if (collapsed(topology, t)) all.emplace_back(sortedPoints(topology, t), t);
+    std::ranges::sort(all);
+    for (std::size_t i = 1; i < all.size(); ++i)
+        if (all[i].first == all[i - 1].first) topology.originals[all[i].second] = topology.originals[all[i - 1].second];
+}
+
+std::vector<glm::dvec3> faceNormals(const Mesh& mesh, double thin) {
+    std::vector<glm::dvec3> normals(mesh.indices.size() / 3);
+    inRanges(normals.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            const glm::dvec3 a{mesh.positions[mesh.indices[3 * t]]};
+            const glm::dvec3 b{mesh.positions[mesh.indices[3 * t + 1]]};
+            const glm::dvec3 c{mesh.positions[mesh.indices[3 * t + 2]]};
+            const glm::dvec3 area = glm::cross(b - a, c - a);
+            const double length = glm::length(area);
+            const double longest =
+                std::sqrt(std::max({glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c)}));
+            normals[t] = length > thin * longest ? area / length : glm::dvec3{0.0};
+        }
+    });
+    return normals;
+}
+
+// The corners of two half-edges that meet at the first one's start and at its end.
+struct SharedEnds {
+    std::uint32_t atStart;
+    std::uint32_t atEnd;
+};
+
+SharedEnds endsOfTwin(const MeshTopology& topology, std::uint32_t halfEdge, std::uint32_t twin) {
+    const bool opposite = topology.points[halfEdge] != topology.points[twin];
+    return opposite ? SharedEnds{nextHalfEdge(twin), twin} : SharedEnds{twin, nextHalfEdge(twin)};
+}
+
+bool normalsSplit(const Mesh& mesh, const MeshTopology& topology, std::uint32_t halfEdge, std::uint32_t twin,
+                  double creaseCosine) {
+    const auto split = [&](std::uint32_t a, std::uint32_t b) {
+        // Normals wound against each other may point to opposite sides of one surface.
+        const double cosine =
+            static_cast<double>(glm::dot(mesh.normals[mesh.indices[a]], mesh.normals[mesh.indices[b]]));
+        return (topology.points[halfEdge] == topology.points[twin] ? -cosine : cosine) < creaseCosine;
+    };
+    const SharedEnds ends = endsOfTwin(topology, halfEdge, twin);
+    return split(halfEdge, ends.atStart) && split(nextHalfEdge(halfEdge), ends.atEnd);
+}
+
+bool hasNormal(const MeshTopology& topology, std::uint32_t t) { return topology.faceNormals[t] != glm::dvec3{0.0}; }
+
+// A face that is too thin only connects: its neighbours are joined as if they touched each other.
+void joinAcrossThinFace(const MeshTopology& topology, std::uint32_t t, double creaseCosine, UnionFind& sets) {
+    for (std::uint32_t i = 3 * t; i < 3 * t + 3; ++i) {
+        const std::uint32_t a = topology.twins[i];
+        if (!isHalfEdge(a)) continue;
+        sets.unite(t, a / 3);
+        for (std::uint32_t j = i + 1; j < 3 * t + 3; ++j) {
+            const std::uint32_t b = topology.twins[j];
+            if (!isHalfEdge(b)) continue;
+            const double cosine = std::abs(glm::dot(topology.faceNormals[a / 3], topology.faceNormals[b / 3]));
+            if (cosine >= creaseCosine) sets.unite(a / 3, b / 3);
+        }
+    }
+}
+
+}  // namespace
+
+void turnOver(Mesh& mesh, std::size_t first) {
+    std::swap(mesh.indices[first + 1], mesh.indices[first + 2]);
+    for (std::vector<bool>* const edges : {&mesh.innerEdges, &mesh.sharpEdges, &mesh.markedEdges}) {
+        if (edges->empty()) continue;
+        const bool edge = (*edges)[first];
+        (*edges)[first] = (*edges)[first + 2];
+        (*edges)[first + 2] = edge;
+    }
+}
+
+double bendCosine(const MeshTopology& topology, std::uint32_t halfEdge, std::uint32_t twin) {
+    const double cosine = glm::dot(topology.faceNormals[halfEdge / 3], topology.faceNormals[twin / 3]);
+    return topology.points[halfEdge] == topology.points[twin] ? -cosine : cosine;
+}
+
+std::vector<glm::dvec3> makeFaceNormals(const Mesh& mesh) {
+    return faceNormals(mesh, leastHeight * weldToleranceOf(mesh.positions));
+}
+
+MeshTopology buildTopology(const Mesh& mesh) {
+    MeshTopology topology;
+    const auto triangleCount = static_cast<std::uint32_t>(mesh.indices.size() / 3);
+    double tolerance = 0.0;
+    {
+        const Weld weld = weldByPosition(mesh.positions);
+        tolerance = weld.tolerance;
+        topology.pointCount = weld.pointCount;
+        topology.points.resize(mesh.indices.size());
+        std::ranges::transform(mesh.indices, topology.points.begin(), [&](std::uint32_t i) { return weld.point[i]; });
+    }
+    topology.originals.resize(triangleCount);
+    std::iota(topology.originals.begin(), topology.originals.end(), 0U);
+    topology.twins.assign(mesh.indices.size(), noHalfEdge);
+    inRanges(topology.pointCount, [&](std::size_t begin, std::size_t end) {
+        joinAtPoints(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), topology);
+    });
+    findCollapsedOriginals(topology);
+    topology.faceNormals = faceNormals(mesh, leastHeight * tolerance);
+    return topology;
+}
+
+void buildPatches(const Mesh& mesh, double creaseAngle, MeshTopology& topology) {
+    const double creaseCosine = std::cos(glm::radians(creaseAngle));
+    const auto triangleCount = static_cast<std::uint32_t>(topology.originals.size());
+    UnionFind sets{triangleCount};
+    topology.creases.assign(topology.twins.size(), false);
+    for (std::uint32_t t = 0; t < triangleCount; ++t) {
+        sets.unite(t, topology.originals[t]);
+        if (!hasNormal(topology, t)) {
+            joinAcrossThinFace(topology, t, creaseCosine, sets);
+            continue;
+        }
+        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+            const std::uint32_t twin = topology.twins[h];
+            if (!isHalfEdge(twin) || twin < h || !hasNormal(topology, twin / 3)) continue;
+            const bool bends = isMarkedSharp(mesh, h, twin) || bendCosine(topology, h, twin) < creaseCosine ||
+                               normalsSplit(mesh, topology, h, twin, creaseCosine);
+            if (bends && !isInner(mesh, h, twin)) {
+                topology.creases[h] = topology.creases[twin] = true;
+            } else {
+                sets.unite(t, twin / 3);
+            }
+        }
+    }
+    topology.patches.resize(triangleCount);
+    topology.patchCount = 0;
+    for (std::uint32_t t = 0; t < triangleCount; ++t) {  // a set's root is its least member, so it comes first
+        const std::uint32_t root = sets.root(t);
+        topology.patches[t] = root == t ? topology.patchCount++ : topology.patches[root];
+    }
+    for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {  // what thin faces keep apart
+        const std::uint32_t twin = topology.twins[h];
+        if (isHalfEdge(twin) && topology.patches[h / 3] != topology.patches[twin / 3]) topology.creases[h] = true;
+    }
+}
+
+}  // namespace inkedge

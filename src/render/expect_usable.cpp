@@ -1,0 +1,65 @@
+#include "render/expect_usable.h"
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <inkedge/error.h>
+
+#include "passes/read_maps.h"
+#include "raster/memory.h"
+
+namespace inkedge {
+namespace {
+
+// Bytes a pixel that the picture and the maps take.
+std::uint64_t bytesPerPixel(const Settings& settings) {
+    std::uint64_t bytes = settings.picture.background ? 3 : 4;
+    const std::pair<Map, std::uint64_t> costs[]{{Map::Depth, 8},       {Map::Normal, 12}, {Map::DepthEdges, 5},
+                                                {Map::NormalEdges, 5}, {Map::Edges, 1},   {Map::Types, 1},
+                                                {Map::Ids, 16}};
+    for (const auto& [map, cost] : costs) bytes += wants(settings, map) ? cost : 0;
+    if (!settings.detector.functions.empty() || settings.detector.detector == Detector::SaitoTakahashi) ++bytes;  // ink
+    if (settings.style.style == Style::Hatch || settings.style.style == Style::Sumi) ++bytes;
+    if (settings.style.style == Style::Pencil) bytes += 8;  // what it draws over, and what it draws
+    return bytes;
+}
+
+}  // namespace
+
+void expectUsable(const Camera& camera) {
+    const bool angleUsable = camera.orthographic() || (camera.viewAngle > 0.0 && camera.viewAngle < 180.0);
+    const bool depthsUsable = camera.near < camera.far && (camera.orthographic() || camera.near > 0.0);
+    const bool finite =
+        std::isfinite(camera.near) && std::isfinite(camera.far) && std::isfinite(glm::determinant(camera.view));
+    if (!angleUsable || !depthsUsable || !finite) {
+        throw Error{
+            Error::Kind::Usage,
+            fmt::format("camera: expected a view angle over 0 and under 180 and 0 < near < far, all finite, found "
+                        "{} and {}, {}",
+                        camera.viewAngle, camera.near, camera.far)};
+    }
+}
+
+void expectUsable(const PictureSettings& picture) {
+    const Size size = picture.size;
+    if (picture.supersampling != 1 && picture.supersampling != 2 && picture.supersampling != 4) {
+        throw Error{Error::Kind::Usage,
+                    fmt::format("supersampling: expected 1, 2 or 4, found {}", picture.supersampling)};
+    }
+    if (picture.tileSize < PictureSettings::leastTileSize || picture.tileSize > PictureSettings::mostTileSize) {
+        throw Error{Error::Kind::Usage,
+                    fmt::format("tile-size: expected {} to {}, found {}", PictureSettings::leastTileSize,
+                                PictureSettings::mostTileSize, picture.tileSize)};
+    }
+    constexpr int most = PictureSettings::mostSide;
+    if (size.width >= 1 && size.height >= 1 && size.width <= most && size.height <= most) return;
+    throw Error{Error::Kind::Usage,
+                fmt::format("size: expected 1x1 to {0}x{0} pixels, found {1}x{2}", most, size.width, size.height)};
+}
+
+void expectMemory(const Settings& settings) { expectMemory(settings.picture.size, bytesPerPixel(settings)); }
+
+}  // namespace inkedge

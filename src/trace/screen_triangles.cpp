@@ -1,0 +1,161 @@
+#include "trace/screen_triangles.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+
+#include "scene/patch_numbers.h"
+#include "mesh/topology.h"
+
+namespace inkedge {
+namespace {
+
+constexpr int longestWalk = 64;  // triangles; smaller ones are far below a pixel and where they end does not show
+
+// Clip space -> homogeneous pixels (x w, y w, w).
+glm::dmat4x3 clipToPixels(Size size) {
+    const double halfWidth = 0.5 * size.width;
+    const double halfHeight = 0.5 * size.height;
+    glm::dmat4x3 m{0.0};
+    m[0] = {halfWidth, 0.0, 0.0};
+    m[1] = {0.0, -halfHeight, 0.0};
+    m[3] = {halfWidth, halfHeight, 1.0};
+    return m;
+}
+
+}  // namespace
+
+ScreenTriangles::ScreenTriangles(const Scene& scene, const std::vector<std::uint32_t>& firstTriangles,
+                                 const Camera& camera, Size size)
+    : scene_{scene}, firstTriangles_{firstTriangles} {
+    const glm::dmat4 view = camera.projection(size) * camera.view;
+    const glm::dmat4x3 viewport = clipToPixels(size);
+    toPixels_.reserve(scene.instances().size());
+    for (const Instance& instance : scene.instances()) {
+        glm::dmat4 fromOrigin{1.0};
+        fromOrigin[3] = glm::dvec4{scene.meshes()[instance.mesh].origin, 1.0};
+        toPixels_.push_back(viewport * (view * (instance.transform * fromOrigin)));
+        if (camera.orthographic()) {
+            toW_.push_back(glm::transpose(camera.view * (instance.transform * fromOrigin))[2]);
+        }
+    }
+    collectLayerBorders();
+}
+
+void ScreenTriangles::collectLayerBorders() {
+    const PatchNumbers& patches = scene_.patchNumbers();
+    if (std::ranges::find(patches.layered, true) == patches.layered.end()) return;
+    for (std::uint32_t i = 0; i < scene_.instances().size(); ++i) {
+        const MeshTopology& topology = scene_.topology(scene_.instances()[i].mesh);
+        for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
+            const std::uint32_t patch = patches.base[i] + topology.patches[h / 3];
+            if (!patches.layered[patch] || (isHalfEdge(topology.twins[h]) && !topology.creases[h])) continue;
+            layerBorders_[patches.number[patch]].push_back({corner(i, h), corner(i, nextHalfEdge(h))});
+        }
+    }
+}
+
+bool ScreenTriangles::touch(SceneFace a, SceneFace b) const {
+    if (a.instance != b.instance) return false;
+    const auto& points = scene_.topology(scene_.instances()[a.instance].mesh).points;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        for (std::uint32_t j = 0; j < 3; ++j) {
+            if (points[3 * a.triangle + i] == points[3 * b.triangle + j]) return true;
+        }
+    }
+    return false;
+}
+
+std::optional<double> ScreenTriangles::layerBorder(std::uint32_t patch, glm::dvec2 start, glm::dvec2 goal) const {
+    const auto borders = layerBorders_.find(patch);
+    if (borders == layerBorders_.end()) return {};
+    const glm::dvec3 p{start, 1.0};
+    const glm::dvec3 q{goal, 1.0};
+    const glm::dvec3 step = glm::cross(p, q);
+    for (const BorderEdge& edge : borders->second) {
+        if (edge.from.z <= 0.0 || edge.to.z <= 0.0) continue;
+        if ((glm::dot(step, edge.from) >= 0.0) == (glm::dot(step, edge.to) >= 0.0)) continue;
+        const glm::dvec3 line = glm::cross(edge.from, edge.to);
+        const double ep = glm::dot(line, p);
+        const double eq = glm::dot(line, q);
+        if ((ep >= 0.0) != (eq >= 0.0)) return ep / (ep - eq);
+    }
+    return {};
+}
+
+SceneFace ScreenTriangles::locate(std::uint32_t number) const {
+    const auto after = std::ranges::upper_bound(firstTriangles_, number);
+    const auto instance = static_cast<std::uint32_t>(after - firstTriangles_.begin()) - 1;
+    return {instance, number - firstTriangles_[instance]};
+}
+
+glm::dvec3 ScreenTriangles::corner(std::uint32_t instance, std::uint32_t c) const {
+    const Mesh& mesh = scene_.meshes()[scene_.instances()[instance].mesh];
+    return toPixels_[instance] * glm::dvec4{glm::dvec3{mesh.positions[mesh.indices[c]]}, 1.0};
+}
+
+ScreenTriangles::EdgeLines ScreenTriangles::edgeLines(SceneFace t) const {
+    const glm::dvec3 a = corner(t.instance, 3 * t.triangle);
+    const glm::dvec3 b = corner(t.instance, 3 * t.triangle + 1);
+    const glm::dvec3 c = corner(t.instance, 3 * t.triangle + 2);
+    // Homogeneous lines, so that corners behind the camera need no clipping.
+    EdgeLines lines{{glm::cross(a, b), glm::cross(b, c), glm::cross(c, a)}};
+    if (glm::dot(lines.line[0], c) < 0.0) {
+        for (glm::dvec3& line : lines.line) line = -line;
+    }
+    return lines;
+}
+
+ScreenTriangles::Plane ScreenTriangles::plane(SceneFace t, glm::dvec2 at) const {
+    const glm::dvec3 a = corner(t.instance, 3 * t.triangle);
+    const glm::dvec3 b = corner(t.instance, 3 * t.triangle + 1);
+    const glm::dvec3 c = corner(t.instance, 3 * t.triangle + 2);
+    glm::dvec3 w{1.0};  // at the corners, times their homogeneous coordinate
+    if (!toW_.empty()) {
+        const Mesh& mesh = scene_.meshes()[scene_.instances()[t.instance].mesh];
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const glm::dvec3 position{mesh.positions[mesh.indices[3 * t.triangle + i]]};
+            w[static_cast<int>(i)] = glm::dot(toW_[t.instance], glm::dvec4{position, 1.0});
+        }
+    }
+    const glm::dvec3 bc = glm::cross(b, c);
+    const glm::dvec3 plane = (w.x * bc + w.y * glm::cross(c, a) + w.z * glm::cross(a, b)) / glm::dot(a, bc);
+    return {glm::dot(plane, glm::dvec3{at, 1.0}), plane.x, plane.y};
+}
+
+ScreenTriangles::Walk ScreenTriangles::walk(SceneFace from, glm::dvec2 start, glm::dvec2 goal) const {
+    const MeshTopology& topology = scene_.topology(scene_.instances()[from.instance].mesh);
+    const glm::dvec3 p{start, 1.0};
+    const glm::dvec3 q{goal, 1.0};
+    SceneFace at = from;
+    std::uint32_t entry = noHalfEdge;
+    double reached = 0.0;
+    for (int step = 0; step < longestWalk; ++step) {
+        const EdgeLines lines = edgeLines(at);
+        std::uint32_t exit = noHalfEdge;
+        double t = 1.0;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const double ep = glm::dot(lines.line[k], p);
+            const double eq = glm::dot(lines.line[k], q);
+            if (3 * at.triangle + k == entry || eq >= 0.0 || eq >= ep) continue;
+            if (const double crossed = std::max(ep / (ep - eq), reached); crossed <= t) {
+                t = crossed;
+                exit = 3 * at.triangle + k;
+            }
+        }
+        if (exit == noHalfEdge) return {{}, at.triangle};
+        const std::uint32_t twin = topology.twins[exit];
+        if (twin == noHalfEdge) return {Exit{End::Border, t}, {}};
+        if (twin == manyHalfEdges || topology.creases[exit]) return {Exit{End::Crease, t}, {}};
+        const std::uint32_t third = nextHalfEdge(nextHalfEdge(twin));
+        if (glm::dot(lines.line[exit % 3], corner(at.instance, third)) > 0.0) return {Exit{End::Fold, t}, {}};
+        at.triangle = twin / 3;
+        entry = twin;
+        reached = t;
+    }
+    return {};
+}
+
+}  // namespace inkedge

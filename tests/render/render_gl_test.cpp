@@ -1,0 +1,230 @@
+// Renderer::lines() as a library's user calls it.
+#include <inkedge/renderer.h>
+
+#include <algorithm>
+#include <set>
+#include <thread>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "gl/gl_test.h"
+#include "base/expect_error.h"
+#include "scenes.h"
+
+namespace inkedge {
+namespace {
+
+INKEDGE_ON_EACH_BACKEND(RendererLines);
+
+using testing::HasSubstr;
+
+constexpr Size size{200, 150};
+
+Settings settingsOf(LinesFrom from, Visibility visibility = Visibility::Exact) {
+    Settings settings;
+    settings.picture.size = size;
+    settings.lines.from = from;
+    settings.lines.visibility = visibility;
+    settings.lines.hidden = HiddenLines::Solid;
+    return settings;
+}
+
+const std::vector<Settings>& everyWay() {
+    static const std::vector<Settings> all{settingsOf(LinesFrom::Auto), settingsOf(LinesFrom::Object),
+                                           settingsOf(LinesFrom::Object, Visibility::Fast),
+                                           settingsOf(LinesFrom::Image)};
+    return all;
+}
+
+Lines linesOf(Renderer& renderer, const Scene& scene, const Settings& settings) {
+    return renderer.lines(scene, frameCamera(scene, {}, size), settings);
+}
+
+void expectSame(const Lines& a, const Lines& b) {
+    ASSERT_EQ(a.lines.size(), b.lines.size());
+    for (std::size_t i = 0; i < a.lines.size(); ++i) {
+        const Line& one = a.lines[i];
+        const Line& other = b.lines[i];
+        EXPECT_EQ(one.type, other.type);
+        EXPECT_EQ(one.visible, other.visible);
+        ASSERT_EQ(one.points.size(), other.points.size());
+        for (std::size_t k = 0; k < one.points.size(); ++k) EXPECT_EQ(one.points[k].place, other.points[k].place);
+    }
+}
+
+TEST_P(RendererLines, tellWhatFoundThem) {
+    const Scene scene = scenes::sceneOf(scenes::cube());
+    for (const Settings& settings : everyWay()) {
+        const Lines found = linesOf(renderer(), scene, settings);
+        EXPECT_EQ(found.size, size);
+        EXPECT_EQ(found.camera.view, frameCamera(scene, {}, size).view);
+        EXPECT_EQ(found.backend.backend, gl_test::backendName(GetParam()));
+        EXPECT_FALSE(found.backend.version.empty());
+        EXPECT_FALSE(found.times.empty());
+        std::set<LineType> seen;
+        bool hidden = false;
+        for (const Line& line : found.lines) {
+            if (line.visible) seen.insert(line.type);
+            hidden = hidden || !line.visible;
+            EXPECT_GE(line.points.size(), 2U);
+            EXPECT_EQ(line.object, 1U);
+        }
+        EXPECT_EQ(seen, (std::set{LineType::Outline, LineType::Crease}));
+        EXPECT_EQ(hidden, settings.lines.from != LinesFrom::Image) << "the planes detector sees no hidden lines";
+    }
+}
+
+TEST(RendererContext, isMadeAtOnceOrWhenACallNeedsIt) {
+    const BackendSettings none{Backend::Egl, 4096};  // no machine has this device
+    const auto message = HasSubstr("expected an EGL device that");
+    expectError(Error::Kind::Usage, message, [&] { const Renderer renderer{none}; });
+    Renderer renderer{none, ContextTime::WhenNeeded};
+    EXPECT_EQ(renderer.backend().backend, "");
+    const Scene scene = scenes::sceneOf(scenes::cube());
+    const Lines found = linesOf(renderer, scene, settingsOf(LinesFrom::Object));
+    EXPECT_EQ(found.lines.empty(), false);
+    EXPECT_EQ(found.backend.backend, "");
+    const Camera camera = frameCamera(scene, {}, size);
+    const Maps maps = renderer.render(scene, camera, settingsOf(LinesFrom::Object));
+    EXPECT_EQ(maps.picture.size, size);
+    EXPECT_EQ(maps.backend.backend, "");
+    for (const Settings& settings : {settingsOf(LinesFrom::Image), settingsOf(LinesFrom::Object, Visibility::Fast)})
+        expectError(Error::Kind::Usage, message, [&] { (void)linesOf(renderer, scene, settings); });
+    expectError(Error::Kind::Usage, message,
+                [&] { (void)renderer.render(scene, camera, settingsOf(LinesFrom::Image)); });
+}
+
+TEST_P(RendererLines, pictureIsTheSameWithoutAContext) {
+    const Scene scene = scenes::sceneOf(scenes::cube());
+    const Camera camera = frameCamera(scene, {}, size);
+    const Settings settings = settingsOf(LinesFrom::Object);
+    Renderer lazy{BackendSettings{GetParam(), {}}, ContextTime::WhenNeeded};
+    EXPECT_EQ(lazy.render(scene, camera, settings).picture.pixels,
+              renderer().render(scene, camera, settings).picture.pixels);
+    EXPECT_EQ(lazy.backend().backend, "");
+    const Maps drawn = lazy.render(scene, camera, settingsOf(LinesFrom::Image));
+    EXPECT_EQ(drawn.backend.backend, gl_test::backendName(GetParam()));
+    EXPECT_EQ(drawn.times.front().stage, "context");
+}
+
+TEST_P(RendererLines, rememberNothingOfTheSceneBefore) {
+    const Scene first = scenes::sceneOf(scenes::sphere());
+    const Scene second = scenes::sceneOf(scenes::cube());
+    for (const Settings& settings : everyWay()) {
+        Renderer fresh{BackendSettings{GetParam(), {}}};
+        const Lines alone = linesOf(fresh, second, settings);
+        Renderer used{BackendSettings{GetParam(), {}}};
+        EXPECT_NE(linesOf(used, first, settings).lines.size(), alone.lines.size());
+        expectSame(linesOf(used, second, settings), alone);
+        (void)used.render(first, frameCamera(first, {}, size), settings);
+        expectSame(linesOf(used, second, settings), alone);
+    }
+}
+
+TEST_P(RendererLines, ofASceneThatStandsWhereADeadOneStoodAreItsOwn) {
+    for (const Settings& settings : everyWay()) {
+        Camera camera;
+        std::vector<double> reach;
+        for (const double side : {0.5, 1.5}) {
+            const Scene scene = scenes::sceneOf(scenes::cube(side));
+            if (reach.empty()) camera = frameCamera(scenes::sceneOf(scenes::cube(2.0)), {}, size);
+            double most = 0.0;
+            for (const Line& line : renderer().lines(scene, camera, settings).lines) {
+                for (const LinePoint& p : line.points) most = std::max(most, p.point.x);
+            }
+            reach.push_back(most);
+        }
+        // In image space a corner is placed to a pixel, a hundredth of this picture.
+        EXPECT_NEAR(reach.at(1) / reach.at(0), 3.0, 0.15);
+    }
+}
+
+TEST_P(RendererLines, leaveTheCallersContextCurrent) {
+    const Scene scene = scenes::sceneOf(scenes::cube());
+    const gl::Current outer{context()};
+    float value = 0.0F;
+    for (const Settings& settings : everyWay()) {
+        value += 0.125F;
+        context().api().ClearColor(value, 0, 0, 0);
+        (void)linesOf(renderer(), scene, settings);
+        GLfloat color[4]{-1.0F};
+        context().api().GetFloatv(GL_COLOR_CLEAR_VALUE, color);
+        EXPECT_EQ(color[0], value);
+    }
+}
+
+TEST_P(RendererLines, leaveTheCallersContextCurrentWhenTheyFail) {
+    const Scene scene = scenes::sceneOf(scenes::cube());
+    const gl::Current outer{context()};
+    context().api().ClearColor(0.375F, 0, 0, 0);
+    Settings classic = settingsOf(LinesFrom::Image);
+    classic.detector.detector = Detector::Classic;
+    expectError(Error::Kind::Usage, HasSubstr("lines from image: expected the planes detector, found"),
+                [&] { (void)linesOf(renderer(), scene, classic); });
+    Settings gauss = settingsOf(LinesFrom::Object);
+    gauss.lines.contourFinder = ContourFinder::Gauss;
+    expectError(Error::Kind::Usage, HasSubstr("expected an orthographic camera for gauss"),
+                [&] { (void)linesOf(renderer(), scene, gauss); });
+    GLfloat color[4]{-1.0F};
+    context().api().GetFloatv(GL_COLOR_CLEAR_VALUE, color);
+    EXPECT_EQ(color[0], 0.375F);
+}
+
+TEST_P(RendererLines, areFoundOnSeveralThreadsWithARendererEach) {
+    const Scene scene = scenes::sceneOf(scenes::sphere());
+    for (const Settings& settings : everyWay()) {
+        const Lines alone = linesOf(renderer(), scene, settings);
+        std::vector<Lines> results(2);
+        std::vector<std::thread> threads;
+        for (Lines& result : results) {
+            threads.emplace_back([&] {
+                Renderer own{BackendSettings{GetParam(), {}}};
+                result = linesOf(own, scene, settings);
+            });
+        }
+        for (std::thread& thread : threads) thread.join();
+        for (const Lines& result : results) expectSame(result, alone);
+    }
+}
+
+// Steep narrow facets that lie between two pixels: what the pixels see does not go on, but the surface does.
+TEST_P(RendererLines, fromImageHaveNoneWhereASteepSurfaceGoesOn) {
+    LoadSettings smooth;
+    smooth.creaseAngle = 90.0;
+    const Scene scene = loadScene(INKEDGE_SOURCE_DIR "/assets/statue.glb", smooth);
+    const Size whole{320, 480};
+    for (const double azimuth : {160.0, 35.0, -30.0, 90.0}) {
+        CameraSettings wish;
+        wish.azimuthAngle = azimuth;
+        wish.elevationAngle = 8.0;
+        const Camera camera = frameCamera(scene, wish, whole);
+        Settings settings = settingsOf(LinesFrom::Object);
+        settings.picture.size = whole;
+        Image<std::uint8_t> near{whole, 1};  // a line of the mesh, seen or hidden, within two pixels
+        for (const Line& line : renderer().lines(scene, camera, settings).lines) {
+            for (std::size_t i = 1; i < line.points.size(); ++i) {
+                const glm::dvec2 from = line.points[i - 1].place;
+                const glm::dvec2 way = line.points[i].place - from;
+                const int steps = 1 + static_cast<int>(2.0 * glm::length(way));
+                for (int k = 0; k <= steps; ++k) {
+                    const glm::ivec2 at{glm::floor(from + way * (static_cast<double>(k) / steps))};
+                    for (int y = std::max(at.y - 2, 0); y <= std::min(at.y + 2, whole.height - 1); ++y)
+                        for (int x = std::max(at.x - 2, 0); x <= std::min(at.x + 2, whole.width - 1); ++x)
+                            near.at(x, y) = 1;
+                }
+            }
+        }
+        settings.lines.from = LinesFrom::Image;
+        settings.maps = {Map::Edges};
+        const Image<std::uint8_t> edges = renderer().render(scene, camera, settings).edges;
+        int stray = 0;
+        for (std::size_t i = 0; i < edges.pixels.size(); ++i)
+            stray += edges.pixels[i] != 0 && near.pixels[i] == 0 ? 1 : 0;
+        EXPECT_GT(std::ranges::count(edges.pixels, 255), 500);
+        EXPECT_EQ(stray, 0) << "from " << azimuth << " degrees";
+    }
+}
+
+}  // namespace
+}  // namespace inkedge
