@@ -10,7 +10,7 @@
 #include <utility>
 
 #include <inkedge/error.h>
-#include <inkedge/write.h>
+#include <inkedge/write_file.h>
 
 #include "base/staged_files.h"
 #include "base/temporary_name.h"

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include <inkedge/write.h>
+#include <inkedge/write_file.h>
 
 namespace inkedge::io {
 namespace {

@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <inkedge/backends.h>
 #include <inkedge/error.h>
-#include <inkedge/renderer.h>
 
-#include "process/child_process.h"
 #include "cli/streams.h"
 #include "cli/verbs.h"
+#include "process/child_process.h"
 
 namespace inkedge::cli {
 namespace {
@@ -57,7 +57,8 @@ std::vector<BackendReport> probeInChildren() {
     std::vector<BackendReport> reports;
     for (const ordered_json& each : ordered_json::parse(list.text)) {
         const std::size_t number = reports.size();
-        const process::Answer trial = process::answerOfChild([number] { return text(toJson(probeBackend(number))); }, longestTrial);
+        const process::Answer trial =
+            process::answerOfChild([number] { return text(toJson(probeBackend(number))); }, longestTrial);
         reports.push_back(fromJson(trial.failure.empty() ? ordered_json::parse(trial.text) : each));
         if (trial.failure.empty()) continue;
         reports.back().failure = fmt::format("expected the driver to start, {}; {}", trial.failure, remedy);

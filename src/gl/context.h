@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <inkedge/renderer.h>
+#include <inkedge/backends.h>
+#include <inkedge/settings.h>
 
 #include "gl/api.h"
 

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <vector>
 
-#include <inkedge/maps.h>
+#include <inkedge/stage_time.h>
 
 #include "gl/api.h"
 

@@ -10,8 +10,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include <inkedge/encode_png.h>
 #include <inkedge/error.h>
-#include <inkedge/write.h>
 
 namespace inkedge {
 namespace {

@@ -6,10 +6,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <inkedge/backends.h>
 #include <inkedge/camera.h>
 #include <inkedge/image.h>
-#include <inkedge/maps.h>
 #include <inkedge/settings.h>
+#include <inkedge/stage_time.h>
 
 namespace inkedge {
 

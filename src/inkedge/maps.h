@@ -1,28 +1,13 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include <inkedge/backends.h>
 #include <inkedge/camera.h>
 #include <inkedge/image.h>
+#include <inkedge/stage_time.h>
 
 namespace inkedge {
-
-/// What drew a picture.
-struct BackendInfo {
-    std::string backend{};   ///< "egl" or "osmesa"
-    std::string platform{};  ///< "device 0", "surfaceless" or "osmesa"
-    std::string vendor{};    ///< GL_VENDOR
-    std::string renderer{};  ///< GL_RENDERER
-    std::string version{};   ///< GL_VERSION
-    bool software = false;
-};
-
-/// Wall time of one stage, milliseconds.
-struct StageTime {
-    std::string stage;
-    double milliseconds = 0.0;
-};
 
 /// The result of one render. Every image has the picture's size, row 0 at the top; maps that were not asked for are
 /// empty. The masks hold 255 on an edge and 0 off it.

@@ -1,23 +1,20 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <inkedge/encode_png.h>
 #include <inkedge/export.h>
 #include <inkedge/lines.h>
 #include <inkedge/maps.h>
 #include <inkedge/scene.h>
 #include <inkedge/settings.h>
+#include <inkedge/write_file.h>
 
 namespace inkedge {
-
-/// A picture as a PNG file's bytes: 1 channel grey, 3 RGB, 4 RGBA, 8 bits each; 3 and 4 by a
-/// palette if the picture has few colours.
-[[nodiscard]] INKEDGE_API std::vector<std::uint8_t> encodePng(const Image<std::uint8_t>&);
 
 /// What a render was asked for and what it did, as one JSON object: camera (view and projection as row-major 4 x 4 for
 /// column vectors, OpenGL clip space; near, far), size, bounds, settings, backend, GL strings, milliseconds of each
@@ -69,14 +66,5 @@ INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<
 /// @throws Error  (Kind::Usage) as they do, or if the extension is neither; (Kind::Output) if the file cannot
 ///                be written
 INKEDGE_API void writeLines(const Scene&, const Lines&, const Settings&, const std::filesystem::path&);
-
-/// Writes bytes to a file by way of a temporary one in the same folder, which has no name where the file system can do
-/// so: it appears whole or not at all, however the process ends.
-/// @throws Error  (Kind::Output) with the system's reason
-INKEDGE_API void writeFile(const std::filesystem::path&, std::span<const std::uint8_t>);
-
-/// Removes the temporary files of every write under way in this process; those writes then fail. For the handler of a
-/// signal that ends the process: async-signal-safe, to be followed by _exit().
-INKEDGE_API void removeTemporaryFiles() noexcept;
 
 }  // namespace inkedge
