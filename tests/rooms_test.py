@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-PLAIN = ["bounds", "error", "export", "image", "lines", "maps", "stage_time", "version"]  # data, which all may see
+PLAIN = ["bounds", "edge_kinds", "error", "export", "image", "lines", "maps", "stage_time", "version"]  # data, which all may see
 OWNERS = {  # of the other public headers
     "base": ["write_file"],
     "images": ["encode_png"],

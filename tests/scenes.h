@@ -81,6 +81,13 @@ inline Mesh quad(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 d) {
     return mesh;
 }
 
+/// One flag an index: whether the edge from there to its triangle's next is of a kind.
+inline std::vector<bool> edgesOfKind(const Mesh& mesh, EdgeKind kind) {
+    std::vector<bool> flags;
+    for (const EdgeKinds kinds : mesh.edges) flags.push_back(kinds.has(kind));
+    return flags;
+}
+
 inline glm::dmat4 translation(glm::dvec3 by) { return glm::translate(glm::dmat4{1.0}, by); }
 inline glm::dmat4 scaling(glm::dvec3 by) { return glm::scale(glm::dmat4{1.0}, by); }
 inline glm::dmat4 rotation(double degrees, glm::dvec3 axis) {

@@ -8,6 +8,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <inkedge/edge_kinds.h>
+
 namespace inkedge {
 
 /// How texture coordinates outside 0..1 find their place in a picture.
@@ -27,12 +29,11 @@ struct Mesh {
     std::vector<glm::vec3> normals;        ///< unit length, one for each position; empty: made by completeNormals()
     std::vector<std::uint32_t> indices;    ///< three a triangle, into positions
     std::vector<std::uint32_t> materials;  ///< one a triangle: 1 + its number in the file, 0: none; empty: all 0
-    /// One an index: whether the edge from this corner to its triangle's next only cuts a polygon of the file into
-    /// triangles; such an edge is smooth, however the polygon bends there. Empty: none does.
-    std::vector<bool> innerEdges;
-    /// One an index: whether the edge from this corner to its triangle's next is a crease, however little its faces
-    /// bend. Empty: by their angle and normals alone.
-    std::vector<bool> sharpEdges;
+    /// One an index: of what kinds the edge from this corner to its triangle's next is. What is said of an edge in one
+    /// of its triangles goes for the edge, but for EdgeKind::Inner. Empty: nothing is known of any.
+    std::vector<EdgeKinds> edges;
+    /// One a triangle: the face of the file that it is a part of, in any numbering. Empty: each patch is by itself.
+    std::vector<std::uint32_t> faces;
     /// One a position, v = 0 at the top of the picture as in glTF; empty: none, or not asked for
     /// (LoadSettings::textureCoordinates). Of a mesh of several parts those without have (0, 0).
     std::vector<glm::vec2> textureCoordinates;
@@ -41,9 +42,6 @@ struct Mesh {
     /// Mean curvature, one a position, one over mesh space's unit, over 0 where the surface bulges; made by the scene if
     /// LoadSettings::curvature asks for it, else empty.
     std::vector<float> curvatures;
-    /// One an index: whether the file marks the edge from this corner to its triangle's next, or the same edge of
-    /// another triangle, as a line (LineType::Marked). Empty: none is.
-    std::vector<bool> markedEdges;
 };
 
 }  // namespace inkedge

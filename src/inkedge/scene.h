@@ -20,12 +20,17 @@
 
 namespace inkedge {
 
+/// What one unit of a model's coordinates is.
+enum class LengthUnit { None, Metre, Millimetre };
+
 /// What a model's file is, and what it offers to choose from.
 struct SceneSource {
     std::string format;                   ///< "glTF 2.0", "OBJ", "STL", "PLY"; empty: no file
     std::vector<std::string> scenes;      ///< names, in the order of LoadSettings::scene; may be empty texts
     std::vector<std::string> animations;  ///< likewise, of LoadSettings::animation
     std::vector<std::string> extensions;  ///< of glTF, that it uses
+    LengthUnit unit = LengthUnit::None;   ///< of world space; None: the file does not say
+    bool knowsSides = false;              ///< a surface is single-sided unless its Material says that it is not
 };
 
 /// What the file says of a surface.
@@ -37,11 +42,21 @@ struct Material {
     std::array<TextureWrap, 2> wrap{TextureWrap::Repeat, TextureWrap::Repeat};  ///< of the picture, along each axis
 };
 
+/// Stands for no node, in Instance::node and SceneNode::parent.
+inline constexpr std::uint32_t noNode = ~0U;
+
+/// A name of the file's tree of parts.
+struct SceneNode {
+    std::string name;               ///< may be empty
+    std::uint32_t parent = noNode;  ///< into Scene::nodes(), before this one; noNode: a root
+};
+
 /// A mesh placed in the world.
 struct Instance {
     std::string name;
-    std::uint32_t mesh = 0;     ///< into Scene::meshes()
-    glm::dmat4 transform{1.0};  ///< mesh space -> world, affine; may mirror and shear
+    std::uint32_t mesh = 0;       ///< into Scene::meshes()
+    glm::dmat4 transform{1.0};    ///< mesh space -> world, affine; may mirror and shear
+    std::uint32_t node = noNode;  ///< into Scene::nodes(): the part that it is; noNode: the file has no tree
 };
 
 /// A camera that the file brings along.
@@ -62,6 +77,7 @@ public:
     struct Data {
         std::vector<Mesh> meshes;
         std::vector<Instance> instances;
+        std::vector<SceneNode> nodes;  ///< parents before their children; may be empty
         std::vector<SceneCamera> cameras;
         std::vector<Material> materials;    ///< Mesh::materials counts them from 1; may be empty
         std::vector<std::string> warnings;  ///< one line each: what the file holds that is not drawn
@@ -75,6 +91,7 @@ public:
 
     [[nodiscard]] const std::vector<Mesh>& meshes() const noexcept;
     [[nodiscard]] const std::vector<Instance>& instances() const noexcept;
+    [[nodiscard]] const std::vector<SceneNode>& nodes() const noexcept;
     [[nodiscard]] const std::vector<SceneCamera>& cameras() const noexcept;
     [[nodiscard]] const std::vector<Material>& materials() const noexcept;
     [[nodiscard]] const std::vector<std::string>& warnings() const noexcept;

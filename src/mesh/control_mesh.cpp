@@ -33,7 +33,7 @@ bool joins(const MeshTopology& topology, std::uint32_t h) {
 
 bool isSharp(const Mesh& mesh, const MeshTopology& topology, std::uint32_t h) {
     if (!joins(topology, h)) return true;
-    return topology.creases[h] && !isInner(mesh, h, topology.twins[h]);
+    return topology.creases[h] && !isSmoothByKind(mesh, h, topology.twins[h]);
 }
 
 // The corners of a point that hang together are one vertex.
@@ -100,7 +100,7 @@ void addFace(ControlMesh& control, const Mesh& mesh, const Vertices& vertices, s
         control.corners.push_back(static_cast<std::int32_t>(vertices.ofCorner[h]));
         if (!mesh.textureCoordinates.empty()) control.coordinates.push_back(mesh.textureCoordinates[mesh.indices[h]]);
         if (!mesh.paint.empty()) control.paint.push_back(mesh.paint[mesh.indices[h]]);
-        if (!mesh.markedEdges.empty()) control.marked.push_back(mesh.markedEdges[h]);
+        if (!mesh.edges.empty()) control.edges.push_back(mesh.edges[h]);
     }
     control.firstTriangles.push_back(triangles.front());
 }
@@ -220,7 +220,7 @@ void refuseManyAround(const ControlMesh& control, const Mesh& mesh) {
 
 ControlMesh controlMesh(const Mesh& mesh, const MeshTopology& topology) {
     ControlMesh control;
-    const bool polygons = std::ranges::find(mesh.innerEdges, true) != mesh.innerEdges.end();
+    const bool polygons = std::ranges::any_of(mesh.edges, [](EdgeKinds kinds) { return kinds.has(EdgeKind::Inner); });
     control.scheme = polygons ? SubdivisionScheme::CatmullClark : SubdivisionScheme::Loop;
     const Vertices vertices = connectedCorners(topology);
     addFaces(control, mesh, topology, vertices);

@@ -27,7 +27,7 @@ struct ControlMesh {
     std::vector<std::int32_t> corners;        ///< into vertices, face after face
     std::vector<glm::vec2> coordinates;       ///< one a corner: Mesh::textureCoordinates there; or none
     std::vector<VertexPaint> paint;           ///< one a corner: Mesh::paint there; or none
-    std::vector<bool> marked;                 ///< one a corner: whether the edge from it to the next is marked; or none
+    std::vector<EdgeKinds> edges;             ///< one a corner: what the edge from it to the next is; or none
     std::vector<std::int32_t> sharpEdges;     ///< two vertices each: creases. Borders are sharp anyway
     std::vector<std::int32_t> sharpVertices;  ///< corners that stay where they are
     /// One a face: the first triangle of the mesh that is part of it.
@@ -37,7 +37,7 @@ struct ControlMesh {
 };
 inline constexpr std::uint32_t noFace = ~0U;
 
-/// Puts the polygons of the file together again (Mesh::innerEdges), for Catmull-Clark; a mesh without any is for Loop.
+/// Puts the polygons of the file together again (EdgeKind::Inner), for Catmull-Clark; a mesh without any is for Loop.
 /// Sharp edges are the topology's creases, and those that faces wound against each other or more than two faces share.
 /// Sharp vertices are a border's corners, where one face ends, or two triangles that together are at most square, and
 /// points whose parts would come apart.
@@ -48,7 +48,7 @@ inline constexpr std::uint32_t noFace = ~0U;
 
 /// Some faces of a control mesh, with their vertices renumbered. What lay at their borders is border now.
 /// @param chosen  faces, ascending
-/// @return        without faces, coordinates, paint and marks; firstTriangles as they were
+/// @return        without faces, coordinates, paint and kinds of edges; firstTriangles as they were
 [[nodiscard]] ControlMesh partOf(const ControlMesh&, const std::vector<std::uint32_t>& chosen);
 
 /// Vertices and indices of the triangles that so many levels of refinement make, but for vertices that creases split.

@@ -69,7 +69,7 @@ private:
         const std::uint32_t twin = topology_.twins[h];
         // Faces wound against each other have normals to opposite sides: they cannot share one.
         if (!isHalfEdge(twin) || topology_.points[h] == topology_.points[twin]) return false;
-        return bendCosine(topology_, h, twin) >= smoothCosine_ || isInner(mesh_, h, twin);
+        return bendCosine(topology_, h, twin) >= smoothCosine_ || isSmoothByKind(mesh_, h, twin);
     }
 
     const Mesh& mesh_;

@@ -305,31 +305,31 @@ std::vector<VertexPaint> refinedPaint(const Far::TopologyRefiner& refiner, const
     return paint;
 }
 
-// What a marked edge is cut into is marked.
-std::vector<bool> refinedMarks(const Far::TopologyRefiner& refiner, const ControlMesh& control) {
-    if (control.marked.empty()) return {};
+// What an edge is cut into is of its kinds.
+std::vector<EdgeKinds> refinedEdges(const Far::TopologyRefiner& refiner, const ControlMesh& control) {
+    if (control.edges.empty()) return {};
     const Far::TopologyLevel& first = refiner.GetLevel(0);
-    std::vector<bool> marked(static_cast<std::size_t>(first.GetNumEdges()));
+    std::vector<EdgeKinds> kinds(static_cast<std::size_t>(first.GetNumEdges()));
     std::size_t corner = 0;
     for (int f = 0; f < first.GetNumFaces(); ++f) {
         const auto edges = first.GetFaceEdges(f);
-        for (int k = 0; k < edges.size(); ++k)
-            if (control.marked[corner++]) marked[static_cast<std::size_t>(edges[k])] = true;
+        for (int k = 0; k < edges.size(); ++k) kinds[static_cast<std::size_t>(edges[k])] |= control.edges[corner++];
     }
     for (int level = 0; level < refiner.GetMaxLevel(); ++level) {
-        std::vector<bool> next(static_cast<std::size_t>(refiner.GetLevel(level + 1).GetNumEdges()));
+        std::vector<EdgeKinds> next(static_cast<std::size_t>(refiner.GetLevel(level + 1).GetNumEdges()));
         for (int e = 0; e < refiner.GetLevel(level).GetNumEdges(); ++e) {
-            if (!marked[static_cast<std::size_t>(e)]) continue;
+            const EdgeKinds its = kinds[static_cast<std::size_t>(e)];
+            if (its.empty()) continue;
             const auto children = refiner.GetLevel(level).GetEdgeChildEdges(e);
-            for (int k = 0; k < children.size(); ++k) next[static_cast<std::size_t>(children[k])] = true;
+            for (int k = 0; k < children.size(); ++k) next[static_cast<std::size_t>(children[k])] = its;
         }
-        marked = std::move(next);
+        kinds = std::move(next);
     }
     const Far::TopologyLevel& last = refiner.GetLevel(refiner.GetMaxLevel());
-    std::vector<bool> ofCorners;
+    std::vector<EdgeKinds> ofCorners;
     for (int f = 0; f < last.GetNumFaces(); ++f) {
         const auto edges = last.GetFaceEdges(f);
-        for (int k = 0; k < edges.size(); ++k) ofCorners.push_back(marked[static_cast<std::size_t>(edges[k])]);
+        for (int k = 0; k < edges.size(); ++k) ofCorners.push_back(kinds[static_cast<std::size_t>(edges[k])]);
     }
     return ofCorners;
 }
@@ -362,7 +362,7 @@ RefinedFaces refine(const ControlMesh& control, int levels) {
         faces.parents = controlFaces(*refiner);
         faces.coordinates = refinedCoordinates(*refiner, control);
         faces.paint = refinedPaint(*refiner, control);
-        faces.marked = refinedMarks(*refiner, control);
+        faces.edges = refinedEdges(*refiner, control);
         return faces;
     } catch (const std::exception& error) {
         return failed(error.what());
@@ -373,6 +373,6 @@ constexpr Subdivision functions{refine};
 
 }  // namespace
 
-const Subdivision* inkedge_subdivision_3() noexcept { return &functions; }
+const Subdivision* inkedge_subdivision_4() noexcept { return &functions; }
 
 }  // namespace inkedge

@@ -26,8 +26,8 @@ struct RefinedFaces {
     /// One a corner, if the control mesh has any: linear across its faces, so that seams stay where they are.
     std::vector<glm::vec2> coordinates;
     std::vector<VertexPaint> paint;  ///< likewise
-    /// One a corner, if the control mesh has any: whether the edge from it to the next is part of a marked one.
-    std::vector<bool> marked;
+    /// One a corner, if the control mesh has any: what the edge is that the edge from it to the next is a part of.
+    std::vector<EdgeKinds> edges;
     std::string failure;
 };
 
@@ -39,8 +39,8 @@ struct Subdivision {
 
 /// The module's one symbol. Its number rises with every change in this file or in ControlMesh, so that a module of
 /// another build is refused instead of misread.
-extern "C" INKEDGE_API const Subdivision* inkedge_subdivision_3() noexcept;
-inline constexpr char subdivisionSymbol[] = "inkedge_subdivision_3";
+extern "C" INKEDGE_API const Subdivision* inkedge_subdivision_4() noexcept;
+inline constexpr char subdivisionSymbol[] = "inkedge_subdivision_4";
 inline constexpr char subdivisionFile[] = "inkedge_subdivision.so";
 
 /// Opens the module on first use.

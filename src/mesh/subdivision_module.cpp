@@ -10,7 +10,7 @@ const Subdivision& subdivision() {
                             .library = "OpenSubdiv",
                             .remedy = "leave subdivision out"};
     static const Subdivision& functions =
-        *reinterpret_cast<decltype(&inkedge_subdivision_3)>(openModule(module, Error::Kind::Runtime))();
+        *reinterpret_cast<decltype(&inkedge_subdivision_4)>(openModule(module, Error::Kind::Runtime))();
     return functions;
 }
 

@@ -164,12 +164,7 @@ void joinAcrossThinFace(const MeshTopology& topology, std::uint32_t t, double cr
 
 void turnOver(Mesh& mesh, std::size_t first) {
     std::swap(mesh.indices[first + 1], mesh.indices[first + 2]);
-    for (std::vector<bool>* const edges : {&mesh.innerEdges, &mesh.sharpEdges, &mesh.markedEdges}) {
-        if (edges->empty()) continue;
-        const bool edge = (*edges)[first];
-        (*edges)[first] = (*edges)[first + 2];
-        (*edges)[first + 2] = edge;
-    }
+    if (!mesh.edges.empty()) std::swap(mesh.edges[first], mesh.edges[first + 2]);
 }
 
 double bendCosine(const MeshTopology& topology, std::uint32_t halfEdge, std::uint32_t twin) {
@@ -217,9 +212,10 @@ void buildPatches(const Mesh& mesh, double creaseAngle, MeshTopology& topology) 
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
             const std::uint32_t twin = topology.twins[h];
             if (!isHalfEdge(twin) || twin < h || !hasNormal(topology, twin / 3)) continue;
-            const bool bends = isMarkedSharp(mesh, h, twin) || bendCosine(topology, h, twin) < creaseCosine ||
+            const bool bends = isOfKind(mesh, h, twin, EdgeKind::Sharp) ||
+                               bendCosine(topology, h, twin) < creaseCosine ||
                                normalsSplit(mesh, topology, h, twin, creaseCosine);
-            if (bends && !isInner(mesh, h, twin)) {
+            if (bends && !isSmoothByKind(mesh, h, twin)) {
                 topology.creases[h] = topology.creases[twin] = true;
             } else {
                 sets.unite(t, twin / 3);

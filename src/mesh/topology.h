@@ -53,19 +53,25 @@ inline constexpr double leastHeight = 4.0;
 /// @param first  its first index's place
 void turnOver(Mesh&, std::size_t first);
 
-/// Whether the edge between two faces lies within a polygon of the file (Mesh::innerEdges).
+/// Whether the edge between two triangles lies within a polygon of the file.
 [[nodiscard]] inline bool isInner(const Mesh& mesh, std::uint32_t halfEdge, std::uint32_t twin) {
-    return !mesh.innerEdges.empty() && mesh.innerEdges[halfEdge] && mesh.innerEdges[twin];
+    return !mesh.edges.empty() && mesh.edges[halfEdge].has(EdgeKind::Inner) && mesh.edges[twin].has(EdgeKind::Inner);
 }
 
-/// Whether the edge between two faces is a crease by Mesh::sharpEdges.
-[[nodiscard]] inline bool isMarkedSharp(const Mesh& mesh, std::uint32_t halfEdge, std::uint32_t twin) {
-    return !mesh.sharpEdges.empty() && (mesh.sharpEdges[halfEdge] || mesh.sharpEdges[twin]);
+/// Whether an edge, or the same edge of the triangle beyond it if there is one, is of a kind.
+[[nodiscard]] inline bool isOfKind(const Mesh& mesh, std::uint32_t halfEdge, std::uint32_t twin, EdgeKind kind) {
+    return !mesh.edges.empty() && (mesh.edges[halfEdge].has(kind) || (isHalfEdge(twin) && mesh.edges[twin].has(kind)));
+}
+
+/// Whether the file says that the surface goes on across the edge between two triangles, however they bend there.
+[[nodiscard]] inline bool isSmoothByKind(const Mesh& mesh, std::uint32_t halfEdge, std::uint32_t twin) {
+    return isInner(mesh, halfEdge, twin) || isOfKind(mesh, halfEdge, twin, EdgeKind::Tangent) ||
+           isOfKind(mesh, halfEdge, twin, EdgeKind::Seam);
 }
 
 /// Fills creases and patches: the faces that hang together across edges that are no creases. A crease bends by more
-/// than the angle, is marked sharp, or its two faces' normals are split by more than that at both ends; inner edges are none. The mesh has all its normals.
-/// O(n).
+/// than the angle, is EdgeKind::Sharp, or its two faces' normals are split by more than that at both ends; edges that
+/// are smooth by their kind are none. The mesh has all its normals. O(n).
 void buildPatches(const Mesh&, double creaseAngle, MeshTopology&);
 
 }  // namespace inkedge

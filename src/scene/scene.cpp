@@ -55,17 +55,13 @@ void check(const Mesh& mesh, std::size_t number) {
         refuse(fmt::format("{}: expected {} normals, one a position, found {}", who, mesh.positions.size(),
                            mesh.normals.size()));
     }
-    if (!mesh.innerEdges.empty() && mesh.innerEdges.size() != mesh.indices.size()) {
-        refuse(fmt::format("{}: expected {} inner edges, one an index, found {}", who, mesh.indices.size(),
-                           mesh.innerEdges.size()));
+    if (!mesh.edges.empty() && mesh.edges.size() != mesh.indices.size()) {
+        refuse(fmt::format("{}: expected {} kinds of edges, one an index, found {}", who, mesh.indices.size(),
+                           mesh.edges.size()));
     }
-    if (!mesh.sharpEdges.empty() && mesh.sharpEdges.size() != mesh.indices.size()) {
-        refuse(fmt::format("{}: expected {} sharp edges, one an index, found {}", who, mesh.indices.size(),
-                           mesh.sharpEdges.size()));
-    }
-    if (!mesh.markedEdges.empty() && mesh.markedEdges.size() != mesh.indices.size()) {
-        refuse(fmt::format("{}: expected {} marked edges, one an index, found {}", who, mesh.indices.size(),
-                           mesh.markedEdges.size()));
+    if (!mesh.faces.empty() && mesh.faces.size() != mesh.indices.size() / 3) {
+        refuse(fmt::format("{}: expected {} faces, one a triangle, found {}", who, mesh.indices.size() / 3,
+                           mesh.faces.size()));
     }
     if (!mesh.textureCoordinates.empty() && mesh.textureCoordinates.size() != mesh.positions.size()) {
         refuse(fmt::format("{}: expected {} texture coordinates, one a position, found {}", who, mesh.positions.size(),
@@ -99,15 +95,28 @@ void check(const Mesh& mesh, std::size_t number) {
     }
 }
 
-void check(const Instance& instance, std::size_t number, std::size_t meshCount) {
-    if (instance.mesh >= meshCount) {
-        refuse(fmt::format("instance {} '{}': expected a mesh below {}, found {}", number, instance.name, meshCount,
-                           instance.mesh));
+void check(const Instance& instance, std::size_t number, const Scene::Data& data) {
+    if (instance.mesh >= data.meshes.size()) {
+        refuse(fmt::format("instance {} '{}': expected a mesh below {}, found {}", number, instance.name,
+                           data.meshes.size(), instance.mesh));
+    }
+    if (instance.node != noNode && instance.node >= data.nodes.size()) {
+        refuse(fmt::format("instance {} '{}': expected a node below {}, found {}", number, instance.name,
+                           data.nodes.size(), instance.node));
     }
     for (int column = 0; column < 4; ++column) {
         if (!finite(glm::dvec3{instance.transform[column]})) {
             refuse(fmt::format("instance {} '{}': expected a finite transform, found one that is not", number,
                                instance.name));
+        }
+    }
+}
+
+void check(const std::vector<SceneNode>& nodes) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (nodes[i].parent != noNode && nodes[i].parent >= i) {
+            refuse(
+                fmt::format("node {} '{}': expected a parent before it, found {}", i, nodes[i].name, nodes[i].parent));
         }
     }
 }
@@ -133,9 +142,8 @@ void dropUnusedVertices(Mesh& mesh) {
     for (std::uint32_t& i : mesh.indices) i = to[i];
 }
 
-// Of glTF a material that is not there is single-sided; of other files nothing is known.
 bool isSingleSided(const Mesh& mesh, const Scene::Data& data) {
-    if (!data.source.format.starts_with("glTF")) return false;
+    if (!data.source.knowsSides) return false;
     return std::ranges::none_of(mesh.materials, [&](std::uint32_t material) {
         return material > 0 && material <= data.materials.size() && data.materials[material - 1].doubleSided;
     });
@@ -159,11 +167,10 @@ std::uint32_t sortBySides(Mesh& mesh, const std::vector<Material>& materials) {
     for (std::size_t t = 0; t < order.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
             sorted.indices[3 * t + k] = mesh.indices[3 * order[t] + k];
-            if (!mesh.innerEdges.empty()) sorted.innerEdges[3 * t + k] = mesh.innerEdges[3 * order[t] + k];
-            if (!mesh.sharpEdges.empty()) sorted.sharpEdges[3 * t + k] = mesh.sharpEdges[3 * order[t] + k];
-            if (!mesh.markedEdges.empty()) sorted.markedEdges[3 * t + k] = mesh.markedEdges[3 * order[t] + k];
+            if (!mesh.edges.empty()) sorted.edges[3 * t + k] = mesh.edges[3 * order[t] + k];
         }
         if (!mesh.materials.empty()) sorted.materials[t] = mesh.materials[order[t]];
+        if (!mesh.faces.empty()) sorted.faces[t] = mesh.faces[order[t]];
     }
     mesh = std::move(sorted);
     return count;
@@ -190,7 +197,8 @@ Sphere boundingSphere(const Scene& scene) {
 Scene::Scene(Data data, const LoadSettings& settings) {
     const auto begin = std::chrono::steady_clock::now();
     for (std::size_t i = 0; i < data.meshes.size(); ++i) check(data.meshes[i], i);
-    for (std::size_t i = 0; i < data.instances.size(); ++i) check(data.instances[i], i, data.meshes.size());
+    for (std::size_t i = 0; i < data.instances.size(); ++i) check(data.instances[i], i, data);
+    check(data.nodes);
 
     auto prepared = std::make_shared<Prepared>();
     static_cast<Data&>(*prepared) = std::move(data);
@@ -228,6 +236,7 @@ Scene::Scene(Data data, const LoadSettings& settings) {
 
 const std::vector<Mesh>& Scene::meshes() const noexcept { return data_->meshes; }
 const std::vector<Instance>& Scene::instances() const noexcept { return data_->instances; }
+const std::vector<SceneNode>& Scene::nodes() const noexcept { return data_->nodes; }
 const std::vector<SceneCamera>& Scene::cameras() const noexcept { return data_->cameras; }
 const std::vector<Material>& Scene::materials() const noexcept { return data_->materials; }
 const std::vector<std::string>& Scene::warnings() const noexcept { return data_->warnings; }

@@ -70,6 +70,13 @@ void setCornerValues(Mesh& mesh, const std::vector<CornerValues>& ofIndices, con
     mesh.indices = std::move(indices);
 }
 
+// Of the edge from a corner to its face's next. Which edges are sharp, refinement decides.
+EdgeKinds kindsOfEdge(const RefinedFaces& faces, std::size_t corner) {
+    EdgeKinds kinds = faces.edges.empty() ? EdgeKinds{} : faces.edges[corner] - (EdgeKind::Inner | EdgeKind::Sharp);
+    if (faces.creases[corner]) kinds |= EdgeKind::Sharp;
+    return kinds;
+}
+
 Mesh trianglesOf(const RefinedFaces& faces, SubdivisionScheme scheme) {
     Mesh mesh;
     mesh.positions.assign(faces.positions.begin(), faces.positions.end());
@@ -82,16 +89,14 @@ Mesh trianglesOf(const RefinedFaces& faces, SubdivisionScheme scheme) {
             const std::size_t corner = size * f + triangleCorners[i];
             const bool inner = size == 4 && (i == cutAfter || i == cutBefore);
             mesh.indices.push_back(faces.corners[corner]);
-            mesh.sharpEdges.push_back(!inner && faces.creases[corner]);
-            if (size == 4) mesh.innerEdges.push_back(inner);
-            if (!faces.marked.empty()) mesh.markedEdges.push_back(!inner && faces.marked[corner]);
+            mesh.edges.push_back(inner ? EdgeKind::Inner : kindsOfEdge(faces, corner));
             if (!hasValues) continue;
             CornerValues& value = values.emplace_back();
             if (!faces.coordinates.empty()) value.coordinates = faces.coordinates[corner];
             if (!faces.paint.empty()) value.paint = faces.paint[corner];
         }
     }
-    if (std::ranges::find(mesh.sharpEdges, true) == mesh.sharpEdges.end()) mesh.sharpEdges.clear();
+    if (std::ranges::all_of(mesh.edges, &EdgeKinds::empty)) mesh.edges.clear();
     if (hasValues) setCornerValues(mesh, values, faces);
     return mesh;
 }
@@ -109,11 +114,14 @@ Mesh subdivided(const Mesh& mesh, const ControlMesh& control, int levels) {
     Mesh result = trianglesOf(faces, control.scheme);
     result.name = mesh.name;
     result.origin = mesh.origin;
-    if (mesh.materials.empty()) return result;
     const std::size_t trianglesPerFace = cornersOf(control.scheme) - 2;
-    for (const std::uint32_t parent : faces.parents)
-        result.materials.insert(result.materials.end(), trianglesPerFace,
-                                mesh.materials[control.firstTriangles[parent]]);
+    const auto ofTriangles = [&](const std::vector<std::uint32_t>& before, std::vector<std::uint32_t>& after) {
+        if (before.empty()) return;
+        for (const std::uint32_t parent : faces.parents)
+            after.insert(after.end(), trianglesPerFace, before[control.firstTriangles[parent]]);
+    };
+    ofTriangles(mesh.materials, result.materials);
+    ofTriangles(mesh.faces, result.faces);
     return result;
 }
 

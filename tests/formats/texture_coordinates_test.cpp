@@ -121,7 +121,7 @@ TEST(SceneTextureCoordinates, AreChecked) {
     mesh.textureCoordinates[3].y = INFINITY;
     EXPECT_THROW(scenes::sceneOf(mesh), Error);
     mesh = roofWithSeam();
-    mesh.markedEdges = std::vector<bool>(3);
+    mesh.edges.resize(3);
     EXPECT_THROW(scenes::sceneOf(mesh), Error);
 }
 

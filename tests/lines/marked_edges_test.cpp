@@ -45,7 +45,7 @@ double seen(const Mesh& mesh, LineType type, const Settings& settings) {
 // Two by two about the origin, in z = 0: triangles (0, 1, 2) and (0, 2, 3).
 Mesh sheet() {
     Mesh mesh = scenes::quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
-    mesh.markedEdges.assign(mesh.indices.size(), false);
+    mesh.edges.resize(mesh.indices.size());
     return mesh;
 }
 
@@ -54,7 +54,7 @@ Mesh roof() {
     Mesh mesh;
     mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 0, 1}, {-1, 0, 1}, {1, 1, 0}, {-1, 1, 0}};
     mesh.indices = {0, 1, 2, 0, 2, 3, 3, 2, 4, 3, 4, 5};
-    mesh.markedEdges.assign(mesh.indices.size(), false);
+    mesh.edges.resize(mesh.indices.size());
     return mesh;
 }
 
@@ -64,7 +64,7 @@ constexpr double rounding = 1e-6;
 TEST(MarkedEdges, AreLinesWhereNothingElseIs) {
     Mesh mesh = sheet();
     EXPECT_EQ(seen(mesh, LineType::Marked, drawing(allLineTypes)), 0.0);
-    mesh.markedEdges[2] = true;  // the diagonal, on one of its faces
+    mesh.edges[2] = EdgeKind::Marked;  // the diagonal, on one of its faces
     EXPECT_NEAR(seen(mesh, LineType::Marked, drawing(allLineTypes)), 2.0 * std::numbers::sqrt2, rounding);
     EXPECT_EQ(seen(mesh, LineType::Marked, drawing(allLineTypes & ~bit(LineType::Marked))), 0.0);
 }
@@ -72,7 +72,7 @@ TEST(MarkedEdges, AreLinesWhereNothingElseIs) {
 TEST(MarkedEdges, AreCreasesOnlyWhereMarkedLinesAreNotDrawn) {
     Mesh mesh = roof();
     EXPECT_NEAR(seen(mesh, LineType::Crease, drawing(allLineTypes)), 2.0, rounding);
-    mesh.markedEdges[roofsRidge] = true;
+    mesh.edges[roofsRidge] = EdgeKind::Marked;
     EXPECT_NEAR(seen(mesh, LineType::Marked, drawing(allLineTypes)), 2.0, rounding);
     EXPECT_EQ(seen(mesh, LineType::Crease, drawing(allLineTypes)), 0.0);
     EXPECT_NEAR(seen(mesh, LineType::Crease, drawing(bit(LineType::Crease))), 2.0, rounding);
@@ -80,7 +80,7 @@ TEST(MarkedEdges, AreCreasesOnlyWhereMarkedLinesAreNotDrawn) {
 
 TEST(MarkedEdges, AreOutlinesUnlessThoseAreNotDrawn) {
     Mesh mesh = sheet();
-    mesh.markedEdges[0] = true;  // from (-1, -1) to (1, -1)
+    mesh.edges[0] = EdgeKind::Marked;  // from (-1, -1) to (1, -1)
     EXPECT_NEAR(seen(mesh, LineType::Outline, drawing(allLineTypes)), 8.0, rounding);
     EXPECT_EQ(seen(mesh, LineType::Marked, drawing(allLineTypes)), 0.0);
     EXPECT_NEAR(seen(mesh, LineType::Marked, drawing(bit(LineType::Marked))), 2.0, rounding);
@@ -88,7 +88,7 @@ TEST(MarkedEdges, AreOutlinesUnlessThoseAreNotDrawn) {
 
 TEST(Isolines, AreLinesOfTheirOwnWhoseStepsMayChange) {
     Mesh mesh = sheet();
-    mesh.markedEdges.clear();
+    mesh.edges.clear();
     for (const glm::vec3 p : mesh.positions) mesh.textureCoordinates.emplace_back(0.5F * p.x + 0.4F, 0.5F * p.y + 0.4F);
     const Scene scene = scenes::sceneOf(mesh);
     const lines::ObjectLines lines{scene};

@@ -109,7 +109,7 @@ std::vector<Piece> linesOfEdges(const Scene& scene, const Judge& judge) {
                 const std::size_t next = (k + 1) % 3;
                 Faces& faces = edges[std::array{std::min(places[k], places[next]), std::max(places[k], places[next])}];
                 faces.piece = {world[k], world[next]};
-                faces.inner = faces.inner || (!mesh.innerEdges.empty() && mesh.innerEdges[i + k]);
+                faces.inner = faces.inner || (!mesh.edges.empty() && mesh.edges[i + k].has(EdgeKind::Inner));
                 faces.front.push_back(judge.faces(world));
                 faces.normals.push_back(glm::normalize(normal));
             }

@@ -182,15 +182,36 @@ TEST(BuildPatches, goOnAcrossTheInnerEdgesOfAPolygon) {
     const auto bend = static_cast<std::uint32_t>(
         std::ranges::find_if(topology.twins, [&](std::uint32_t h) { return isHalfEdge(h) && h / 3 >= 2; }) -
         topology.twins.begin());
-    mesh.innerEdges.assign(mesh.indices.size(), false);
-    mesh.innerEdges[bend] = mesh.innerEdges[topology.twins[bend]] = true;
+    mesh.edges.resize(mesh.indices.size());
+    mesh.edges[bend] = EdgeKind::Inner;
+    EXPECT_THAT(patchesOf(mesh, 30.0), ElementsAre(0, 0, 1, 1)) << "both triangles must say so";
+    mesh.edges[topology.twins[bend]] = EdgeKind::Inner;
     EXPECT_THAT(patchesOf(mesh, 30.0), ElementsAre(0, 0, 0, 0));
 
     // Turned over, a triangle takes its inner edges along.
     for (std::size_t t = 0; t < 12; t += 3) turnOver(mesh, t);
     EXPECT_THAT(patchesOf(mesh, 30.0), ElementsAre(0, 0, 0, 0));
-    mesh.innerEdges.assign(mesh.indices.size(), false);
+    mesh.edges.assign(mesh.indices.size(), {});
     EXPECT_THAT(patchesOf(mesh, 30.0), ElementsAre(0, 0, 1, 1));
+}
+
+TEST(BuildPatches, areDecidedByTheKindOfAnEdgeBeforeItsAngle) {
+    const auto patches = [](double bend, EdgeKinds kinds) {
+        Mesh mesh = fold(bend);
+        const MeshTopology topology = buildTopology(mesh);
+        mesh.edges.resize(mesh.indices.size());
+        for (std::uint32_t h = 0; h < 6; ++h)
+            if (isHalfEdge(topology.twins[h]) && topology.twins[h] / 3 >= 2) mesh.edges[h] = kinds;
+        return patchesOf(mesh, 30.0);
+    };
+    EXPECT_THAT(patches(5.0, {}), ElementsAre(0, 0, 0, 0));
+    EXPECT_THAT(patches(5.0, EdgeKind::Sharp), ElementsAre(0, 0, 1, 1));
+    EXPECT_THAT(patches(40.0, {}), ElementsAre(0, 0, 1, 1));
+    EXPECT_THAT(patches(40.0, EdgeKind::Tangent), ElementsAre(0, 0, 0, 0));
+    EXPECT_THAT(patches(40.0, EdgeKind::Seam), ElementsAre(0, 0, 0, 0));
+    EXPECT_THAT(patches(40.0, EdgeKind::Tangent | EdgeKind::Sharp), ElementsAre(0, 0, 0, 0));
+    EXPECT_THAT(patches(40.0, EdgeKind::Marked | EdgeKind::Free), ElementsAre(0, 0, 1, 1));
+    EXPECT_THAT(patches(5.0, EdgeKind::Marked | EdgeKind::Free), ElementsAre(0, 0, 0, 0));
 }
 
 TEST(BuildPatches, areACubesSixFacesAndAWholeSphere) {

@@ -68,7 +68,7 @@ TEST_P(DrawGeometry, SkipsHiddenBacksUnseen) {
                               "bracket.glb", "sheet.glb", "teapot.glb", "primitives.glb"}) {
         Scene::Data data = loadGltf(assets + asset);
         const Scene skipping{data};
-        data.source.format.clear();  // of other formats it is not known which faces are single-sided
+        data.source.knowsSides = false;
         const Scene drawing{std::move(data)};
         for (std::size_t i = 0; i < skipping.meshes().size(); ++i) {
             hiding += skipping.hidesItsBacks(i) ? 1 : 0;

@@ -52,10 +52,25 @@ TEST(Scene, refusesIndicesThatAreNoTriangles) {
     expectRefusal(data, "mesh 0 'part': expected three indices a triangle, found 35 indices");
 }
 
-TEST(Scene, refusesSharpEdgesThatAreNotOneAnIndex) {
+TEST(Scene, refusesKindsOfEdgesThatAreNotOneAnIndex) {
     auto data = cubeData();
-    data.meshes[0].sharpEdges = std::vector<bool>(7);
-    expectRefusal(data, "mesh 0 'part': expected 36 sharp edges, one an index, found 7");
+    data.meshes[0].edges.resize(7);
+    expectRefusal(data, "mesh 0 'part': expected 36 kinds of edges, one an index, found 7");
+}
+
+TEST(Scene, refusesFacesThatAreNotOneATriangle) {
+    auto data = cubeData();
+    data.meshes[0].faces.resize(7);
+    expectRefusal(data, "mesh 0 'part': expected 12 faces, one a triangle, found 7");
+}
+
+TEST(Scene, refusesNodesThatAreNoTree) {
+    auto data = cubeData();
+    data.nodes = {{"a"}, {"b", 1}};
+    expectRefusal(data, "node 1 'b': expected a parent before it, found 1");
+    data.nodes = {{"a"}, {"b", 0}};
+    data.instances[0].node = 2;
+    expectRefusal(data, "instance 0 'place': expected a node below 2, found 2");
 }
 
 TEST(Scene, refusesNormalsThatAreNotOneAPosition) {

@@ -35,20 +35,25 @@ Scene refined(const Mesh& mesh, const LoadSettings& settings) {
     return scenes::sceneOf({{mesh, glm::dmat4{1.0}}}, settings);
 }
 
+void addQuadsEdges(Mesh& mesh) {
+    constexpr EdgeKinds outer;
+    constexpr EdgeKinds inner = EdgeKind::Inner;
+    mesh.edges.insert(mesh.edges.end(), {outer, outer, inner, inner, outer, outer});
+}
+
 void addQuad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
     mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
-    mesh.innerEdges.insert(mesh.innerEdges.end(), {false, false, true, true, false, false});
+    addQuadsEdges(mesh);
 }
 
 Mesh asTriangles(Mesh mesh) {
-    mesh.innerEdges.clear();
+    mesh.edges.clear();
     return mesh;
 }
 
 Mesh quadCube() {
     Mesh mesh = scenes::cube();
-    for (std::size_t face = 0; face < 6; ++face)
-        mesh.innerEdges.insert(mesh.innerEdges.end(), {false, false, true, true, false, false});
+    for (std::size_t face = 0; face < 6; ++face) addQuadsEdges(mesh);
     return mesh;
 }
 
@@ -143,8 +148,7 @@ TEST(Subdivide, roundsWhatIsNoCrease) {
 
 TEST(Subdivide, putsTheQuadsOfTheFileTogetherAgain) {
     const auto innerEdges = [](const Scene& scene) {
-        const auto& inner = scene.meshes()[0].innerEdges;
-        return std::ranges::count(inner, true);
+        return std::ranges::count(scenes::edgesOfKind(scene.meshes()[0], EdgeKind::Inner), true);
     };
     // Catmull-Clark makes four quads of one, each cut once.
     const Scene quads = refined(quadCube(), levels(2, smoothAngle));
@@ -166,12 +170,14 @@ TEST(Subdivide, takesPolygonsOfAnyNumberOfCorners) {
         pentagon.positions.emplace_back(std::cos(angle), std::sin(angle), 0.0);
     }
     pentagon.indices = {0, 1, 2, 0, 2, 3, 0, 3, 4};
-    pentagon.innerEdges = {false, false, true, true, false, true, true, false, false};
+    constexpr EdgeKinds outer;
+    constexpr EdgeKinds inner = EdgeKind::Inner;
+    pentagon.edges = {outer, outer, inner, inner, outer, inner, inner, outer, outer};
     EXPECT_EQ(refined(pentagon, levels(1)).triangleCount(), 10U);
     EXPECT_EQ(refined(pentagon, levels(3)).triangleCount(), 160U);
     // What is no polygon: an inner edge around a vertex, all around.
     Mesh fan = scenes::cube();
-    fan.innerEdges.assign(fan.indices.size(), true);
+    fan.edges.assign(fan.indices.size(), EdgeKind::Inner);
     EXPECT_EQ(refined(fan, levels(1)).triangleCount(), 12U * 3U * 2U);
 }
 
@@ -260,7 +266,7 @@ Mesh barrel(double bulge) {
             addQuad(mesh, 3 * i + ring, 3 * next + ring, 3 * next + ring + 1, 3 * i + ring + 1);
         if (i < 1 || i > 4) continue;
         mesh.indices.insert(mesh.indices.end(), {0, 3 * next, 3 * i, 2, 3 * i + 2, 3 * next + 2});
-        mesh.innerEdges.insert(mesh.innerEdges.end(), 6, false);
+        mesh.edges.resize(mesh.indices.size());
     }
     return mesh;
 }
@@ -367,7 +373,7 @@ TEST(Subdivide, survivesAnyFacesBetweenAFewPoints) {
         }
         for (int i = 0; i < 3 * 16; ++i) mesh.indices.push_back(static_cast<std::uint32_t>(random() % 7));
         if (trial % 2 == 0)
-            for (int i = 0; i < 3 * 16; ++i) mesh.innerEdges.push_back(random() % 2 == 0);
+            for (int i = 0; i < 3 * 16; ++i) mesh.edges.push_back(random() % 2 == 0 ? EdgeKind::Inner : EdgeKinds{});
         const Scene scene = refined(mesh, levels(2, trial % 3 == 0 ? smoothAngle : 30.0));
         for (const glm::vec3 n : scene.meshes()[0].normals) ASSERT_NEAR(glm::length(n), 1.0F, 1e-4F) << trial;
         for (const glm::vec3 p : scene.meshes()[0].positions) ASSERT_TRUE(std::isfinite(glm::dot(p, p))) << trial;
@@ -436,7 +442,7 @@ double offTorus(glm::dvec3 p) {
 Mesh texturedCube() {
     const Mesh whole = quadCube();
     Mesh mesh;
-    mesh.innerEdges = whole.innerEdges;
+    mesh.edges = whole.edges;
     for (std::uint32_t i = 0; i < whole.indices.size(); ++i) {
         mesh.positions.push_back(whole.positions[whole.indices[i]]);
         mesh.indices.push_back(i);
@@ -484,7 +490,7 @@ TEST(Subdivide, mixesColoursLinearlyAcrossTheFacesThatWere) {
             const glm::vec3 share = 0.5F * (mesh.positions[i] + 1.0F);
             const glm::vec4 color = mesh.paint[i].color;
             EXPECT_LT(glm::distance(glm::vec3{color}, share), 1e-6F) << i;  // of floats of size 1
-            if (cube.innerEdges.empty()) continue;
+            if (cube.edges.empty()) continue;
             EXPECT_NEAR(color.a, share.x * share.y * share.z, 1e-6F) << "bilinear across squares";
         }
     }
@@ -521,23 +527,45 @@ TEST(Subdivide, keepsThePlacesOfPicturesWithTheirSeams) {
     }
 }
 
-TEST(Subdivide, marksWhatMarkedEdgesAreCutInto) {
+TEST(Subdivide, givesTheKindsOfEdgesToWhatTheyAreCutInto) {
     for (const Mesh& plain : {quadCube(), asTriangles(quadCube())}) {
         Mesh cube = plain;
-        cube.markedEdges.assign(cube.indices.size(), false);
-        cube.markedEdges[0] = true;  // on one of its faces only
+        cube.edges.resize(cube.indices.size());
+        cube.edges[0] |= EdgeKind::Marked | EdgeKind::Free;  // on one of its faces only
         const glm::dvec3 from{cube.positions[cube.indices[0]]};
         const glm::dvec3 to{cube.positions[cube.indices[1]]};
         const Scene scene = refined(cube, levels(2));
         const Mesh& mesh = scene.meshes()[0];
-        ASSERT_EQ(mesh.markedEdges.size(), mesh.indices.size());
-        EXPECT_EQ(std::ranges::count(mesh.markedEdges, true), 8) << "four parts, each on two faces";
+        ASSERT_EQ(mesh.edges.size(), mesh.indices.size());
+        EXPECT_EQ(std::ranges::count(scenes::edgesOfKind(mesh, EdgeKind::Marked), true), 8)
+            << "four parts, each on two faces";
+        EXPECT_EQ(scenes::edgesOfKind(mesh, EdgeKind::Free), scenes::edgesOfKind(mesh, EdgeKind::Marked));
         for (std::uint32_t h = 0; h < mesh.indices.size(); ++h) {
-            if (!mesh.markedEdges[h]) continue;
+            if (!mesh.edges[h].has(EdgeKind::Marked)) continue;
             const glm::dvec3 at{mesh.positions[mesh.indices[h]]};
             EXPECT_NEAR(glm::length(glm::cross(at - from, to - from)), 0.0, 1e-6) << "a cube's edges are sharp";
         }
     }
+}
+
+TEST(Subdivide, givesTheNumbersOfFacesToWhatTheyAreCutInto) {
+    for (const std::size_t perFace : {1U, 2U}) {
+        Mesh cube = perFace == 2 ? quadCube() : asTriangles(quadCube());
+        for (std::uint32_t t = 0; t < 12; ++t) cube.faces.push_back(100 + t / 2);
+        const Mesh mesh = refined(cube, levels(1)).meshes()[0];
+        ASSERT_EQ(mesh.faces.size(), mesh.indices.size() / 3);
+        for (std::uint32_t face = 100; face < 106; ++face) EXPECT_EQ(std::ranges::count(mesh.faces, face), 8);
+        EXPECT_TRUE(std::ranges::is_sorted(mesh.faces));
+    }
+}
+
+TEST(Subdivide, goesOnAcrossTangentEdges) {
+    Mesh cube = quadCube();
+    for (EdgeKinds& kinds : cube.edges)
+        if (!kinds.has(EdgeKind::Inner)) kinds |= EdgeKind::Tangent;
+    const Scene scene = refined(cube, levels(2));
+    EXPECT_LT(scene.box().max.x, 1.0) << "rounded, however little the crease angle";
+    EXPECT_EQ(std::ranges::count(scenes::edgesOfKind(scene.meshes()[0], EdgeKind::Sharp), true), 0);
 }
 
 TEST(Subdivide, convergesToTheAnalyticContourAtSecondOrder) {

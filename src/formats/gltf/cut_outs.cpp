@@ -30,15 +30,16 @@ std::vector<double> vertexOpacities(const tinygltf::Model& model, const tinygltf
 }
 
 // What is said of an edge goes for the pieces' edges that lie on it.
-void addEdges(const std::vector<bool>& of, std::size_t triangle, const CutOut::Piece& piece, std::vector<bool>& rest) {
+void addEdges(const std::vector<EdgeKinds>& of, std::size_t triangle, const CutOut::Piece& piece,
+              std::vector<EdgeKinds>& rest) {
     constexpr double nothing = 1e-9;  // what rounding leaves of a weight
     if (of.empty()) return;
     for (std::size_t k = 0; k < 3; ++k) {
-        bool said = false;
+        EdgeKinds said;
         for (std::size_t edge = 0; edge < 3; ++edge) {
             const auto opposite = static_cast<int>((edge + 2) % 3);
             const bool liesOnIt = piece[k][opposite] <= nothing && piece[(k + 1) % 3][opposite] <= nothing;
-            said = said || (liesOnIt && of[3 * triangle + edge]);
+            if (liesOnIt) said |= of[3 * triangle + edge];
         }
         rest.push_back(said);
     }
@@ -67,8 +68,7 @@ void add(const Shape& part, std::size_t triangle, const CutOut::Piece& piece, Sh
                               w.x * at[0]->place + w.y * at[1]->place + w.z * at[2]->place});
     }
     rest.materials.push_back(part.materials[triangle]);
-    addEdges(part.marked, triangle, piece, rest.marked);
-    addEdges(part.inner, triangle, piece, rest.inner);
+    addEdges(part.edges, triangle, piece, rest.edges);
 }
 
 }  // namespace

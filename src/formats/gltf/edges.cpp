@@ -80,11 +80,8 @@ std::vector<Edge> readLineStrings(const tinygltf::Model& model, const tinygltf::
 
 void mark(const std::vector<std::uint8_t>& visibility, std::span<const std::uint32_t> numbers, EdgeVisibility& edges) {
     for (std::size_t t = 0; t < numbers.size(); ++t) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint8_t value = visibility[3 * numbers[t] + k];
-            edges.hard[3 * t + k] = value >= 2;
-            edges.hidden[3 * t + k] = value < 2;
-        }
+        for (std::size_t k = 0; k < 3; ++k)
+            edges.kinds[3 * t + k] = visibility[3 * numbers[t] + k] >= 2 ? EdgeKind::Marked : EdgeKind::Inner;
     }
 }
 
@@ -94,8 +91,7 @@ void mark(std::vector<Edge> lines, std::span<const std::uint32_t> triangles, Edg
         const auto line = std::ranges::lower_bound(lines, key, {}, &Edge::vertices);
         if (line == lines.end() || line->vertices != key) continue;
         line->found = true;
-        edges.hard[c] = true;
-        edges.hidden[c] = false;
+        edges.kinds[c] = EdgeKind::Marked;
     }
     edges.lost = static_cast<std::size_t>(std::ranges::count(lines, false, &Edge::found));
 }
@@ -112,8 +108,7 @@ EdgeVisibility readEdgeVisibility(const tinygltf::Model& model, const tinygltf::
             refuse("expected visibility or lineStrings, found neither");
         const std::vector<std::uint32_t> triangles = triangleList(mode, {corners.begin(), corners.end()});
         EdgeVisibility edges;
-        edges.hard.resize(triangles.size());
-        edges.hidden.resize(triangles.size());
+        edges.kinds.resize(triangles.size());
         if (extension.Has("visibility"))
             mark(readVisibility(model, extension, triangleCount(mode, corners.size())), triangleNumbers(mode, corners),
                  edges);

@@ -5,17 +5,20 @@
 #include <span>
 #include <vector>
 
+#include <inkedge/edge_kinds.h>
+
 #include "formats/gltf/model.h"
 #include "formats/gltf/triangles.h"
 
 namespace inkedge::gltf {
 
-/// What EXT_mesh_primitive_edge_visibility says of a primitive's edges: one an index of triangleList(), of the edge
-/// from that corner to its triangle's next; or all empty, where the primitive does not have it.
+/// What EXT_mesh_primitive_edge_visibility says of a primitive's edges.
 struct EdgeVisibility {
-    std::vector<bool> hard;    ///< to be drawn always
-    std::vector<bool> hidden;  ///< to be drawn never, or only as silhouette: the surface is smooth there
-    std::size_t lost = 0;      ///< line strings' edges that belong to no triangle drawn
+    /// One an index of triangleList(), of the edge from that corner to its triangle's next: EdgeKind::Marked, to be
+    /// drawn always; EdgeKind::Inner, to be drawn never, or only as silhouette: the surface is smooth there; or neither.
+    /// Empty: the primitive does not have the extension.
+    std::vector<EdgeKinds> kinds;
+    std::size_t lost = 0;  ///< line strings' edges that belong to no triangle drawn
 };
 
 /// Materials, and normals for silhouettes, are not read.

@@ -69,6 +69,7 @@ public:
           path_{path},
           settings_{settings},
           nodes_{gltf::placeNodes(model, settings.limits)},
+          sceneNodes_(model.nodes.size(), noNode),
           cutOuts_{model, file, path, settings.limits},
           elementsLeft_{std::min(settings.limits.vertices, mostElements(model))} {}
 
@@ -77,6 +78,7 @@ public:
             data_.materials.push_back({material.name, material.doubleSided});
         if (settings_.paint) readPaints();
         for (const auto& [node, visible] : gltf::nodesOfScene(model_, nodes_, settings_.scene)) {
+            addNode(node);
             within(nodeLabel(model_, node), [&, node = node, visible = visible] {
                 if (model_.nodes[node].camera != -1) placeCamera(node);
                 if (model_.nodes[node].mesh != -1 && visible) placeMesh(node);
@@ -87,6 +89,14 @@ public:
     }
 
 private:
+    // Parents come before their children.
+    void addNode(std::size_t node) {
+        const int parent = nodes_.parents[node];
+        sceneNodes_[node] = static_cast<std::uint32_t>(data_.nodes.size());
+        data_.nodes.push_back({model_.nodes[node].name,  //
+                               parent == -1 ? noNode : sceneNodes_[static_cast<std::size_t>(parent)]});
+    }
+
     void placeCamera(std::size_t node) {
         const int index = model_.nodes[node].camera;
         const tinygltf::Camera& source = at(model_.cameras, index, "a camera");
@@ -107,9 +117,10 @@ private:
         const std::optional<std::uint32_t> drawn = meshInPose(source.mesh, pose);
         if (!drawn) return;
         const std::string name = nameOf(node, mesh.name);
-        if (!pose.joints.empty()) return place({name, *drawn, glm::dmat4{1.0}});  // a skin places its mesh itself
+        const std::uint32_t part = sceneNodes_[node];
+        if (!pose.joints.empty()) return place({name, *drawn, glm::dmat4{1.0}, part});  // a skin places its mesh itself
         for (const glm::dmat4& copy : gltf::copiesOf(model_, source, instancesLeft()))
-            place({name, *drawn, nodes_.toWorld[node] * copy});
+            place({name, *drawn, nodes_.toWorld[node] * copy, part});
     }
 
     void place(Instance instance) {
@@ -212,8 +223,7 @@ private:
                    const std::string& warnedAs) {
         gltf::EdgeVisibility edges =
             gltf::readEdgeVisibility(model_, primitive, gltf::Mode{primitive.mode}, corners, part.positions.size());
-        part.marked = std::move(edges.hard);
-        part.inner = std::move(edges.hidden);
+        part.edges = std::move(edges.kinds);
         if (edges.lost > 0 && !warnedAs.empty())
             warn(fmt::format("{}: {} edges of its line strings belong to no triangle and are not drawn", warnedAs,
                              edges.lost));
@@ -343,6 +353,7 @@ private:
     const std::filesystem::path& path_;
     const LoadSettings& settings_;
     gltf::Nodes nodes_;
+    std::vector<std::uint32_t> sceneNodes_;  // one a node of the file: its number in the scene
     gltf::CutOuts cutOuts_;
     Scene::Data data_;
     std::map<std::pair<int, std::vector<double>>, std::optional<std::uint32_t>> meshes_;  // by mesh and morph weights
@@ -364,7 +375,12 @@ Scene::Data loadGltf(const std::filesystem::path& path, const LoadSettings& sett
                 for (std::string& warning : gltf::poseNodes(model, settings.animation, settings.time))
                     warnings.push_back(std::move(warning));
             Scene::Data data = Loader{model, file, path, settings}.load();
-            data.source = {"glTF 2.0", namesOf(model.scenes), namesOf(model.animations), file.extensions};
+            data.source = {.format = "glTF 2.0",
+                           .scenes = namesOf(model.scenes),
+                           .animations = namesOf(model.animations),
+                           .extensions = file.extensions,
+                           .unit = LengthUnit::Metre,
+                           .knowsSides = true};
             data.warnings.insert(data.warnings.begin(), warnings.begin(), warnings.end());
             return data;
         } catch (const Error&) {

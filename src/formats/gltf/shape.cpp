@@ -120,8 +120,7 @@ void append(Shape& shape, Shape part) {
     const auto first = static_cast<std::uint32_t>(shape.positions.size());
     appendOrFill(shape.coordinates, shape.positions.size(), part.coordinates, part.positions.size());
     appendOrFill(shape.paint, shape.positions.size(), part.paint, part.positions.size());
-    appendOrFill(shape.marked, shape.indices.size(), part.marked, part.indices.size());
-    appendOrFill(shape.inner, shape.indices.size(), part.inner, part.indices.size());
+    appendOrFill(shape.edges, shape.indices.size(), part.edges, part.indices.size());
     shape.positions.insert(shape.positions.end(), part.positions.begin(), part.positions.end());
     shape.normals.insert(shape.normals.end(), part.normals.begin(), part.normals.end());
     for (const std::uint32_t index : part.indices) shape.indices.push_back(first + index);
@@ -141,8 +140,7 @@ Mesh meshOf(Shape shape, const std::string& name) {
         mesh.materials = std::move(shape.materials);
     mesh.textureCoordinates = std::move(shape.coordinates);
     mesh.paint = std::move(shape.paint);
-    mesh.markedEdges = std::move(shape.marked);
-    mesh.innerEdges = std::move(shape.inner);
+    mesh.edges = std::move(shape.edges);
     return mesh;
 }
 

@@ -18,8 +18,7 @@ struct Shape {
     std::vector<std::uint32_t> materials;  ///< one a triangle; 0: none
     std::vector<glm::vec2> coordinates;    ///< one a position, or none
     std::vector<VertexPaint> paint;        ///< likewise
-    std::vector<bool> marked;              ///< one an index, or none: Mesh::markedEdges
-    std::vector<bool> inner;               ///< one an index, or none: Mesh::innerEdges
+    std::vector<EdgeKinds> edges;          ///< one an index, or none: Mesh::edges
     bool authored = false;                 ///< some normals are the file's
 };
 

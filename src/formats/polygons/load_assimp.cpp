@@ -224,7 +224,7 @@ private:
                 refuse(fmt::format("expected vertices below {}, found {} in face {}", mesh.mNumVertices,
                                    face.mIndices[i], number));
         if (face.mNumIndices == 3) return addTriangle(face, {0, 1, 2}, first);
-        mesh_.innerEdges.resize(mesh_.indices.size(), false);
+        mesh_.edges.resize(mesh_.indices.size());
         if (face.mNumIndices < 3) {
             ++(face.mNumIndices == 2 ? lines_ : points_);
             return;
@@ -243,7 +243,8 @@ private:
         mesh_.indices.insert(mesh_.indices.end(), {first + a, first + b, first + c});
         if (face.mNumIndices == 3) return;
         for (std::size_t i = 0; i < 3; ++i)
-            mesh_.innerEdges.push_back(corners[(i + 1) % 3] != (corners[i] + 1) % face.mNumIndices);
+            mesh_.edges.push_back(corners[(i + 1) % 3] != (corners[i] + 1) % face.mNumIndices ? EdgeKind::Inner
+                                                                                              : EdgeKinds{});
     }
 
     // ---- after it
@@ -264,7 +265,7 @@ private:
     }
 
     void dropWhatSaysNothing() {
-        if (!mesh_.innerEdges.empty()) mesh_.innerEdges.resize(mesh_.indices.size(), false);
+        if (!mesh_.edges.empty()) mesh_.edges.resize(mesh_.indices.size());
         if (std::ranges::all_of(mesh_.materials, [](std::uint32_t material) { return material == 0; }))
             mesh_.materials.clear();
         if (std::ranges::all_of(mesh_.normals, [](const glm::vec3& normal) { return normal == glm::vec3{0.0F}; }))

@@ -43,7 +43,7 @@ std::vector<std::vector<Cover>> findCovers(const Scene& scene, Borders& borders)
 
 bool isMarkedBorder(const Scene& scene, const BorderEdge& edge) {
     const Mesh& mesh = scene.meshes()[scene.instances()[edge.instance].mesh];
-    return !mesh.markedEdges.empty() && mesh.markedEdges[edge.halfEdge];
+    return isOfKind(mesh, edge.halfEdge, noHalfEdge, EdgeKind::Marked);
 }
 
 // Those of faces too thin to say where a surface would go on.

@@ -11,9 +11,7 @@
 namespace inkedge::lines {
 
 bool isMarked(const Mesh& mesh, const MeshTopology& topology, std::uint32_t halfEdge) {
-    if (mesh.markedEdges.empty()) return false;
-    const std::uint32_t twin = topology.twins[halfEdge];
-    return mesh.markedEdges[halfEdge] || (isHalfEdge(twin) && mesh.markedEdges[twin]);
+    return isOfKind(mesh, halfEdge, topology.twins[halfEdge], EdgeKind::Marked);
 }
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include "formats/gltf/gltf_files.h"
 #include "mesh/topology.h"
+#include "scenes.h"
 
 namespace inkedge {
 namespace {
@@ -47,11 +48,14 @@ protected:
     }
 };
 
+std::vector<bool> marked(const Mesh& mesh) { return scenes::edgesOfKind(mesh, EdgeKind::Marked); }
+std::vector<bool> inner(const Mesh& mesh) { return scenes::edgesOfKind(mesh, EdgeKind::Inner); }
+
 TEST_F(EdgeVisibility, MarksHardEdgesAndThoseSaidBefore) {
     const Scene::Data data = load(squareWithVisibility({2, 1, 0, 0, 3, 2}));
     EXPECT_THAT(data.warnings, IsEmpty());
-    EXPECT_THAT(data.meshes.at(0).markedEdges, ElementsAre(true, false, false, false, true, true));
-    EXPECT_THAT(data.meshes.at(0).innerEdges, ElementsAre(false, true, true, true, false, false));
+    EXPECT_THAT(marked(data.meshes.at(0)), ElementsAre(true, false, false, false, true, true));
+    EXPECT_THAT(inner(data.meshes.at(0)), ElementsAre(false, true, true, true, false, false));
 }
 
 TEST_F(EdgeVisibility, IsReadAsTheExtensionsTextPacksIt) {
@@ -59,15 +63,15 @@ TEST_F(EdgeVisibility, IsReadAsTheExtensionsTextPacksIt) {
     const Model model = squareWith([](Model& m) {
         return Json{{"visibility", m.accessor<std::uint8_t>({18, 2}, "SCALAR")}};
     });
-    EXPECT_THAT(load(model).meshes.at(0).markedEdges, ElementsAre(true, false, false, false, true, false));
+    EXPECT_THAT(marked(load(model).meshes.at(0)), ElementsAre(true, false, false, false, true, false));
 }
 
 TEST_F(EdgeVisibility, MarksLineStringsWhicheverWayTheyRun) {
     const Scene::Data data = load(squareWithLines({0, 1, 3, 255, 2, 0}));
     EXPECT_THAT(data.warnings, IsEmpty());
     // Edges 0-1 1-2 2-0, 2-1 1-3 3-2.
-    EXPECT_THAT(data.meshes.at(0).markedEdges, ElementsAre(true, false, true, false, true, false));
-    EXPECT_THAT(data.meshes.at(0).innerEdges, testing::Each(false));
+    EXPECT_THAT(marked(data.meshes.at(0)), ElementsAre(true, false, true, false, true, false));
+    EXPECT_THAT(inner(data.meshes.at(0)), testing::Each(false));
 }
 
 TEST_F(EdgeVisibility, SaysWhichLineStringsLieOnNoTriangle) {
@@ -87,7 +91,7 @@ TEST_F(EdgeVisibility, CountsTheTrianglesOfStripsThatAreNotDrawn) {
     model.root({{"mesh", model.mesh(primitive)}});
     const Mesh mesh = load(model).meshes.at(0);
     ASSERT_EQ(mesh.indices.size(), 9U);
-    EXPECT_THAT(mesh.markedEdges, ElementsAre(true, false, false, false, false, false, false, true, false));
+    EXPECT_THAT(marked(mesh), ElementsAre(true, false, false, false, false, false, false, true, false));
 }
 
 TEST_F(EdgeVisibility, OfOnePrimitiveLeavesTheOthersUnmarked) {
@@ -96,8 +100,8 @@ TEST_F(EdgeVisibility, OfOnePrimitiveLeavesTheOthersUnmarked) {
     plain["indices"] = 1;
     model.json["meshes"][0]["primitives"].insert(model.json["meshes"][0]["primitives"].begin(), plain);
     const Mesh mesh = load(model).meshes.at(0);
-    EXPECT_THAT(mesh.markedEdges, ElementsAre(false, false, false, false, false, false,  //
-                                              true, false, false, false, false, false));
+    EXPECT_THAT(marked(mesh), ElementsAre(false, false, false, false, false, false,  //
+                                          true, false, false, false, false, false));
 }
 
 TEST_F(EdgeVisibility, HiddenEdgesAreNoCreases) {
@@ -118,8 +122,8 @@ TEST_F(EdgeVisibility, HiddenEdgesAreNoCreases) {
 // Each marked edge by the middle between its ends.
 std::vector<glm::dvec3> middlesOfMarked(const Mesh& mesh) {
     std::vector<glm::dvec3> middles;
-    for (std::uint32_t h = 0; h < mesh.markedEdges.size(); ++h)
-        if (mesh.markedEdges[h])
+    for (std::uint32_t h = 0; h < mesh.edges.size(); ++h)
+        if (mesh.edges[h].has(EdgeKind::Marked))
             middles.push_back(0.5 * (position(mesh, mesh.indices[h]) + position(mesh, mesh.indices[nextHalfEdge(h)])));
     return middles;
 }

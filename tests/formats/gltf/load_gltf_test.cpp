@@ -332,6 +332,25 @@ TEST_F(LoadGltf, drawsAMeshOnceForEachNode) {
     EXPECT_EQ(data.instances[1].transform[3].z, 7.0);
 }
 
+TEST_F(LoadGltf, keepsTheTreeOfPartsWithItsNames) {
+    Model model = triangle();
+    model.json["nodes"] = Json::array();
+    model.add("nodes", {{"name", "bolt"}, {"mesh", 0}});
+    model.add("nodes", {{"name", "machine"}, {"children", {2, 0}}});
+    model.add("nodes", {{"children", {3}}});
+    model.add("nodes", {{"name", "axle"}, {"mesh", 0}});
+    model.json["scenes"][0]["nodes"] = {1};
+    const Scene scene{load(model)};
+    EXPECT_EQ(scene.source().unit, LengthUnit::Metre);
+    std::vector<std::string> paths;
+    for (const Instance& instance : scene.instances()) {
+        paths.emplace_back();
+        for (std::uint32_t node = instance.node; node != noNode; node = scene.nodes().at(node).parent)
+            paths.back() += "/" + scene.nodes()[node].name;
+    }
+    EXPECT_THAT(paths, ElementsAre("/axle//machine", "/bolt/machine"));
+}
+
 TEST_F(LoadGltf, followsChainsOfAHundredThousandNodes) {
     constexpr int length = 100'000;
     Model model = triangle();

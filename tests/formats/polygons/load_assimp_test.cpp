@@ -310,15 +310,15 @@ TEST_F(LoadAssimp, marksTheEdgesThatOnlyCutPolygons) {
     for (std::size_t i = 0; i < 6; ++i) {
         const glm::vec3 a = square.positions[square.indices[i]];
         const glm::vec3 b = square.positions[square.indices[i / 3 * 3 + (i + 1) % 3]];
-        EXPECT_EQ(square.innerEdges.at(i), a.x != b.x && a.y != b.y) << i;
-        inner += square.innerEdges.at(i) ? 1 : 0;
+        EXPECT_EQ(square.edges.at(i).has(EdgeKind::Inner), a.x != b.x && a.y != b.y) << i;
+        inner += square.edges.at(i).has(EdgeKind::Inner) ? 1 : 0;
     }
     EXPECT_EQ(inner, 2);
-    EXPECT_THAT(obj(triangleObj).meshes.at(0).innerEdges, IsEmpty());
+    EXPECT_THAT(obj(triangleObj).meshes.at(0).edges, IsEmpty());
     // The second polygon is a triangle: all its edges are the file's.
     const Mesh mixed = obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nf 1 2 3 4\nf 2 5 3\n").meshes.at(0);
-    EXPECT_EQ(std::ranges::count(mixed.innerEdges, true), 2);
-    EXPECT_THAT(mixed.innerEdges, SizeIs(9));
+    EXPECT_EQ(std::ranges::count(mixed.edges, EdgeKinds{EdgeKind::Inner}), 2);
+    EXPECT_THAT(mixed.edges, SizeIs(9));
 }
 
 // An L with a corner on a straight side, at 1.
