@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "images/image_module.h"
-#include "base/read_file.h"
 #include "base/message.h"
+#include "base/read_file.h"
+#include "images/image_formats.h"
 #include "images/png_reader.h"
 
 namespace inkedge {

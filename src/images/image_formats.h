@@ -7,12 +7,12 @@
 #include <variant>
 #include <vector>
 
-#include <inkedge/export.h>
+#include <inkedge/error.h>
 #include <inkedge/image.h>
 
-// What the library and the image format module say to each other. OpenImageIO takes half a second to load; it stays in
-// the module, which is opened when the first picture needs it. Both sides are built together and share the C++ runtime;
-// no exception crosses: failures come back as text of one line, empty where there is none.
+#include "modules/open_module.h"
+
+// What the library and the module of image formats say to each other. OpenImageIO takes half a second to load.
 
 namespace inkedge::io {
 
@@ -74,10 +74,15 @@ struct ImageFormats {
     Differences (*compare)(const Image<float>& a, const Image<float>& b, double level);
 };
 
-/// The module's one symbol. Its number rises with every change in this file, so that a module of another build is
-/// refused instead of misread.
-extern "C" INKEDGE_API const ImageFormats* inkedge_image_formats_3() noexcept;
-inline constexpr char imageFormatsSymbol[] = "inkedge_image_formats_3";
-inline constexpr char imageFormatsFile[] = "inkedge_image_formats.so";
+inline constexpr ModuleOf<ImageFormats> imageModule{{.purpose = "image formats",
+                                                     .file = "inkedge_image_formats.so",
+                                                     .symbol = "inkedge_image_formats_3",
+                                                     .library = "OpenImageIO",
+                                                     .option = "",
+                                                     .remedy = "use .png, which needs no module"}};
+
+/// The image formats' functions. The first call opens the module, which takes about half a second.
+/// @throws Error  (failure) as openModule()
+inline const ImageFormats& imageFormats(Error::Kind failure) { return functionsOf<imageModule>(failure); }
 
 }  // namespace inkedge::io

@@ -15,9 +15,9 @@
 #include <inkedge/write.h>
 
 #include "base/staged_files.h"
-#include "io/picture.h"
+#include "images/image_formats.h"
 #include "images/read_png.h"
-#include "images/image_module.h"
+#include "io/picture.h"
 
 namespace fs = std::filesystem;
 

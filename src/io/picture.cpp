@@ -12,7 +12,7 @@
 #include <inkedge/write.h>
 
 #include "base/staged_files.h"
-#include "images/image_module.h"
+#include "images/image_formats.h"
 
 namespace inkedge::io {
 namespace {

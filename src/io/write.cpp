@@ -10,8 +10,8 @@
 #include <inkedge/error.h>
 
 #include "base/staged_files.h"
+#include "images/image_formats.h"
 #include "io/picture.h"
-#include "images/image_module.h"
 #include "raster/memory.h"
 
 namespace fs = std::filesystem;

@@ -7,12 +7,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <inkedge/export.h>
-
 #include "mesh/control_mesh.h"
+#include "modules/open_module.h"
 
-// What the library and the subdivision module say to each other (modules/open_module.h). Failures come back as text of
-// one line, empty where there is none.
+// What the library and the module of subdivision say to each other. OpenSubdiv brings OpenMP along; only those who
+// subdivide wait for both.
 
 namespace inkedge {
 
@@ -37,14 +36,11 @@ struct Subdivision {
     RefinedFaces (*refine)(const ControlMesh&, int levels);
 };
 
-/// The module's one symbol. Its number rises with every change in this file or in ControlMesh, so that a module of
-/// another build is refused instead of misread.
-extern "C" INKEDGE_API const Subdivision* inkedge_subdivision_4() noexcept;
-inline constexpr char subdivisionSymbol[] = "inkedge_subdivision_4";
-inline constexpr char subdivisionFile[] = "inkedge_subdivision.so";
-
-/// Opens the module on first use.
-/// @throws Error  (Kind::Runtime) if it is not there, or if inkedge was built without it
-[[nodiscard]] const Subdivision& subdivision();
+inline constexpr ModuleOf<Subdivision> subdivisionModule{{.purpose = "subdivision",
+                                                          .file = "inkedge_subdivision.so",
+                                                          .symbol = "inkedge_subdivision_4",
+                                                          .library = "OpenSubdiv",
+                                                          .option = "INKEDGE_OPENSUBDIV",
+                                                          .remedy = "leave subdivision out"}};
 
 }  // namespace inkedge

@@ -44,8 +44,10 @@ void* open(const Module& module, const fs::path& file, Error::Kind failure) {
     if (symbol == nullptr) {
         const char* const reason = ::dlerror();
         throw Error{failure,
-                    fmt::format("{}: {} cannot be used: {}; reinstall inkedge and {}", module.purpose, file.string(),
-                                reason == nullptr ? "no reason given" : reason, module.library)};
+                    fmt::format("{}: expected {} and {} that can be opened, found: {}; install {} or reinstall "
+                                "inkedge, or {}",
+                                module.purpose, module.library, file.string(),
+                                reason == nullptr ? "no reason given" : reason, module.library, module.remedy)};
     }
     return symbol;
 }
@@ -61,8 +63,18 @@ void* openModule(const Module& module, std::span<const fs::path> folders, Error:
         if (fs::exists(folder / module.file, ignored)) return open(module, folder / module.file, failure);
         if (std::find(tried.begin(), tried.end(), folder.string()) == tried.end()) tried.push_back(folder.string());
     }
-    throw Error{failure, fmt::format("{}: expected {} in one of {}, found none; reinstall inkedge, or {}",
-                                     module.purpose, module.file, fmt::join(tried, ", "), module.remedy)};
+    const std::string build = module.option.empty() ? "" : fmt::format(" built with {}=ON", module.option);
+    throw Error{failure, fmt::format("{}: expected {} in one of {}, found none; reinstall inkedge{}, or {}",
+                                     module.purpose, module.file, fmt::join(tried, ", "), build, module.remedy)};
+}
+
+std::string failureToOpen(const Module& module) {
+    try {
+        static_cast<void>(openModule(module, Error::Kind::Runtime));
+        return {};
+    } catch (const Error& error) {
+        return error.what();
+    }
 }
 
 }  // namespace inkedge

@@ -2,29 +2,49 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include <inkedge/error.h>
 
 namespace inkedge {
 
-/// A shared object that lies beside the library and is opened on first use, so that what is costly to load costs only
-/// those who need it. Both sides are built together and share the C++ runtime; no exception crosses.
+/// A shared object that lies beside the library and is opened on first use: what is costly to load, or may be missing,
+/// costs only those who need it. Each wraps one third-party library, which nothing else sees. Both sides are built
+/// together and share the C++ runtime; no exception crosses (modules/failure.h).
 struct Module {
     std::string_view purpose;  ///< for messages: "image formats"
-    const char* file;          ///< its name
-    const char* symbol;        ///< the one symbol that it exports: a function
-    std::string_view library;  ///< what it is there for, for messages: "OpenImageIO"
+    const char* file;          ///< its name: inkedge_NAME.so
+    const char* symbol;        ///< the one symbol that it exports, a function; its number rises with what it returns
+    std::string_view library;  ///< that it is there for, for messages: "OpenImageIO"
+    std::string_view option;   ///< of CMake, that it is built with; empty: it always is
     std::string_view remedy;   ///< what to do without it, after "or"
 };
 
 /// The module's symbol. The module stays open.
 /// @param failure  the kind of the error, if there is one: what the caller was about to do
-/// @throws Error   (failure) if the module is not found beside the library, or does not fit it; a later call
-///                 tries again
+/// @throws Error   (failure) if the module is not found beside the library, does not fit it, or lacks its own library;
+///                 a later call tries again
 [[nodiscard]] void* openModule(const Module&, Error::Kind failure);
 
 /// The same from the first of these folders that holds the module.
 [[nodiscard]] void* openModule(const Module&, std::span<const std::filesystem::path> folders, Error::Kind failure);
+
+/// A module whose symbol is a function without arguments that returns a pointer to its Functions.
+template <class Functions>
+struct ModuleOf : Module {};
+
+/// The functions of a module, which is opened by the first call.
+/// @throws Error  as openModule()
+template <const auto& module>
+[[nodiscard]] const auto& functionsOf(Error::Kind failure) {
+    return []<class Functions>(const ModuleOf<Functions>& opened, Error::Kind kind) -> const Functions& {
+        static const Functions& functions = *reinterpret_cast<const Functions* (*)()>(openModule(opened, kind))();
+        return functions;
+    }(module, failure);
+}
+
+/// Why a module cannot be used, on one line; empty: it can be.
+[[nodiscard]] std::string failureToOpen(const Module&);
 
 }  // namespace inkedge

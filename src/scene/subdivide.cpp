@@ -20,7 +20,7 @@ namespace inkedge {
 namespace {
 
 RefinedFaces refine(const ControlMesh& control, const std::string& name, int levels) {
-    RefinedFaces faces = subdivision().refine(control, levels);
+    RefinedFaces faces = functionsOf<subdivisionModule>(Error::Kind::Runtime).refine(control, levels);
     if (!faces.failure.empty())
         throw Error{Error::Kind::Runtime, fmt::format("mesh {}: expected faces that can be subdivided, found: {}",
                                                       load::quote(name), faces.failure)};

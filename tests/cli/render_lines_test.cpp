@@ -293,21 +293,23 @@ std::filesystem::path someLibrary() {
     return {};
 }
 
-TEST_F(RenderLines, NameEmbreeWhereItIsMissingOrAnotherLibrary) {
+TEST_F(RenderLines, NameEmbreeWhereItIsDamagedOrAnotherLibrary) {
     const Environment here{{"LD_LIBRARY_PATH", (folder_ / "any").parent_path().string()}};  // looked through first
     const std::string number = std::to_string(INKEDGE_EMBREE_VERSION);
     const std::string library = "libembree" + number + ".so." + number;
     put(folder_ / library, "no library");
-    expectFailure(draw("cube.glb", "cube.svg", {}, here), 1,
-                  AllOf(HasSubstr("lines from object space: expected " + library + ", found: "),
-                        HasSubstr("; install Embree " + number + ", or use --lines-from image")));
+    expectFailure(
+        draw("cube.glb", "cube.svg", {}, here), 1,
+        AllOf(HasSubstr("lines from object space: "), HasSubstr("inkedge_embree.so that can be opened, found: "),
+              HasSubstr(library + ": file too short; install Embree or reinstall inkedge, or use "
+                                  "--lines-from image")));
     expectSuccess(draw("cube.glb", "cube.svg", {"--lines-from", "image"}, here));
     std::filesystem::remove(folder_ / library);
     if (someLibrary().empty()) GTEST_SKIP() << "SKIPPED: no /proc";
     std::filesystem::create_symlink(someLibrary(), folder_ / library);
     expectFailure(draw("cube.glb", "other.svg", {}, here), 1,
-                  HasSubstr("lines from object space: expected rtcNewDevice in " + library +
-                            ", found none; install Embree " + number));
+                  AllOf(HasSubstr("lines from object space: "), HasSubstr("undefined symbol: rtc"),
+                        HasSubstr("; install Embree or reinstall inkedge, or use --lines-from image")));
 }
 
 TEST_F(RenderLines, VerboseNamesTheBackendStagesAndFile) {

@@ -9,9 +9,9 @@
 #include <limits>
 
 #include "base/expect_error.h"
-#include "images/read_png.h"
 #include "base/temporary_folder.h"
-#include "images/image_module.h"
+#include "images/image_formats.h"
+#include "images/read_png.h"
 
 using namespace inkedge;
 using testing::AllOf;

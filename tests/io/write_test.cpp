@@ -17,7 +17,7 @@
 
 #include "base/expect_error.h"
 #include "base/temporary_folder.h"
-#include "images/image_module.h"
+#include "images/image_formats.h"
 
 using namespace inkedge;
 using testing::AllOf;
@@ -491,15 +491,15 @@ TEST(ImageModule, saysWhereItWasLookedFor) {
     expectError(Error::Kind::Output,
                 HasSubstr(fmt::format("expected inkedge_image_formats.so in one of {}, {}, found none; reinstall",
                                       folders[0].string(), folders[1].string())),
-                [&] { static_cast<void>(io::openImageFormats(folders, Error::Kind::Output)); });
+                [&] { static_cast<void>(openModule(io::imageModule, folders, Error::Kind::Output)); });
 }
 
 TEST(ImageModule, refusesAFileThatIsNone) {
     const TemporaryFolder folder;
-    put(folder / io::imageFormatsFile, "no library");
+    put(folder / io::imageModule.file, "no library");
     const std::array<fs::path, 1> folders{folder.path()};
-    expectError(Error::Kind::Input, AllOf(HasSubstr("cannot be used"), HasSubstr("reinstall")),
-                [&] { static_cast<void>(io::openImageFormats(folders, Error::Kind::Input)); });
+    expectError(Error::Kind::Input, AllOf(HasSubstr("that can be opened, found: "), HasSubstr("reinstall")),
+                [&] { static_cast<void>(openModule(io::imageModule, folders, Error::Kind::Input)); });
 }
 
 TEST(MetadataJson, tellsTheCameraRowByRow) {

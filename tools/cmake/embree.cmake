@@ -1,4 +1,4 @@
-# inkedge_embree: the headers of Embree 4 or 3, the newest that is there. The library itself is opened on first use.
+# The target embree, of Embree 4 or 3: the newest that is there.
 find_package(embree 4 QUIET)
 if(NOT embree_FOUND)
   find_package(embree 3 QUIET)
@@ -7,7 +7,4 @@ if(NOT embree_FOUND)
   message(FATAL_ERROR "expected Embree 3.13 or 4, found neither; install libembree-dev, or set INKEDGE_EMBREE to OFF")
 endif()
 message(STATUS "Found Embree ${embree_VERSION}")
-add_library(inkedge_embree INTERFACE)
-get_filename_component(folder "${EMBREE_INCLUDE_DIRS}" REALPATH)
-target_include_directories(inkedge_embree SYSTEM INTERFACE "${folder}")
-target_compile_definitions(inkedge_embree INTERFACE INKEDGE_EMBREE_VERSION=${embree_VERSION_MAJOR})
+target_compile_definitions(embree INTERFACE INKEDGE_EMBREE_VERSION=${embree_VERSION_MAJOR})

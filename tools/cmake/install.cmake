@@ -6,11 +6,6 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/inkedge)
 target_compile_features(inkedge PUBLIC cxx_std_20)  # the public headers need it
 install(TARGETS inkedge EXPORT inkedgeTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS inkedge_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-# The library looks for its modules in inkedge/ beside itself: src/modules/open_module.cpp.
-install(TARGETS inkedge_image_formats LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/inkedge)
-if(INKEDGE_OPENSUBDIV)
-  install(TARGETS inkedge_subdivision LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/inkedge)
-endif()
 install(DIRECTORY src/inkedge DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.h)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

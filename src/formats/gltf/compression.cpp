@@ -28,6 +28,10 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr const char* meshopt = "EXT_meshopt_compression";
 constexpr const char* draco = "KHR_draco_mesh_compression";
 
+const Module& moduleOf(std::string_view extension) {
+    return extension == draco ? static_cast<const Module&>(dracoModule) : meshoptModule;
+}
+
 // ---- the work
 
 class Decompression {
@@ -48,7 +52,7 @@ private:
 
     void readView(Json& view) {
         const Json& compressed = extension(view, meshopt);
-        if (compressed.is_null() || !readsMeshopt()) {
+        if (compressed.is_null() || !readsCompression(meshopt)) {
             if (liesInFallback(view)) refuse("expected data of its own, found a buffer that stands in for some");
             return;
         }
@@ -83,7 +87,7 @@ private:
 
     // Primitives that hold the same data in the same way share what comes out.
     void readPrimitive(Json& primitive) {
-        if (!readsDraco()) return checkPlainData(primitive);
+        if (!readsCompression(draco)) return checkPlainData(primitive);
         const Mode mode{static_cast<int>(number(primitive, "mode", static_cast<std::uint64_t>(Mode::Triangles)))};
         if (!drawsTriangles(mode)) return;
         const Json same =
@@ -154,7 +158,7 @@ private:
         const Json& position = member(member(primitive, "attributes"), "POSITION");
         if (position.is_null()) return;
         if (entry(document_, "accessors", number(primitive["attributes"], "POSITION")).contains("bufferView")) return;
-        refuse(fmt::format("the geometry is compressed with {}, which this build does not read", draco));
+        refuse(fmt::format("the geometry is compressed with {}, {}", draco, whyUnread(draco)));
     }
 
     // ---- buffers
@@ -208,12 +212,17 @@ private:
 
 bool isCompression(std::string_view extension) noexcept { return extension == draco || extension == meshopt; }
 
-bool readsCompression(std::string_view extension) noexcept {
-    return (extension == draco && readsDraco()) || (extension == meshopt && readsMeshopt());
+bool readsCompression(std::string_view extension) {
+    return isCompression(extension) && failureToOpen(moduleOf(extension)).empty();
+}
+
+std::string whyUnread(std::string_view extension) {
+    return fmt::format("which this build does not read: {}", failureToOpen(moduleOf(extension)));
 }
 
 bool isFallback(const Json& buffer) {
-    return member(extension(buffer, meshopt), "fallback") == true && (readsMeshopt() || !buffer.contains("uri"));
+    return member(extension(buffer, meshopt), "fallback") == true &&
+           (readsCompression(meshopt) || !buffer.contains("uri"));
 }
 
 void decompress(Json& document, std::vector<Bytes>& buffers, std::uint64_t mostBytes) {

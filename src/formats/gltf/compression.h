@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,8 +12,11 @@ namespace inkedge::gltf {
 /// Whether an extension compresses geometry: EXT_meshopt_compression or KHR_draco_mesh_compression.
 [[nodiscard]] bool isCompression(std::string_view extension) noexcept;
 
-/// Whether this build reads one of these.
-[[nodiscard]] bool readsCompression(std::string_view extension) noexcept;
+/// Whether it is one of these and its module can be opened.
+[[nodiscard]] bool readsCompression(std::string_view extension);
+
+/// What to say after the name of one of these that is not read: "which this build does not read", and why.
+[[nodiscard]] std::string whyUnread(std::string_view extension);
 
 /// Whether a buffer only stands in for data compressed with EXT_meshopt_compression: nothing of it need be read.
 [[nodiscard]] bool isFallback(const nlohmann::json& buffer);

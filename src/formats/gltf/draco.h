@@ -3,9 +3,12 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "formats/gltf/accessor.h"
+#include "modules/failure.h"
+#include "modules/open_module.h"
 
 namespace inkedge::gltf {
 
@@ -27,13 +30,28 @@ struct DracoExpected {
     std::optional<std::uint64_t> triangleCount;  ///< none: any
 };
 
-/// Whether this build reads KHR_draco_mesh_compression.
-[[nodiscard]] bool readsDraco() noexcept;
+// What the library and the module of Draco say to each other.
+struct DecodedDraco {
+    DracoMesh mesh;
+    std::string failure;
+};
+struct DracoFunctions {
+    DecodedDraco (*decode)(std::span<const std::uint8_t> data, const DracoExpected&, std::uint64_t bytesLeft);
+};
+inline constexpr ModuleOf<DracoFunctions> dracoModule{{.purpose = "KHR_draco_mesh_compression",
+                                                       .file = "inkedge_draco.so",
+                                                       .symbol = "inkedge_draco_1",
+                                                       .library = "libdraco",
+                                                       .option = "INKEDGE_DRACO",
+                                                       .remedy = "give a model that is not compressed"}};
 
 /// @param bytesLeft  the most that may come out, in bytes
 /// @throws Error     (Kind::Input) if the data are no Draco mesh of bitstream 2.2, are damaged, lack an attribute, are
-///                   not as expected, hold over 2^24 triangles or over bytesLeft bytes, or this build does not read
-///                   them
-[[nodiscard]] DracoMesh decodeDraco(std::span<const std::uint8_t> data, const DracoExpected&, std::uint64_t bytesLeft);
+///                   not as expected, hold over 2^24 triangles or over bytesLeft bytes, or the module is missing
+[[nodiscard]] inline DracoMesh decodeDraco(std::span<const std::uint8_t> data, const DracoExpected& expected,
+                                           std::uint64_t bytesLeft) {
+    constexpr Error::Kind kind = Error::Kind::Input;
+    return expectNoFailure(functionsOf<dracoModule>(kind).decode(data, expected, bytesLeft), kind).mesh;
+}
 
 }  // namespace inkedge::gltf

@@ -199,7 +199,7 @@ void checkRequiredExtensions(const Json& document) {
     std::erase_if(unread, isRead);
     if (unread.empty()) return;
     if (std::ranges::all_of(unread, isCompression))
-        refuse("the geometry is compressed with " + listed(unread) + ", which this build does not read");
+        refuse(fmt::format("the geometry is compressed with {}, {}", listed(unread), whyUnread(unread.front())));
     refuse("expected only required extensions that this version reads, found " + listed(unread));
 }
 
@@ -224,7 +224,8 @@ Bytes bufferBytes(const fs::path& model, const Json& buffer, std::optional<Bytes
 // A byte in place of a buffer that nothing reads, as no buffer may be empty.
 Bytes standIn(Json& buffer, std::size_t number) {
     if (!readsCompression("EXT_meshopt_compression"))
-        refuse("it stands in for data compressed with EXT_meshopt_compression, which this build does not read");
+        refuse("it stands in for data compressed with EXT_meshopt_compression, " +
+               whyUnread("EXT_meshopt_compression"));
     buffer["uri"] = std::to_string(number);
     buffer["byteLength"] = 1;
     return {0};

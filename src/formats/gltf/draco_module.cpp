@@ -10,6 +10,8 @@
 #include <draco/metadata/metadata_decoder.h>
 #include <fmt/format.h>
 
+#include <inkedge/export.h>
+
 #include "base/message.h"
 
 namespace inkedge::gltf {
@@ -123,11 +125,7 @@ std::vector<std::uint32_t> readTriangles(const draco::Mesh& mesh, std::uint64_t&
     return indices;
 }
 
-}  // namespace
-
-bool readsDraco() noexcept { return true; }
-
-DracoMesh decodeDraco(std::span<const std::uint8_t> data, const DracoExpected& expected, std::uint64_t bytesLeft) {
+DecodedDraco decode(std::span<const std::uint8_t> data, const DracoExpected& expected, std::uint64_t bytesLeft) {
     checkTriangles(encodedTriangles(data), expected);
     draco::DecoderBuffer buffer = bufferOver(data);
     draco::Decoder decoder;
@@ -140,7 +138,17 @@ DracoMesh decodeDraco(std::span<const std::uint8_t> data, const DracoExpected& e
     for (const std::uint32_t id : expected.attributes)
         mesh.attributes.push_back(
             within(label("attribute", id), [&] { return readAttribute(*source, id, bytesLeft); }));
-    return mesh;
+    return {std::move(mesh), {}};
+}
+
+}  // namespace
+
+extern "C" INKEDGE_API const DracoFunctions* inkedge_draco_1() noexcept {
+    static constexpr DracoFunctions functions{
+        [](std::span<const std::uint8_t> data, const DracoExpected& expected, std::uint64_t bytesLeft) {
+            return guarded([&] { return decode(data, expected, bytesLeft); });
+        }};
+    return &functions;
 }
 
 }  // namespace inkedge::gltf

@@ -2,9 +2,12 @@
 
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <meshoptimizer.h>
+
+#include <inkedge/export.h>
 
 #include "base/message.h"
 
@@ -73,21 +76,26 @@ void checkSize(const MeshoptView& view, std::uint64_t dataSize, std::uint64_t by
                            view.count * view.stride / highestRatio, view.count, view.stride, dataSize));
 }
 
-}  // namespace
-
-bool readsMeshopt() noexcept { return true; }
-
-std::vector<std::uint8_t> decodeMeshopt(const MeshoptView& view, std::span<const std::uint8_t> data,
-                                        std::uint64_t bytesLeft) {
-    const Decode decode = decoderOf(view);
+DecodedMeshopt decode(const MeshoptView& view, std::span<const std::uint8_t> data, std::uint64_t bytesLeft) {
+    const Decode decoder = decoderOf(view);
     const Filter filter = filterOf(view);
     checkSize(view, data.size(), bytesLeft);
     std::vector<std::uint8_t> bytes(view.count * view.stride);
-    if (const int failure = decode(bytes.data(), view.count, view.stride, data.data(), data.size()); failure != 0)
+    if (const int failure = decoder(bytes.data(), view.count, view.stride, data.data(), data.size()); failure != 0)
         refuse(fmt::format("expected {} elements in {} bytes, found data that do not decode (error {})", view.count,
                            data.size(), failure));
     if (filter != nullptr) filter(bytes.data(), view.count, view.stride);
-    return bytes;
+    return {std::move(bytes), {}};
+}
+
+}  // namespace
+
+extern "C" INKEDGE_API const MeshoptFunctions* inkedge_meshopt_1() noexcept {
+    static constexpr MeshoptFunctions functions{
+        [](const MeshoptView& view, std::span<const std::uint8_t> data, std::uint64_t bytesLeft) {
+            return guarded([&] { return decode(view, data, bytesLeft); });
+        }};
+    return &functions;
 }
 
 }  // namespace inkedge::gltf

@@ -13,31 +13,15 @@
 #include <string>
 #include <vector>
 
+#include <inkedge/export.h>
+
+#include "modules/failure.h"
+
 namespace inkedge::io {
 namespace {
 
 constexpr const char* notThisFile = "; write it again, as .png or .exr";
 constexpr int rowsAtOnce = 64;  // a multiple of every scanline block that the formats compress
-
-std::string oneLine(std::string text) {
-    while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text.empty() ? "OpenImageIO gives no reason" : text;
-}
-
-/// Calls a function whose result has a `failure`; what it throws becomes one.
-template <class Function>
-auto guarded(Function function) noexcept {
-    decltype(function()) result;
-    try {
-        result = function();
-    } catch (const std::bad_alloc&) {
-        result.failure = "out of memory";
-    } catch (const std::exception& exception) {
-        result.failure = oneLine(exception.what());
-    }
-    return result;
-}
 
 OIIO::TypeDesc typeDesc(SampleType type) {
     switch (type) {
@@ -182,7 +166,7 @@ DecodedPicture decodeJpeg(std::span<const std::uint8_t> bytes, std::uint64_t mos
 
 }  // namespace
 
-extern "C" const ImageFormats* inkedge_image_formats_3() noexcept {
+extern "C" INKEDGE_API const ImageFormats* inkedge_image_formats_3() noexcept {
     static constexpr ImageFormats formats{
         [](FileFormat format, std::span<const Layer> layers, std::span<const HeaderEntry> header) {
             return guarded([&] { return encodeFile(format, layers, header); });

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include <glm/mat4x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "modules/open_module.h"
+
+// What the library and the module of Embree say to each other.
+
+namespace inkedge::lines {
+
+/// A straight way: from + t * along, where begin <= t <= end.
+struct Ray {
+    glm::vec3 from;
+    glm::vec3 along;
+    float begin;
+    float end;
+};
+
+struct RayHit {
+    std::uint32_t instance;
+    std::uint32_t triangle;  ///< of its mesh
+    float at;                ///< t
+};
+
+/// Triangles placed in space, and what rays meet of them, from either side. Safe to ask from several threads.
+class Rays {
+public:
+    Rays() = default;
+    Rays(const Rays&) = delete;
+    Rays& operator=(const Rays&) = delete;
+    virtual ~Rays() = default;
+
+    /// The first triangle that a ray meets, if it meets any.
+    [[nodiscard]] virtual std::optional<RayHit> first(const Ray&) const noexcept = 0;
+    [[nodiscard]] virtual bool meetsAny(const Ray&) const noexcept = 0;
+};
+
+/// Triangles that repeat another are left out: they would hide the edges of their like.
+struct RayMesh {
+    std::span<const glm::vec3> positions;
+    std::span<const std::uint32_t> indices;    ///< three a triangle
+    std::span<const std::uint32_t> originals;  ///< one a triangle: the first of its like, most often itself
+};
+
+struct RayInstance {
+    std::uint32_t mesh;
+    glm::mat4x3 transform;
+};
+
+struct MadeRays {
+    std::unique_ptr<Rays> rays;
+    std::string failure;
+};
+
+struct RayMaker {
+    /// Builds a bounding volume hierarchy a mesh, and one of the instances. Keeps nothing of what it is given.
+    MadeRays (*make)(std::span<const RayMesh>, std::span<const RayInstance>);
+};
+inline constexpr ModuleOf<RayMaker> embreeModule{{.purpose = "lines from object space",
+                                                  .file = "inkedge_embree.so",
+                                                  .symbol = "inkedge_embree_1",
+                                                  .library = "Embree",
+                                                  .option = "INKEDGE_EMBREE",
+                                                  .remedy = "use --lines-from image"}};
+
+}  // namespace inkedge::lines
