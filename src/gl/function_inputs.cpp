@@ -10,10 +10,11 @@
 
 #include <inkedge/settings.h>
 
+#include "base/message.h"
+#include "base/read_file.h"
 #include "gl/errors.h"
 #include "images/decode_picture.h"
-#include "base/read_file.h"
-#include "base/message.h"
+#include "scene/prepared.h"
 
 namespace inkedge::gl {
 namespace {
@@ -149,7 +150,7 @@ FunctionInputs::Paint FunctionInputs::upload(const Scene& scene) const {
         if (material.picture) append(*material.picture, side, entry, texels);
     }
     if (texels.empty()) texels.push_back(0);
-    Paint paint{scene.identity(), filled(api_, materialsOfTriangles(scene)), filled(api_, entries),
+    Paint paint{identityOf(scene), filled(api_, materialsOfTriangles(scene)), filled(api_, entries),
                 filled(api_, texels)};
     checkErrors(api_, "the pictures of a scene's materials", "draw a smaller model or use --backend osmesa");
     return paint;
@@ -157,7 +158,7 @@ FunctionInputs::Paint FunctionInputs::upload(const Scene& scene) const {
 
 void FunctionInputs::bindPaint(const Scene& scene) {
     const auto held = paint_.scene.lock();
-    if (held == nullptr || held != scene.identity().lock()) paint_ = upload(scene);
+    if (held == nullptr || held != identityOf(scene).lock()) paint_ = upload(scene);
     api_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, paint_.triangles.id());
     api_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, paint_.materials.id());
     api_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, paint_.texels.id());

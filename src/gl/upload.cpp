@@ -11,8 +11,8 @@
 #include <glm/vec3.hpp>
 
 #include "gl/errors.h"
-#include "scene/patch_numbers.h"
 #include "mesh/topology.h"
+#include "scene/prepared.h"
 
 namespace inkedge::gl {
 namespace {
@@ -152,9 +152,9 @@ std::vector<Item> itemsOf(const Scene& scene) {
 // Draws only the triangles of layered patches; their indices are added behind all others.
 void appendLayers(const Scene& scene, const Item& item, GLuint place, Geometry& geometry,
                   std::vector<DrawCommand>& commands) {
-    const PatchNumbers& patches = scene.patchNumbers();
+    const PatchNumbers& patches = patchNumbersOf(scene);
     const std::uint32_t meshNumber = scene.instances()[item.instance].mesh;
-    const MeshTopology& topology = scene.topology(meshNumber);
+    const MeshTopology& topology = topologyOf(scene, meshNumber);
     const DrawCommand& mesh = geometry.meshes[meshNumber];
     const auto first = static_cast<GLuint>(geometry.indices.size());
     for (std::uint32_t t = item.first; t < item.first + item.count; ++t) {
@@ -178,14 +178,14 @@ std::vector<float> signedPatchNumbers(const PatchNumbers& patches) {
 
 }  // namespace
 
-UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, scene_{scene.identity()} {
+UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, scene_{identityOf(scene)} {
     Geometry geometry;
     std::size_t vertexCount = 0;
     std::size_t indexCount = 0;
     for (const Mesh& mesh : scene.meshes()) vertexCount += mesh.positions.size(), indexCount += mesh.indices.size();
     geometry.vertices.reserve(vertexCount);
     geometry.indices.reserve(indexCount);
-    for (std::size_t i = 0; i < scene.meshes().size(); ++i) append(scene.meshes()[i], scene.topology(i), geometry);
+    for (std::size_t i = 0; i < scene.meshes().size(); ++i) append(scene.meshes()[i], topologyOf(scene, i), geometry);
 
     const std::vector<Instance>& instances = scene.instances();
     std::uint32_t triangles = 0;
@@ -218,7 +218,7 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
         }
         ++commands.back().instanceCount;
         instanceOrder_.push_back(item.instance);
-        numberings.emplace_back(scene.patchNumbers().base[item.instance], firstTriangles_[item.instance] + item.first,
+        numberings.emplace_back(patchNumbersOf(scene).base[item.instance], firstTriangles_[item.instance] + item.first,
                                 item.count);
         const std::size_t layers = layerCommands.size();
         appendLayers(scene, item, place, geometry, layerCommands);
@@ -239,7 +239,7 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
     geometry.indices = {};
     commands_ = createFilledBuffer(api, commands);
     numberings_ = createFilledBuffer(api, numberings);
-    patchNumbers_ = createFilledBuffer(api, signedPatchNumbers(scene.patchNumbers()));
+    patchNumbers_ = createFilledBuffer(api, signedPatchNumbers(patchNumbersOf(scene)));
     placements_ = createFilledBuffer(api, std::vector<PlacedInstance>(items.size()), GL_DYNAMIC_STORAGE_BIT);
     checkErrors(api, fmt::format("a scene of {} triangles", triangles), "draw a smaller model or use --backend osmesa");
     vertexArray_ = createVertexArray(api);
@@ -265,7 +265,7 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
 
 bool UploadedScene::holds(const Scene& scene) const noexcept {
     const auto held = scene_.lock();
-    return held != nullptr && held == scene.identity().lock();
+    return held != nullptr && held == identityOf(scene).lock();
 }
 
 void UploadedScene::place(const std::vector<PlacedInstance>& placements) const {

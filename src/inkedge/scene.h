@@ -67,8 +67,7 @@ struct SceneCamera {
     double orthographicHeight = 0.0;  ///< scene units across the picture's height; 0: perspective
 };
 
-struct MeshTopology;  // internal: scene/topology.h
-struct PatchNumbers;  // internal: scene/patch_numbers.h
+struct PreparedScene;  // internal
 
 /// An immutable set of meshes, their placements and cameras. Copies are cheap and share the data.
 /// Safe to read from several threads.
@@ -112,19 +111,12 @@ public:
     /// Triangles drawn: every instance counts.
     [[nodiscard]] std::uint64_t triangleCount() const noexcept;
 
-    /// How mesh i's triangles hang together, and the patches of all instances: for the library's own passes.
-    [[nodiscard]] const MeshTopology& topology(std::size_t i) const noexcept;
-    [[nodiscard]] const PatchNumbers& patchNumbers() const noexcept;
-
     /// Wall time that the constructor took: the part of loadScene() that is not reading the file.
     [[nodiscard]] double preparationMilliseconds() const noexcept;
 
-    /// The same for all copies of one scene and for no other scene alive.
-    [[nodiscard]] std::weak_ptr<const void> identity() const noexcept;
-
 private:
-    struct Prepared;
-    std::shared_ptr<const Prepared> data_;
+    friend const std::shared_ptr<const PreparedScene>& preparedOf(const Scene&) noexcept;
+    std::shared_ptr<const PreparedScene> prepared_;
 };
 
 /// Reads a model: glTF 2.0 (.glb, .gltf; Draco and meshopt compression included), OBJ, STL or PLY. A file of the last

@@ -5,7 +5,7 @@
 
 #include "lines/bridge_gaps.h"
 #include "lines/chains.h"
-#include "scene/patch_numbers.h"
+#include "scene/prepared.h"
 
 namespace inkedge::lines {
 namespace {

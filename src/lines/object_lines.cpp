@@ -10,22 +10,22 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "base/parallel.h"
 #include "camera/stands_outside.h"
 #include "lines/bridge_gaps.h"
 #include "lines/chains.h"
 #include "lines/find/contour_finders.h"
 #include "lines/find/contours.h"
-#include "lines/see/crossings.h"
 #include "lines/find/intersections.h"
 #include "lines/find/isolines.h"
 #include "lines/find/mesh_edges.h"
-#include "lines/see/ray_caster.h"
 #include "lines/screen.h"
+#include "lines/see/crossings.h"
+#include "lines/see/ray_caster.h"
 #include "lines/see/surface_parts.h"
 #include "lines/see/visible_parts.h"
-#include "base/parallel.h"
-#include "scene/patch_numbers.h"
 #include "mesh/topology.h"
+#include "scene/prepared.h"
 
 namespace inkedge::lines {
 namespace {
@@ -205,9 +205,9 @@ Line makeLine(const View& view, const Chain& chain, const Part& part, std::uint8
 struct ObjectLines::State {
     explicit State(const Scene& whole) : scene{whole}, rays{scene} {
         for (std::size_t i = 0; i < scene.meshes().size(); ++i)
-            edges.push_back(findEdges(scene.meshes()[i], scene.topology(i), scene.creaseAngle()));
+            edges.push_back(findEdges(scene.meshes()[i], topologyOf(scene, i), scene.creaseAngle()));
         for (std::size_t i = 0; i < scene.meshes().size(); ++i)
-            searches.push_back(std::make_unique<ContourSearch>(scene.meshes()[i], scene.topology(i), edges[i]));
+            searches.push_back(std::make_unique<ContourSearch>(scene.meshes()[i], topologyOf(scene, i), edges[i]));
         memories_.resize(scene.instances().size());
         borders = findBorderParts(scene, edges);
     }
@@ -221,7 +221,7 @@ struct ObjectLines::State {
     const ControlMesh& controlOf(std::uint32_t mesh) const {
         const std::scoped_lock lock{mutex_};
         controls_.resize(scene.meshes().size());
-        if (!controls_[mesh]) controls_[mesh] = controlMesh(scene.meshes()[mesh], scene.topology(mesh));
+        if (!controls_[mesh]) controls_[mesh] = controlMesh(scene.meshes()[mesh], topologyOf(scene, mesh));
         return *controls_[mesh];
     }
 
@@ -246,7 +246,7 @@ struct ObjectLines::State {
         std::vector<std::vector<IsolineSegment>> found(scene.meshes().size());
         if (steps != Isolines{}) {
             for (std::size_t i = 0; i < found.size(); ++i)
-                found[i] = findIsolines(scene.meshes()[i], scene.topology(i), steps);
+                found[i] = findIsolines(scene.meshes()[i], topologyOf(scene, i), steps);
         }
         isolines_ = std::make_shared<const std::vector<std::vector<IsolineSegment>>>(std::move(found));
         isolineSteps_ = steps;
@@ -299,7 +299,7 @@ ObjectLines::ObjectLines(const Scene& scene) : state_{std::make_unique<State>(sc
 ObjectLines::~ObjectLines() = default;
 
 bool ObjectLines::holds(const Scene& scene) const noexcept {
-    return state_->scene.identity().lock() == scene.identity().lock();
+    return identityOf(state_->scene).lock() == identityOf(scene).lock();
 }
 
 Lines ObjectLines::find(const Camera& camera, const Settings& settings, const ViewBuffers* buffers) const {

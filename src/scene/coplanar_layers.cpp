@@ -104,8 +104,8 @@ bool separates(const FlatTriangle& a, const FlatTriangle& b, double margin) {
 
 class LayerFinder {
 public:
-    LayerFinder(const Scene& scene, const PatchNumbers& patches)
-        : scene_{scene}, patches_{patches}, layered_(patches.number.size(), false) {}
+    LayerFinder(const PlacedMeshes& placed, const PatchNumbers& patches)
+        : placed_{placed}, patches_{patches}, layered_(patches.number.size(), false) {}
 
     std::vector<bool> find() {
         collectRuns();
@@ -127,12 +127,11 @@ public:
 
 private:
     [[nodiscard]] WorldTriangles triangles(std::size_t instance) const {
-        return {scene_, scene_.instances()[instance], scene_.bounds().centre};
+        return {placed_.meshOf(instance), placed_.instances[instance].transform, placed_.bounds.centre};
     }
 
     [[nodiscard]] std::uint32_t patchOf(std::uint32_t instance, std::uint32_t triangle) const {
-        const std::uint32_t mesh = scene_.instances()[instance].mesh;
-        return patches_.base[instance] + scene_.topology(mesh).patches[triangle];
+        return patches_.base[instance] + placed_.topologyOf(instance).patches[triangle];
     }
 
     [[nodiscard]] std::uint32_t numberOf(std::uint32_t instance, std::uint32_t triangle) const {
@@ -144,7 +143,7 @@ private:
         std::mutex mutex;
         std::vector<std::vector<Run>> parts;
         std::size_t count = 0;
-        for (std::uint32_t i = 0; i < scene_.instances().size(); ++i) {
+        for (std::uint32_t i = 0; i < placed_.instances.size(); ++i) {
             inRanges(triangles(i).count(), [&](std::size_t begin, std::size_t end) {
                 std::vector<Run> runs = runsOf(i, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
                 const std::scoped_lock lock{mutex};
@@ -171,7 +170,7 @@ private:
             run.count = 0;
         };
         for (std::uint32_t t = begin; t < end; ++t) {
-            const std::optional<Plane> plane = planeOf(world.triangle(t), scene_.bounds().radius);
+            const std::optional<Plane> plane = planeOf(world.triangle(t), placed_.bounds.radius);
             if (!plane) {
                 close();
                 continue;
@@ -201,7 +200,7 @@ private:
         if (std::ranges::all_of(group, [&](const Run& run) { return numberOfRun(run) == firstNumber; })) return;
 
         const std::vector<FlatTriangle> flat = flatten(group);
-        const double margin = planeTolerance * scene_.bounds().radius;
+        const double margin = planeTolerance * placed_.bounds.radius;
         std::vector<const FlatTriangle*> active;
         for (const FlatTriangle& one : flat) {
             if (active.size() >= stepsLeft_) return markAll(group);
@@ -226,7 +225,7 @@ private:
     [[nodiscard]] std::array<glm::dvec3, 3> nearest(const Run& run) const {
         const WorldTriangles world = triangles(run.instance);
         std::uint32_t t = run.first;
-        while (planeOf(world.triangle(t), scene_.bounds().radius)->distance != run.low) ++t;
+        while (planeOf(world.triangle(t), placed_.bounds.radius)->distance != run.low) ++t;
         return world.triangle(t);
     }
 
@@ -253,7 +252,7 @@ private:
         return flat;
     }
 
-    const Scene& scene_;
+    const PlacedMeshes& placed_;
     const PatchNumbers& patches_;
     std::vector<bool> layered_;
     std::vector<Run> runs_;
@@ -262,9 +261,9 @@ private:
 
 }  // namespace
 
-std::vector<bool> findCoplanarLayers(const Scene& scene, const PatchNumbers& patches) {
-    if (patches.count < 2 || scene.bounds().radius == 0.0) return std::vector<bool>(patches.number.size(), false);
-    return LayerFinder{scene, patches}.find();
+std::vector<bool> findCoplanarLayers(const PlacedMeshes& placed, const PatchNumbers& patches) {
+    if (patches.count < 2 || placed.bounds.radius == 0.0) return std::vector<bool>(patches.number.size(), false);
+    return LayerFinder{placed, patches}.find();
 }
 
 }  // namespace inkedge

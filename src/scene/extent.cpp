@@ -8,6 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "scene/prepared.h"
+
 namespace inkedge {
 namespace {
 
@@ -22,15 +24,15 @@ std::array<glm::dvec3, 8> cornersOf(const Box& box) {
 
 // The maximum of a convex measure(position, world transform) over all drawn vertices: over a box it lies at a corner.
 template <class Measure>
-double maximum(const Scene& scene, Measure measure) {
+double maximum(const PlacedBoxes& placed, Measure measure) {
     double most = -std::numeric_limits<double>::infinity();
-    for (const Instance& instance : scene.instances()) {
-        const Mesh& mesh = scene.meshes()[instance.mesh];
+    for (const Instance& instance : placed.instances) {
+        const Mesh& mesh = placed.meshes[instance.mesh];
         const auto at = [&](glm::dvec3 p) {
             return measure(glm::dvec3{instance.transform * glm::dvec4{p + mesh.origin, 1.0}});
         };
         double reach = -std::numeric_limits<double>::infinity();
-        for (const glm::dvec3 corner : cornersOf(scene.meshBox(instance.mesh))) reach = std::max(reach, at(corner));
+        for (const glm::dvec3 corner : cornersOf(placed.boxes[instance.mesh])) reach = std::max(reach, at(corner));
         if (reach <= most) continue;
         for (const glm::vec3 p : mesh.positions) most = std::max(most, at(p));
     }
@@ -40,29 +42,31 @@ double maximum(const Scene& scene, Measure measure) {
 }  // namespace
 
 double support(const Scene& scene, glm::dvec3 direction) {
-    return maximum(scene, [&](glm::dvec3 p) { return glm::dot(direction, p); });
+    const PreparedScene& prepared = *preparedOf(scene);
+    return maximum({prepared.data.meshes, prepared.meshBoxes, prepared.data.instances},
+                   [&](glm::dvec3 p) { return glm::dot(direction, p); });
 }
 
-Box boxOfAll(const Scene& scene) {
+Box boxOfAll(const PlacedBoxes& placed) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Box all{glm::dvec3{infinity}, glm::dvec3{-infinity}};
-    for (const Instance& instance : scene.instances()) {
-        const Mesh& mesh = scene.meshes()[instance.mesh];
+    for (const Instance& instance : placed.instances) {
+        const Mesh& mesh = placed.meshes[instance.mesh];
         const auto at = [&](glm::dvec3 p) { return glm::dvec3{instance.transform * glm::dvec4{p + mesh.origin, 1.0}}; };
         const auto addTo = [&](Box& box, glm::dvec3 p) {
             box.min = glm::min(box.min, at(p));
             box.max = glm::max(box.max, at(p));
         };
         Box reach = all;
-        for (const glm::dvec3 corner : cornersOf(scene.meshBox(instance.mesh))) addTo(reach, corner);
+        for (const glm::dvec3 corner : cornersOf(placed.boxes[instance.mesh])) addTo(reach, corner);
         if (reach.min == all.min && reach.max == all.max) continue;
         for (const glm::vec3 p : mesh.positions) addTo(all, p);
     }
     return all;
 }
 
-double farthestDistance(const Scene& scene, glm::dvec3 point) {
-    return std::sqrt(maximum(scene, [&](glm::dvec3 p) { return glm::dot(p - point, p - point); }));
+double farthestDistance(const PlacedBoxes& placed, glm::dvec3 point) {
+    return std::sqrt(maximum(placed, [&](glm::dvec3 p) { return glm::dot(p - point, p - point); }));
 }
 
 }  // namespace inkedge

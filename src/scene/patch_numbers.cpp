@@ -13,21 +13,21 @@
 
 namespace inkedge {
 
-PatchNumbers numberPatches(const Scene& scene, double creaseAngle) {
+PatchNumbers numberPatches(const PlacedMeshes& placed, double creaseAngle) {
     PatchNumbers patches;
     std::uint32_t total = 0;
-    for (const Instance& instance : scene.instances()) {
+    for (std::size_t i = 0; i < placed.instances.size(); ++i) {
         patches.base.push_back(total);
-        total += scene.topology(instance.mesh).patchCount;
+        total += placed.topologyOf(i).patchCount;
     }
     UnionFind joined{total};
-    joinAcrossSeams(scene, patches.base, creaseAngle, joined);
+    joinAcrossSeams(placed, patches.base, creaseAngle, joined);
     patches.number.resize(total);
     for (std::uint32_t p = 0; p < total; ++p) {  // a root is the least of its set, so it comes first
         const std::uint32_t root = joined.root(p);
         patches.number[p] = root == p ? ++patches.count : patches.number[root];
     }
-    patches.layered = findCoplanarLayers(scene, patches);
+    patches.layered = findCoplanarLayers(placed, patches);
     return patches;
 }
 

@@ -3,10 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <inkedge/scene.h>
-
-#include "scene/scene_face.h"
-#include "mesh/topology.h"
+#include "scene/placed_meshes.h"
 
 namespace inkedge {
 
@@ -24,13 +21,6 @@ struct PatchNumbers {
 /// by material or node) and the surfaces go on across it at less than the crease angle: what is drawn as one surface.
 /// A layer is a face that shares a part of its plane with a face of another patch: there the depth test cannot choose,
 /// so the lines of both must show.
-[[nodiscard]] PatchNumbers numberPatches(const Scene&, double creaseAngle);
-
-/// The number of a face's patch.
-[[nodiscard]] inline std::uint32_t patchOf(const Scene& scene, SceneFace face) {
-    const PatchNumbers& patches = scene.patchNumbers();
-    const MeshTopology& topology = scene.topology(scene.instances()[face.instance].mesh);
-    return patches.number[patches.base[face.instance] + topology.patches[face.triangle]];
-}
+[[nodiscard]] PatchNumbers numberPatches(const PlacedMeshes&, double creaseAngle);
 
 }  // namespace inkedge

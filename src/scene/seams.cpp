@@ -20,13 +20,13 @@ constexpr double seamTolerance = 5e-5;  // of the scene's radius: 1/40 pixel of 
 std::uint64_t maximumSteps(std::size_t borders) { return 40'000'000 + 100 * std::uint64_t{borders}; }
 
 std::vector<BorderEdge> collectBorders(
-    const Scene& scene, const std::function<const std::vector<glm::dvec3>&(std::uint32_t mesh)>& faceNormals) {
+    const PlacedMeshes& placed, const std::function<const std::vector<glm::dvec3>&(std::uint32_t mesh)>& faceNormals) {
     std::vector<BorderEdge> borders;
-    for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
-        const Instance& instance = scene.instances()[i];
-        const MeshTopology& topology = scene.topology(instance.mesh);
+    for (std::uint32_t i = 0; i < placed.instances.size(); ++i) {
+        const Instance& instance = placed.instances[i];
+        const MeshTopology& topology = placed.topologyOf(i);
         const std::vector<glm::dvec3>& normals = faceNormals(instance.mesh);
-        const WorldTriangles triangles{scene, instance, scene.bounds().centre};
+        const WorldTriangles triangles{placed.meshOf(i), instance.transform, placed.bounds.centre};
         for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
             if (topology.twins[h] != noHalfEdge || normals[h / 3] == glm::dvec3{0.0}) continue;
             if (topology.originals[h / 3] != h / 3) continue;  // a face that repeats another has no twins of its own
@@ -53,10 +53,10 @@ std::vector<Box> boxesOf(const std::vector<BorderEdge>& edges) {
 
 }  // namespace
 
-Borders::Borders(const Scene& scene,
+Borders::Borders(const PlacedMeshes& placed,
                  const std::function<const std::vector<glm::dvec3>&(std::uint32_t mesh)>& faceNormals)
-    : edges_{collectBorders(scene, faceNormals)},
-      tolerance_{seamTolerance * scene.bounds().radius},
+    : edges_{collectBorders(placed, faceNormals)},
+      tolerance_{seamTolerance * placed.bounds.radius},
       boxes_{boxesOf(edges_)},
       tree_{boxes_},
       stepsLeft_{maximumSteps(edges_.size())} {}
@@ -85,14 +85,15 @@ std::optional<SharedLength> runAlong(const BorderEdge& one, const BorderEdge& ot
     return shared;
 }
 
-void joinAcrossSeams(const Scene& scene, const std::vector<std::uint32_t>& base, double creaseAngle,
+void joinAcrossSeams(const PlacedMeshes& placed, const std::vector<std::uint32_t>& base, double creaseAngle,
                      UnionFind& joined) {
     // Faces that go on across the seam at a bend under the crease angle point away from each other by more than this.
     const double oppositeCosine = -std::cos(glm::radians(creaseAngle));
-    Borders borders{
-        scene, [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& { return scene.topology(mesh).faceNormals; }};
+    Borders borders{placed, [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& {
+                        return placed.topologies[mesh].faceNormals;
+                    }};
     const auto patchOf = [&](const BorderEdge& edge) {
-        return base[edge.instance] + scene.topology(scene.instances()[edge.instance].mesh).patches[edge.halfEdge / 3];
+        return base[edge.instance] + placed.topologyOf(edge.instance).patches[edge.halfEdge / 3];
     };
     for (std::uint32_t i = 0; i < borders.edges().size(); ++i) {
         const BorderEdge& border = borders.edges()[i];

@@ -5,14 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include <inkedge/scene.h>
-
-#include "scene/box_tree.h"
 #include "base/union_find.h"
+#include "scene/box_tree.h"
+#include "scene/placed_meshes.h"
 
 namespace inkedge {
 
-/// A border of an instance's mesh, in world space less the centre of Scene::bounds().
+/// A border of an instance's mesh, in world space less the centre of PlacedMeshes::bounds.
 struct BorderEdge {
     std::uint32_t instance;
     std::uint32_t halfEdge;
@@ -25,7 +24,7 @@ struct BorderEdge {
 class Borders {
 public:
     /// @param faceNormals  for each mesh as MeshTopology::faceNormals
-    Borders(const Scene&, const std::function<const std::vector<glm::dvec3>&(std::uint32_t mesh)>& faceNormals);
+    Borders(const PlacedMeshes&, const std::function<const std::vector<glm::dvec3>&(std::uint32_t mesh)>& faceNormals);
 
     [[nodiscard]] const std::vector<BorderEdge>& edges() const noexcept { return edges_; }
     /// How far apart two borders that run along each other may be: 1/20,000 of the scene's radius.
@@ -61,6 +60,7 @@ struct SharedLength {
 /// scene's radius, bent there by less than the crease angle. O(b log b + pairs of borders that are near each other).
 /// @param base    where each instance's patches begin
 /// @param joined  sets of all instances' patches
-void joinAcrossSeams(const Scene&, const std::vector<std::uint32_t>& base, double creaseAngle, UnionFind& joined);
+void joinAcrossSeams(const PlacedMeshes&, const std::vector<std::uint32_t>& base, double creaseAngle,
+                     UnionFind& joined);
 
 }  // namespace inkedge

@@ -10,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "mesh/topology.h"
+#include "scene/prepared.h"
 
 namespace inkedge {
 namespace {
@@ -51,12 +52,12 @@ void collect(const Mesh& mesh, const MeshTopology& topology, std::size_t stride,
 
 double typicalBend(const Scene& scene) {
     std::size_t all = 0;
-    for (std::size_t i = 0; i < scene.meshes().size(); ++i) all += scene.topology(i).twins.size();
+    for (std::size_t i = 0; i < scene.meshes().size(); ++i) all += topologyOf(scene, i).twins.size();
     std::size_t stride = all / mostLooked + 1;
     if (stride % 3 == 0) ++stride;  // else one side only of every triangle
     std::vector<Edge> edges;
     for (std::size_t i = 0; i < scene.meshes().size(); ++i)
-        collect(scene.meshes()[i], scene.topology(i), stride, edges);
+        collect(scene.meshes()[i], topologyOf(scene, i), stride, edges);
     std::ranges::sort(edges, {}, &Edge::bend);
     double sum = 0.0;
     for (const Edge& edge : edges) sum += edge.length;

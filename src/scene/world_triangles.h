@@ -12,7 +12,9 @@ namespace inkedge {
 class WorldTriangles {
 public:
     WorldTriangles(const Scene& scene, const Instance& instance, glm::dvec3 origin)
-        : mesh_{scene.meshes()[instance.mesh]}, transform_{instance.transform} {
+        : WorldTriangles{scene.meshes()[instance.mesh], instance.transform, origin} {}
+    WorldTriangles(const Mesh& mesh, const glm::dmat4& transform, glm::dvec3 origin)
+        : mesh_{mesh}, transform_{transform} {
         transform_[3] += transform_ * glm::dvec4{mesh_.origin, 0.0} - glm::dvec4{origin, 0.0};
     }
 

@@ -6,8 +6,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
-#include "scene/patch_numbers.h"
 #include "mesh/topology.h"
+#include "scene/prepared.h"
 
 namespace inkedge {
 namespace {
@@ -45,10 +45,10 @@ ScreenTriangles::ScreenTriangles(const Scene& scene, const std::vector<std::uint
 }
 
 void ScreenTriangles::collectLayerBorders() {
-    const PatchNumbers& patches = scene_.patchNumbers();
+    const PatchNumbers& patches = patchNumbersOf(scene_);
     if (std::ranges::find(patches.layered, true) == patches.layered.end()) return;
     for (std::uint32_t i = 0; i < scene_.instances().size(); ++i) {
-        const MeshTopology& topology = scene_.topology(scene_.instances()[i].mesh);
+        const MeshTopology& topology = topologyOf(scene_, scene_.instances()[i].mesh);
         for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
             const std::uint32_t patch = patches.base[i] + topology.patches[h / 3];
             if (!patches.layered[patch] || (isHalfEdge(topology.twins[h]) && !topology.creases[h])) continue;
@@ -59,7 +59,7 @@ void ScreenTriangles::collectLayerBorders() {
 
 bool ScreenTriangles::touch(SceneFace a, SceneFace b) const {
     if (a.instance != b.instance) return false;
-    const auto& points = scene_.topology(scene_.instances()[a.instance].mesh).points;
+    const auto& points = topologyOf(scene_, scene_.instances()[a.instance].mesh).points;
     for (std::uint32_t i = 0; i < 3; ++i) {
         for (std::uint32_t j = 0; j < 3; ++j) {
             if (points[3 * a.triangle + i] == points[3 * b.triangle + j]) return true;
@@ -126,7 +126,7 @@ ScreenTriangles::Plane ScreenTriangles::plane(SceneFace t, glm::dvec2 at) const 
 }
 
 ScreenTriangles::Walk ScreenTriangles::walk(SceneFace from, glm::dvec2 start, glm::dvec2 goal) const {
-    const MeshTopology& topology = scene_.topology(scene_.instances()[from.instance].mesh);
+    const MeshTopology& topology = topologyOf(scene_, scene_.instances()[from.instance].mesh);
     const glm::dvec3 p{start, 1.0};
     const glm::dvec3 q{goal, 1.0};
     SceneFace at = from;

@@ -12,7 +12,7 @@
 
 #include <inkedge/reference.h>
 
-#include "scene/patch_numbers.h"
+#include "scene/prepared.h"
 
 namespace inkedge {
 namespace {

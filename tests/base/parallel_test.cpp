@@ -10,8 +10,8 @@
 #include <gmock/gmock.h>
 #include <sched.h>
 
-#include "scene/patch_numbers.h"
 #include "mesh/topology.h"
+#include "scene/prepared.h"
 #include "scenes.h"
 
 namespace inkedge {
@@ -103,16 +103,16 @@ TEST(Scene, isPreparedAlikeByOneThreadAndByMany) {
     EXPECT_EQ(mesh.positions, one.meshes()[0].positions);
     EXPECT_EQ(mesh.normals, one.meshes()[0].normals);
     EXPECT_EQ(mesh.indices, one.meshes()[0].indices);
-    EXPECT_EQ(many.topology(0).points, one.topology(0).points);
-    EXPECT_EQ(many.topology(0).twins, one.topology(0).twins);
-    EXPECT_EQ(many.topology(0).originals, one.topology(0).originals);
-    EXPECT_EQ(many.topology(0).creases, one.topology(0).creases);
-    EXPECT_EQ(many.topology(0).patches, one.topology(0).patches);
-    EXPECT_EQ(many.patchNumbers().number, one.patchNumbers().number);
-    EXPECT_EQ(many.patchNumbers().layered, one.patchNumbers().layered);
-    EXPECT_THAT(many.patchNumbers().layered, testing::Contains(true));
-    EXPECT_THAT(many.patchNumbers().layered, testing::Contains(false));
-    EXPECT_THAT(many.topology(0).creases, testing::Contains(true));
+    EXPECT_EQ(topologyOf(many, 0).points, topologyOf(one, 0).points);
+    EXPECT_EQ(topologyOf(many, 0).twins, topologyOf(one, 0).twins);
+    EXPECT_EQ(topologyOf(many, 0).originals, topologyOf(one, 0).originals);
+    EXPECT_EQ(topologyOf(many, 0).creases, topologyOf(one, 0).creases);
+    EXPECT_EQ(topologyOf(many, 0).patches, topologyOf(one, 0).patches);
+    EXPECT_EQ(patchNumbersOf(many).number, patchNumbersOf(one).number);
+    EXPECT_EQ(patchNumbersOf(many).layered, patchNumbersOf(one).layered);
+    EXPECT_THAT(patchNumbersOf(many).layered, testing::Contains(true));
+    EXPECT_THAT(patchNumbersOf(many).layered, testing::Contains(false));
+    EXPECT_THAT(topologyOf(many, 0).creases, testing::Contains(true));
 }
 
 }  // namespace

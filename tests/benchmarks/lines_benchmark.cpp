@@ -20,8 +20,9 @@
 #include "lines/find/mesh_edges.h"
 #include "lines/object_lines.h"
 #include "lines/see/ray_caster.h"
-#include "meshes.h"
 #include "mesh/topology.h"
+#include "meshes.h"
+#include "scene/prepared.h"
 
 namespace inkedge::benchmarks {
 namespace {
@@ -55,7 +56,7 @@ struct Prepared {
     }
 
     Scene scene;
-    MeshEdges edges = findEdges(scene.meshes()[0], scene.topology(0), scene.creaseAngle());
+    MeshEdges edges = findEdges(scene.meshes()[0], topologyOf(scene, 0), scene.creaseAngle());
 };
 
 // One model at a time: the largest take hundreds of megabytes.
@@ -103,7 +104,7 @@ void addView(Model model) {
         const Scene& scene = prepared(model).scene;
         for (auto _ : state)
             benchmark::DoNotOptimize(
-                findEdges(scene.meshes()[0], scene.topology(0), scene.creaseAngle()).closed.data());
+                findEdges(scene.meshes()[0], topologyOf(scene, 0), scene.creaseAngle()).closed.data());
     });
     add("ray-tree/" + nameOf(model), [model](benchmark::State& state) {
         const Scene& scene = prepared(model).scene;
@@ -136,7 +137,7 @@ void addView(Model model) {
 // it misses, by length.
 void timeFinder(benchmark::State& state, Model model, ContourFinder finder) {
     const Prepared& of = prepared(model);
-    const ContourSearch search{of.scene.meshes()[0], of.scene.topology(0), of.edges};
+    const ContourSearch search{of.scene.meshes()[0], topologyOf(of.scene, 0), of.edges};
     const Mesh& mesh = of.scene.meshes()[0];
     const bool orthographic = finder == ContourFinder::Gauss;
     const auto lengthOf = [&](const std::vector<std::uint32_t>& edges) {
@@ -187,7 +188,7 @@ void addFinders(Model model) {
                 const Prepared& of = prepared(model);
                 std::size_t bytes = 0;
                 for (auto _ : state)
-                    bytes = ContourSearch{of.scene.meshes()[0], of.scene.topology(0), of.edges}.prepare(finder);
+                    bytes = ContourSearch{of.scene.meshes()[0], topologyOf(of.scene, 0), of.edges}.prepare(finder);
                 state.counters["edges"] = static_cast<double>(of.edges.shared.halfEdges.size());
                 state.counters["bytes"] = static_cast<double>(bytes);
             });

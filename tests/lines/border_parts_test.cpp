@@ -5,6 +5,7 @@
 
 #include "lines/segment.h"
 #include "lines/views.h"
+#include "scene/prepared.h"
 
 namespace inkedge::lines {
 namespace {
@@ -15,7 +16,7 @@ using namespace views;
 std::vector<BorderPart> partsOf(const Scene& scene) {
     std::vector<MeshEdges> edges;
     for (std::size_t i = 0; i < scene.meshes().size(); ++i)
-        edges.push_back(findEdges(scene.meshes()[i], scene.topology(i), scene.creaseAngle()));
+        edges.push_back(findEdges(scene.meshes()[i], topologyOf(scene, i), scene.creaseAngle()));
     return findBorderParts(scene, edges);
 }
 

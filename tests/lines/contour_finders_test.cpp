@@ -11,6 +11,7 @@
 #include <inkedge/error.h>
 
 #include "lines/object_lines.h"
+#include "scene/prepared.h"
 #include "scenes.h"
 
 namespace inkedge::lines {
@@ -26,8 +27,8 @@ struct Searched {
     explicit Searched(Scene whole, std::size_t mesh = 0)
         : scene{std::move(whole)},
           number{mesh},
-          edges{findEdges(scene.meshes()[mesh], scene.topology(mesh), scene.creaseAngle())},
-          search{std::make_unique<ContourSearch>(scene.meshes()[mesh], scene.topology(mesh), edges)} {}
+          edges{findEdges(scene.meshes()[mesh], topologyOf(scene, mesh), scene.creaseAngle())},
+          search{std::make_unique<ContourSearch>(scene.meshes()[mesh], topologyOf(scene, mesh), edges)} {}
     Searched(const Searched&) = delete;
     Searched& operator=(const Searched&) = delete;
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "lines/views.h"
+#include "scene/prepared.h"
 
 namespace inkedge::lines {
 namespace {
@@ -25,7 +26,7 @@ struct Parts {
     static std::vector<MeshEdges> edgesOf(const Scene& scene) {
         std::vector<MeshEdges> edges;
         for (std::size_t i = 0; i < scene.meshes().size(); ++i)
-            edges.push_back(findEdges(scene.meshes()[i], scene.topology(i), scene.creaseAngle()));
+            edges.push_back(findEdges(scene.meshes()[i], topologyOf(scene, i), scene.creaseAngle()));
         return edges;
     }
 };

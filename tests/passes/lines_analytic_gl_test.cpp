@@ -12,7 +12,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "gl/gl_test.h"
-#include "scene/patch_numbers.h"
+#include "scene/prepared.h"
 #include "scenes.h"
 
 namespace inkedge {

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "scene/prepared.h"
 #include "scenes.h"
 
 namespace inkedge {
@@ -14,7 +15,7 @@ using testing::Each;
 using testing::ElementsAre;
 
 // One flag a patch of an instance, in the order of instances.
-const std::vector<bool>& layersOf(const Scene& scene) { return scene.patchNumbers().layered; }
+const std::vector<bool>& layersOf(const Scene& scene) { return patchNumbersOf(scene).layered; }
 
 Mesh square(double x, double y, double side, double z = 0.0) {
     return scenes::quad({x, y, z}, {x + side, y, z}, {x + side, y + side, z}, {x, y + side, z});

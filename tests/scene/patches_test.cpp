@@ -1,5 +1,5 @@
 // The patches of whole scenes: what the seams between their parts join.
-#include "scene/patch_numbers.h"
+#include "scene/prepared.h"
 
 #include <set>
 #include <utility>
@@ -19,10 +19,10 @@ using testing::ElementsAre;
 
 // One number a triangle of the scene, in the order of instances.
 std::vector<std::uint32_t> numbersOf(const Scene& scene) {
-    const PatchNumbers& patches = scene.patchNumbers();
+    const PatchNumbers& patches = patchNumbersOf(scene);
     std::vector<std::uint32_t> numbers;
     for (std::size_t i = 0; i < scene.instances().size(); ++i) {
-        for (const std::uint32_t p : scene.topology(scene.instances()[i].mesh).patches) {
+        for (const std::uint32_t p : topologyOf(scene, scene.instances()[i].mesh).patches) {
             numbers.push_back(patches.number[patches.base[i] + p]);
         }
     }
@@ -124,10 +124,9 @@ TEST(Seams, leaveEdgesOfThreeFacesApart) {
 }
 
 TEST(Seams, leaveClosedBodiesThatTouchApart) {
-    EXPECT_EQ(scenes::sceneOf({{scenes::cube(), identity()}, {scenes::cube(), scenes::translation({2, 0, 0})}})
-                  .patchNumbers()
-                  .count,
-              12U);
+    const Scene scene =
+        scenes::sceneOf({{scenes::cube(), identity()}, {scenes::cube(), scenes::translation({2, 0, 0})}});
+    EXPECT_EQ(patchNumbersOf(scene).count, 12U);
 }
 
 TEST(PatchNumbers, countEachInstanceAnew) {
@@ -135,8 +134,8 @@ TEST(PatchNumbers, countEachInstanceAnew) {
     data.meshes = {scenes::cube()};
     for (int i = 0; i < 3; ++i) data.instances.push_back({"cube", 0, scenes::translation({5.0 * i, 0, 0})});
     const Scene scene{std::move(data)};
-    EXPECT_THAT(scene.patchNumbers().base, ElementsAre(0, 6, 12));
-    EXPECT_EQ(scene.patchNumbers().count, 18U);
+    EXPECT_THAT(patchNumbersOf(scene).base, ElementsAre(0, 6, 12));
+    EXPECT_EQ(patchNumbersOf(scene).count, 18U);
     const std::vector<std::uint32_t> numbers = numbersOf(scene);
     EXPECT_EQ(std::set<std::uint32_t>(numbers.begin(), numbers.end()).size(), 18U);
     EXPECT_EQ(*std::ranges::min_element(numbers), 1U);
@@ -146,7 +145,7 @@ TEST(PatchNumbers, takeBothSidesOfATwoSidedFaceAsOne) {
     // Each face twice, back to back, as exporters write two-sided materials.
     const Mesh sheet = merged({left, right(10.0)});
     EXPECT_THAT(numbersOf(scenes::sceneOf(merged({sheet, woundBack(sheet)}))), Each(1));
-    EXPECT_THAT(scenes::sceneOf(merged({sheet, woundBack(sheet)})).patchNumbers().layered, Each(false));
+    EXPECT_THAT(patchNumbersOf(scenes::sceneOf(merged({sheet, woundBack(sheet)}))).layered, Each(false));
 }
 
 TEST(PatchNumbers, areThoseOfTheWorldsAngles) {

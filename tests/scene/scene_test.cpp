@@ -10,8 +10,9 @@
 #include <inkedge/error.h>
 
 #include "base/expect_error.h"
-#include "scene/extent.h"
 #include "mesh/topology.h"
+#include "scene/extent.h"
+#include "scene/prepared.h"
 #include "scenes.h"
 
 namespace inkedge {
@@ -183,7 +184,7 @@ TEST(Scene, boxesMeshesInTheirOwnSpaceLessTheOrigin) {
 
 TEST(Scene, keepsNoMemoryForFaceNormals) {
     const Scene scene = scenes::sceneOf({{scenes::cube(), glm::dmat4{1.0}}});
-    EXPECT_EQ(scene.topology(0).faceNormals.capacity(), 0U);
+    EXPECT_EQ(topologyOf(scene, 0).faceNormals.capacity(), 0U);
 }
 
 TEST(SceneBounds, addTheMeshesOrigin) {
@@ -258,15 +259,17 @@ TEST(Support, isTheFarthestReachAlongADirection) {
     EXPECT_NEAR(support(scene, {1, 0, 0}), 5.0 + std::sqrt(2.0), exact);
     EXPECT_NEAR(support(scene, {-1, 0, 0}), -5.0 + std::sqrt(2.0), exact);
     EXPECT_NEAR(support(scene, {0, 0, 3}), 3.0, exact);
-    EXPECT_NEAR(farthestDistance(scene, {5, 0, 0}), std::sqrt(3.0), exact);
+    const PreparedScene& prepared = *preparedOf(scene);
+    const PlacedBoxes boxes{prepared.data.meshes, prepared.meshBoxes, prepared.data.instances};
+    EXPECT_NEAR(farthestDistance(boxes, {5, 0, 0}), std::sqrt(3.0), exact);
 }
 
 TEST(SceneIdentity, isSharedByCopiesAndByNoOtherScene) {
     const Scene scene{cubeData()};
     const Scene copy = scene;
     const Scene twin{cubeData()};
-    EXPECT_EQ(scene.identity().lock(), copy.identity().lock());
-    EXPECT_NE(scene.identity().lock(), twin.identity().lock());
+    EXPECT_EQ(identityOf(scene).lock(), identityOf(copy).lock());
+    EXPECT_NE(identityOf(scene).lock(), identityOf(twin).lock());
 }
 
 TEST(SceneIdentity, endsWithTheLastCopy) {
@@ -274,7 +277,7 @@ TEST(SceneIdentity, endsWithTheLastCopy) {
     {
         const Scene copy = [&] {
             const Scene scene{cubeData()};
-            identity = scene.identity();
+            identity = identityOf(scene);
             return scene;
         }();
         EXPECT_FALSE(identity.expired());

@@ -6,8 +6,9 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "scene/seams.h"
 #include "mesh/topology.h"
+#include "scene/prepared.h"
+#include "scene/seams.h"
 
 namespace inkedge::lines {
 namespace {
@@ -52,7 +53,7 @@ void addThinBorders(const Scene& scene, std::span<const MeshEdges> meshes, std::
         const std::uint32_t mesh = scene.instances()[i].mesh;
         for (const std::uint32_t h : meshes[mesh].thinBorders) {
             parts.push_back({i, h, 0.0, 1.0});
-            parts.back().marked = isMarked(scene.meshes()[mesh], scene.topology(mesh), h);
+            parts.back().marked = isMarked(scene.meshes()[mesh], topologyOf(scene, mesh), h);
         }
     }
 }
@@ -60,7 +61,7 @@ void addThinBorders(const Scene& scene, std::span<const MeshEdges> meshes, std::
 }  // namespace
 
 std::vector<BorderPart> findBorderParts(const Scene& scene, std::span<const MeshEdges> meshes) {
-    Borders borders{scene,
+    Borders borders{placedMeshesOf(scene),
                     [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& { return meshes[mesh].faceNormals; }};
     const std::vector<std::vector<Cover>> covers = findCovers(scene, borders);
     std::vector<BorderPart> parts;

@@ -8,7 +8,8 @@
 #include <glm/matrix.hpp>
 
 #include "base/parallel.h"
-#include "scene/subdivide.h"
+#include "mesh/subdivide.h"
+#include "scene/prepared.h"
 
 namespace inkedge::lines {
 namespace {
@@ -21,7 +22,7 @@ public:
         : scene_{scene},
           instance_{instance},
           mesh_{scene.meshes()[scene.instances()[instance].mesh]},
-          topology_{scene.topology(scene.instances()[instance].mesh)},
+          topology_{topologyOf(scene, scene.instances()[instance].mesh)},
           search_{edges.search},
           edges_{edges.search.edges()},
           screen_{screen},
@@ -281,9 +282,7 @@ private:
     void addRefinedContours() {
         const auto projection = screen_.orthographic() ? Projection::Orthographic : Projection::Perspective;
         const glm::dvec3 eye = eye_.orthographic ? eye_.direction : eye_.place + mesh_.origin;
-        const std::size_t number = scene_.instances()[instance_].mesh;
-        const RefinedContourMesh refined =
-            refineNear(scene_, number, *choice_.control, eye, projection, choice_.refinement);
+        const RefinedContourMesh refined = refineNear(mesh_, *choice_.control, eye, projection, choice_.refinement);
         std::unordered_map<std::uint64_t, std::uint32_t> edges;
         for (std::size_t t = 0; t < refined.controlTriangles.size(); ++t) {
             Facet facet{refined.controlTriangles[t], {}, {}, 0.0, {}, longestEdge(refined.controlTriangles[t])};

@@ -12,11 +12,12 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "lines/find/face_tree.h"
-#include "scene/box_tree.h"
 #include "base/parallel.h"
+#include "lines/find/face_tree.h"
 #include "mesh/topology.h"
 #include "mesh/weld.h"
+#include "scene/box_tree.h"
+#include "scene/prepared.h"
 
 namespace inkedge {
 namespace {
@@ -446,8 +447,8 @@ private:
     void buildTrees() {
         trees_.resize(scene_.meshes().size());
         onEach(trees_.size(), [&](std::size_t i) {
-            trees_[i] = buildFaceTree(scene_.meshes()[i], scene_.topology(i), leastAngle);
-            sides_[i] = {&trees_[i], &scene_.topology(i), glm::dmat4{1.0}};
+            trees_[i] = buildFaceTree(scene_.meshes()[i], topologyOf(scene_, i), leastAngle);
+            sides_[i] = {&trees_[i], &topologyOf(scene_, i), glm::dmat4{1.0}};
         });
     }
 

@@ -10,6 +10,7 @@
 #include "lines/see/rays.h"
 #include "mesh/topology.h"
 #include "modules/failure.h"
+#include "scene/prepared.h"
 #include "scene/world_triangles.h"
 
 namespace inkedge::lines {
@@ -21,7 +22,7 @@ std::unique_ptr<Rays> raysOf(const Scene& scene) {
     std::vector<RayMesh> meshes;
     for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
         const Mesh& mesh = scene.meshes()[i];
-        meshes.push_back({mesh.positions, mesh.indices, scene.topology(i).originals});
+        meshes.push_back({mesh.positions, mesh.indices, topologyOf(scene, i).originals});
     }
     std::vector<RayInstance> instances;
     for (const Instance& instance : scene.instances()) {

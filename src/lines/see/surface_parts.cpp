@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "mesh/topology.h"
 #include "base/union_find.h"
+#include "mesh/topology.h"
+#include "scene/prepared.h"
 
 namespace inkedge::lines {
 namespace {
@@ -34,7 +35,7 @@ MeshParts partsOf(const MeshTopology& topology) {
 SurfaceParts::SurfaceParts(const Scene& scene, std::span<const BorderPart> borders) {
     std::vector<std::uint32_t> counts;
     for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
-        MeshParts parts = partsOf(scene.topology(i));
+        MeshParts parts = partsOf(topologyOf(scene, i));
         ofFaces_.push_back(std::move(parts.ofFaces));
         counts.push_back(parts.count);
     }

@@ -5,6 +5,7 @@
 
 #include "formats/gltf/gltf_files.h"
 #include "mesh/topology.h"
+#include "scene/prepared.h"
 #include "scenes.h"
 
 namespace inkedge {
@@ -114,8 +115,8 @@ TEST_F(EdgeVisibility, HiddenEdgesAreNoCreases) {
             {"visibility", model.accessor(packed({2, visibility, 2, again, 2, 2}), "SCALAR")}};
         model.root({{"mesh", model.mesh(primitive)}});
         const Scene scene{load(model)};
-        EXPECT_EQ(scene.topology(0).creases[1], visibility == 2) << int{visibility};
-        EXPECT_EQ(scene.topology(0).patchCount, visibility == 2 ? 2U : 1U);
+        EXPECT_EQ(topologyOf(scene, 0).creases[1], visibility == 2) << int{visibility};
+        EXPECT_EQ(topologyOf(scene, 0).patchCount, visibility == 2 ? 2U : 1U);
     }
 }
 

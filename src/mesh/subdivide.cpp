@@ -1,4 +1,4 @@
-#include "scene/subdivide.h"
+#include "mesh/subdivide.h"
 
 #include <algorithm>
 #include <array>
@@ -187,9 +187,9 @@ private:
 
 }  // namespace
 
-void subdivideMeshes(Scene::Data& data, const LoadSettings& settings) {
+void subdivideMeshes(std::vector<Mesh>& meshes, const LoadSettings& settings) {
     double elements = 0.0;
-    for (Mesh& mesh : data.meshes) {
+    for (Mesh& mesh : meshes) {
         const ControlMesh control = controlMeshOf(mesh, settings);
         if (control.faceSizes.empty()) continue;
         elements += refinedElements(control, settings.subdivide);
@@ -205,9 +205,8 @@ void subdivideMeshes(Scene::Data& data, const LoadSettings& settings) {
     }
 }
 
-RefinedContourMesh refineNear(const Scene& scene, std::size_t number, const ControlMesh& control, const glm::dvec3& eye,
+RefinedContourMesh refineNear(const Mesh& mesh, const ControlMesh& control, const glm::dvec3& eye,
                               Projection projection, int levels) {
-    const Mesh& mesh = scene.meshes()[number];
     const View view{projection == Projection::Perspective ? eye - mesh.origin : eye, projection};
     const Neighbourhood neighbourhood{control};
     std::vector<Signs> chosen = neighbourhood.around(signsOfFaces(mesh, control, view));
@@ -237,11 +236,6 @@ RefinedContourMesh refineNear(const Scene& scene, std::size_t number, const Cont
         result.controlTriangles.insert(result.controlTriangles.end(), size - 2, control.firstTriangles[parent]);
     }
     return result;
-}
-
-RefinedContourMesh refineNear(const Scene& scene, std::size_t mesh, const glm::dvec3& eye, Projection projection,
-                              int levels) {
-    return refineNear(scene, mesh, controlMesh(scene.meshes()[mesh], scene.topology(mesh)), eye, projection, levels);
 }
 
 }  // namespace inkedge

@@ -6,7 +6,8 @@
 
 #include <glm/vec3.hpp>
 
-#include <inkedge/scene.h>
+#include <inkedge/mesh.h>
+#include <inkedge/settings.h>
 
 #include "mesh/control_mesh.h"
 
@@ -19,7 +20,7 @@ namespace inkedge {
 /// kinds. Triangles that repeat an earlier one or have collapsed are dropped. A mesh without faces stays as it is.
 /// @throws Error  (Kind::Input) if vertices and indices would come to more than settings.limits.vertices;
 ///                (Kind::Runtime) if subdivision is not at hand
-void subdivideMeshes(Scene::Data&, const LoadSettings& settings);
+void subdivideMeshes(std::vector<Mesh>&, const LoadSettings& settings);
 
 enum class Projection { Perspective, Orthographic };
 
@@ -37,19 +38,15 @@ struct RefinedContourMesh {
 /// latter all agree the control mesh is one-to-one in the picture, so that the surface has no contour there.
 ///
 /// The triangles are those that subdivideMeshes() makes of the same faces, within rounding. Of other faces nothing is
-/// returned: their limit surface has no contour. Meant for a scene that was not subdivided when it was loaded: the
+/// returned: their limit surface has no contour. Meant for a mesh that was not subdivided when it was loaded: the
 /// vertices of one that was are taken as a control mesh again, which smooths them twice.
-/// @param mesh     into Scene::meshes()
+/// @param mesh     with all its normals
 /// @param control  controlMesh() of it: depends on no view, so one serves all
 /// @param eye      where the camera stands, mesh space; orthographic: its direction into the scene, of any length
 /// @param levels   1 to 6
 /// @throws Error   (Kind::Runtime) if subdivision is not at hand or the memory is not
 /// Thread-safe. O(faces of the mesh + triangles returned).
-[[nodiscard]] RefinedContourMesh refineNear(const Scene&, std::size_t mesh, const ControlMesh& control,
-                                            const glm::dvec3& eye, Projection, int levels);
-
-/// The same for one view alone.
-[[nodiscard]] RefinedContourMesh refineNear(const Scene&, std::size_t mesh, const glm::dvec3& eye, Projection,
-                                            int levels);
+[[nodiscard]] RefinedContourMesh refineNear(const Mesh& mesh, const ControlMesh& control, const glm::dvec3& eye,
+                                            Projection, int levels);
 
 }  // namespace inkedge

@@ -1,4 +1,4 @@
-#include "scene/subdivide.h"
+#include "mesh/subdivide.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +13,7 @@
 
 #include "mesh/closed_surface.h"
 #include "mesh/topology.h"
+#include "scene/prepared.h"
 #include "scenes.h"
 
 namespace inkedge {
@@ -114,7 +115,7 @@ Mesh ball(std::uint32_t n) {
 glm::dvec3 corner(const Mesh& mesh, std::size_t c) { return glm::dvec3{mesh.positions[mesh.indices[c]]}; }
 
 std::size_t creasesOf(const Scene& scene) {
-    return static_cast<std::size_t>(std::ranges::count(scene.topology(0).creases, true));
+    return static_cast<std::size_t>(std::ranges::count(topologyOf(scene, 0).creases, true));
 }
 
 TEST(Subdivide, leavesACubeWithCreasesACube) {
@@ -130,8 +131,8 @@ TEST(Subdivide, leavesACubeWithCreasesACube) {
             EXPECT_NEAR(std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}), 1.0F, 1e-6F);
         }
         EXPECT_EQ(creasesOf(scene), 12U * 8U * 2U);
-        EXPECT_EQ(scene.topology(0).patchCount, 6U);
-        EXPECT_TRUE(isClosedOutward(mesh, scene.topology(0)));
+        EXPECT_EQ(topologyOf(scene, 0).patchCount, 6U);
+        EXPECT_TRUE(isClosedOutward(mesh, topologyOf(scene, 0)));
     }
 }
 
@@ -139,7 +140,7 @@ TEST(Subdivide, roundsWhatIsNoCrease) {
     for (const Mesh& control : {scenes::cube(), quadCube()}) {
         const Scene scene = refined(control, levels(3, smoothAngle));
         EXPECT_EQ(creasesOf(scene), 0U);
-        EXPECT_TRUE(isClosedOutward(scene.meshes()[0], scene.topology(0)));
+        EXPECT_TRUE(isClosedOutward(scene.meshes()[0], topologyOf(scene, 0)));
         // The surface lies within its control mesh and leaves its corners.
         EXPECT_LT(scene.bounds().radius, 1.6);
         EXPECT_LT(scene.box().max.x, 1.0);
@@ -290,9 +291,9 @@ TEST(Subdivide, givesEachSideOfACurvedCreaseItsNormals) {
     // Along the axis or across it.
     for (const Mesh& control : {barrel(0.0), asTriangles(barrel(0.0))}) {
         const Scene scene = refined(control, levels(3, 65.0));
-        EXPECT_EQ(scene.topology(0).patchCount, 3U);
+        EXPECT_EQ(topologyOf(scene, 0).patchCount, 3U);
         EXPECT_EQ(creasesOf(scene), 12U * 8U * 2U);
-        EXPECT_TRUE(isClosedOutward(scene.meshes()[0], scene.topology(0)));
+        EXPECT_TRUE(isClosedOutward(scene.meshes()[0], topologyOf(scene, 0)));
         for (const glm::vec3 n : scene.meshes()[0].normals)
             EXPECT_TRUE(std::abs(n.z) < 1e-5F || std::abs(n.z) > 1.0F - 1e-5F) << n.z;
     }
@@ -343,7 +344,7 @@ TEST(Subdivide, opensNoGapWhereManyFacesMeet) {
     }
     for (const Mesh& control : {book, asTriangles(book)}) {
         const Scene scene = refined(control, levels(2, smoothAngle));
-        const auto& twins = scene.topology(0).twins;
+        const auto& twins = topologyOf(scene, 0).twins;
         EXPECT_EQ(std::ranges::count(twins, manyHalfEdges), 3 * 3 * 4);  // leaves, edges of the spine, their parts
     }
 }
@@ -639,14 +640,16 @@ std::size_t blockOf(const ControlMesh& control, std::uint32_t triangle, std::siz
     return control.faces[triangle] * perFace;
 }
 
+ControlMesh controlOf(const Scene& scene) { return controlMesh(scene.meshes()[0], topologyOf(scene, 0)); }
+
 TEST(RefineNear, givesWhatUniformRefinementGivesThere) {
     for (const AdaptiveCase& c : adaptiveCases()) {
         const Scene scene = refined(c.control, levels(0, c.creaseAngle));
-        const ControlMesh control = controlMesh(scene.meshes()[0], scene.topology(0));
+        const ControlMesh control = controlOf(scene);
         for (const int n : {1, 3}) {
             const Scene uniformScene = refined(c.control, levels(n, c.creaseAngle));
             const Mesh& uniform = uniformScene.meshes()[0];
-            const RefinedContourMesh near = refineNear(scene, 0, control, eye, c.projection, n);
+            const RefinedContourMesh near = refineNear(scene.meshes()[0], control, eye, c.projection, n);
             const std::size_t perFace = uniform.indices.size() / 3 / control.faceSizes.size();
             ASSERT_EQ(near.controlTriangles.size() * 3, near.indices.size());
             ASSERT_EQ(near.controlTriangles.size() % perFace, 0U);
@@ -669,7 +672,7 @@ TEST(RefineNear, holdsTheWholeContourOfTheSmoothSurface) {
         if (c.projection != Projection::Perspective) continue;
         const Scene scene = refined(c.control, levels(0, c.creaseAngle));
         const Scene uniform = refined(c.control, levels(4, c.creaseAngle));
-        const RefinedContourMesh near = refineNear(scene, 0, eye, c.projection, 4);
+        const RefinedContourMesh near = refineNear(scene.meshes()[0], controlOf(scene), eye, c.projection, 4);
         const std::vector<Segment> found = contour(
             near.indices.size(), eye - c.control.origin, [&](std::size_t i) { return near.positions[near.indices[i]]; },
             [&](std::size_t i) { return near.normals[near.indices[i]]; });
@@ -679,17 +682,18 @@ TEST(RefineNear, holdsTheWholeContourOfTheSmoothSurface) {
 
 TEST(RefineNear, leavesAloneWhatTheContourIsFarFrom) {
     const Scene scene = refined(asTriangles(torus(64, 32)), levels(0));
-    const ControlMesh control = controlMesh(scene.meshes()[0], scene.topology(0));
+    const ControlMesh control = controlOf(scene);
     const std::vector<std::uint32_t> triangles =
-        refineNear(scene, 0, control, eye, Projection::Perspective, 1).controlTriangles;
+        refineNear(scene.meshes()[0], control, eye, Projection::Perspective, 1).controlTriangles;
     const std::set<std::uint32_t> faces(triangles.begin(), triangles.end());
     EXPECT_GT(faces.size(), 100U);
     EXPECT_LT(faces.size(), control.faceSizes.size() / 3);
 
     const Scene sheet = refined(grid(4), levels(0));
-    EXPECT_THAT(refineNear(sheet, 0, eye, Projection::Perspective, 2).indices, IsEmpty());
+    EXPECT_THAT(refineNear(sheet.meshes()[0], controlOf(sheet), eye, Projection::Perspective, 2).indices, IsEmpty());
     // Zero counts as plus: an edge-on sheet has one sign.
-    EXPECT_THAT(refineNear(sheet, 0, {1.0, 0.0, 0.0}, Projection::Orthographic, 2).indices, IsEmpty());
+    EXPECT_THAT(refineNear(sheet.meshes()[0], controlOf(sheet), {1.0, 0.0, 0.0}, Projection::Orthographic, 2).indices,
+                IsEmpty());
 }
 
 }  // namespace

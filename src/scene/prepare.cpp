@@ -1,0 +1,123 @@
+#include "scene/prepare.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include <glm/common.hpp>
+
+#include <inkedge/error.h>
+
+#include "mesh/arrange.h"
+#include "mesh/closed_surface.h"
+#include "mesh/curvature.h"
+#include "mesh/normals.h"
+#include "mesh/subdivide.h"
+#include "scene/check_data.h"
+#include "scene/distortion.h"
+#include "scene/extent.h"
+
+namespace inkedge {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw Error{Error::Kind::Input, message}; }
+
+void dropEmptyInstances(Scene::Data& data) {
+    std::erase_if(data.instances, [&](const Instance& i) { return data.meshes[i.mesh].indices.empty(); });
+    if (data.instances.empty()) refuse("expected at least one triangle to draw, found none");
+}
+
+bool isDoubleSided(const std::vector<Material>& materials, std::uint32_t material) {
+    return material > 0 && material <= materials.size() && materials[material - 1].doubleSided;
+}
+
+bool isSingleSided(const Mesh& mesh, const Scene::Data& data) {
+    if (!data.source.knowsSides) return false;
+    return std::ranges::none_of(mesh.materials, [&](std::uint32_t m) { return isDoubleSided(data.materials, m); });
+}
+
+// Brings the triangles of single-sided materials to the front.
+// @return how many they are
+std::uint32_t sortBySides(Mesh& mesh, const std::vector<Material>& materials) {
+    std::vector<bool> single(mesh.indices.size() / 3, true);
+    for (std::size_t t = 0; t < mesh.materials.size(); ++t) single[t] = !isDoubleSided(materials, mesh.materials[t]);
+    bringForward(mesh, single);
+    return static_cast<std::uint32_t>(std::ranges::count(single, true));
+}
+
+Box boxOf(const std::vector<glm::vec3>& positions) {
+    if (positions.empty()) return {};
+    glm::vec3 low = positions.front();
+    glm::vec3 high = low;
+    for (const glm::vec3 p : positions) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    return {low, high};
+}
+
+Sphere sphereAround(const Box& box, const PlacedBoxes& placed) {
+    const glm::dvec3 centre = 0.5 * (box.min + box.max);
+    const Sphere sphere{centre, farthestDistance(placed, centre)};
+    if (!std::isfinite(sphere.radius)) refuse("expected finite bounds, found coordinates that overflow");
+    return sphere;
+}
+
+struct PreparedMesh {
+    MeshTopology topology;
+    Box box;
+    std::uint32_t oneSided;
+    bool hidesItsBacks;
+};
+
+PreparedMesh prepareMesh(Mesh& mesh, const Scene::Data& data, const LoadSettings& settings) {
+    dropUnusedVertices(mesh);
+    const std::uint32_t oneSided = settings.backFaces == BackFaces::Draw ? 0 : sortBySides(mesh, data.materials);
+    applyAuthoredNormals(mesh, settings);
+    MeshTopology topology = buildTopology(mesh);
+    completeNormals(mesh, topology, settings);
+    buildPatches(mesh, settings.creaseAngle, topology);
+    mesh.curvatures = settings.curvature ? meanCurvatures(mesh, topology) : std::vector<float>{};
+    const bool hidesItsBacks = isSingleSided(mesh, data) && isClosedOutward(mesh, topology);
+    return {std::move(topology), boxOf(mesh.positions), oneSided, hidesItsBacks};
+}
+
+std::uint64_t trianglesOf(const Scene::Data& data) {
+    std::uint64_t count = 0;
+    for (const Instance& instance : data.instances) count += data.meshes[instance.mesh].indices.size() / 3;
+    return count;
+}
+
+}  // namespace
+
+PreparedScene prepare(Scene::Data data, const LoadSettings& settings) {
+    const auto begin = std::chrono::steady_clock::now();
+    checkData(data);
+    dropEmptyInstances(data);
+    bakeDistortedInstances(data, settings.limits.vertices);
+    if (settings.subdivide > 0) subdivideMeshes(data.meshes, settings);
+
+    PreparedScene scene;
+    for (Mesh& mesh : data.meshes) {
+        PreparedMesh made = prepareMesh(mesh, data, settings);
+        scene.topologies.push_back(std::move(made.topology));
+        scene.meshBoxes.push_back(made.box);
+        scene.oneSided.push_back(made.oneSided);
+        scene.hidesItsBacks.push_back(made.hidesItsBacks);
+    }
+    const PlacedBoxes boxes{data.meshes, scene.meshBoxes, data.instances};
+    scene.box = boxOfAll(boxes);
+    scene.bounds = sphereAround(scene.box, boxes);
+    const PlacedMeshes placed{data.meshes, scene.topologies, data.instances, scene.bounds};
+    scene.patchNumbers = numberPatches(placed, settings.creaseAngle);
+    for (MeshTopology& topology : scene.topologies)
+        topology.faceNormals = std::vector<glm::dvec3>{};  // a third of all that is kept; = {} would keep its memory
+    scene.triangleCount = trianglesOf(data);
+    scene.creaseAngle = settings.creaseAngle;
+    scene.data = std::move(data);
+    scene.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    return scene;
+}
+
+}  // namespace inkedge

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <inkedge/scene.h>
+
+#include "scene/prepared.h"
+
+namespace inkedge {
+
+/// Checks a scene's data, brings its meshes into the form that is drawn, and works out what belongs to all of them.
+/// @throws Error  as the constructor of Scene
+[[nodiscard]] PreparedScene prepare(Scene::Data data, const LoadSettings& settings);
+
+}  // namespace inkedge

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <inkedge/bounds.h>
+#include <inkedge/scene.h>
+
+#include "mesh/topology.h"
+#include "scene/patch_numbers.h"
+#include "scene/placed_meshes.h"
+#include "scene/scene_face.h"
+
+namespace inkedge {
+
+/// What a Scene holds: its data, checked and made ready to be drawn, and what is worked out of them once. For the
+/// library's own rooms.
+struct PreparedScene {
+    Scene::Data data;
+    std::vector<Box> meshBoxes;            ///< one a mesh: of its positions, less its origin
+    std::vector<MeshTopology> topologies;  ///< one a mesh, without its faceNormals
+    std::vector<std::uint32_t> oneSided;   ///< one a mesh: how many of its triangles, the first ones
+    std::vector<bool> hidesItsBacks;       ///< one a mesh
+    Box box;                               ///< of everything drawn, in world space
+    Sphere bounds;                         ///< likewise
+    double creaseAngle = 0.0;              ///< degrees
+    std::uint64_t triangleCount = 0;       ///< of all instances
+    PatchNumbers patchNumbers;
+    double milliseconds = 0.0;  ///< that it took to make all this
+};
+
+[[nodiscard]] const std::shared_ptr<const PreparedScene>& preparedOf(const Scene&) noexcept;
+
+/// How mesh i's triangles hang together.
+[[nodiscard]] inline const MeshTopology& topologyOf(const Scene& scene, std::size_t i) {
+    return preparedOf(scene)->topologies[i];
+}
+
+/// The patches of all instances.
+[[nodiscard]] inline const PatchNumbers& patchNumbersOf(const Scene& scene) { return preparedOf(scene)->patchNumbers; }
+
+[[nodiscard]] inline PlacedMeshes placedMeshesOf(const Scene& scene) {
+    const PreparedScene& prepared = *preparedOf(scene);
+    return {prepared.data.meshes, prepared.topologies, prepared.data.instances, prepared.bounds};
+}
+
+/// The same for all copies of one scene and for no other scene alive.
+[[nodiscard]] inline std::weak_ptr<const void> identityOf(const Scene& scene) { return preparedOf(scene); }
+
+/// The number of a face's patch.
+[[nodiscard]] inline std::uint32_t patchOf(const Scene& scene, SceneFace face) {
+    const PatchNumbers& patches = patchNumbersOf(scene);
+    const MeshTopology& topology = topologyOf(scene, scene.instances()[face.instance].mesh);
+    return patches.number[patches.base[face.instance] + topology.patches[face.triangle]];
+}
+
+}  // namespace inkedge
