@@ -37,13 +37,13 @@ public:
 
     /// Draws one view: the picture and the maps that settings.maps names. What is larger than settings.picture.tileSize
     /// is drawn in parts, so that graphics memory does not limit the size; the picture and the maps themselves are held
-    /// in memory. settings.load but for its limits, .camera and .backend are not
-    /// looked at. The last scene's upload is kept for the next call, and the last brush.
+    /// in memory. A brush of lines from object space is held to the limits that the scene was loaded with. The last
+    /// scene's upload is kept for the next call, and the last brush.
     /// @throws Error  (Kind::Usage) if a setting of the picture is out of range, or the camera is unusable;
     ///                (Kind::Input) if the brush of lines from object space cannot be read, or is no PNG;
     ///                (Kind::Runtime) if there is less memory than the picture and its maps take, or the context runs
     ///                out of memory, or is lost: then make a new Renderer
-    [[nodiscard]] Maps render(const Scene&, const Camera&, const Settings& = {});
+    [[nodiscard]] Maps render(const Scene&, const Camera&, const RenderSettings& = {});
 
     /// The lines of one view as polylines in the picture and in the world. From object space, unless settings.lines.from
     /// says image: visible ones, and hidden ones if settings.lines.hidden keeps them. What a scene needs for it (edge tables,
@@ -52,7 +52,7 @@ public:
     /// @throws Error  (Kind::Usage) if the size or the camera is unusable, or lines from image are asked of the classic
     ///                detector, or of a contour finder what it cannot do; (Kind::Runtime) if Embree is not there or memory
     ///                runs out
-    [[nodiscard]] Lines lines(const Scene&, const Camera&, const Settings& = {});
+    [[nodiscard]] Lines lines(const Scene&, const Camera&, const RenderSettings& = {});
 
     /// Empty while there is no context.
     [[nodiscard]] const BackendInfo& backend() const noexcept;

@@ -106,6 +106,8 @@ public:
     [[nodiscard]] std::uint32_t oneSidedTriangles(std::size_t i) const noexcept;
     /// Whether mesh i's faces are all single-sided and close it, wound outward: from outside no back of them is seen.
     [[nodiscard]] bool hidesItsBacks(std::size_t i) const noexcept;
+    /// What its constructor was given.
+    [[nodiscard]] const LoadSettings& loadedWith() const noexcept;
     /// Degrees: faces that meet at more than this meet in a crease.
     [[nodiscard]] double creaseAngle() const noexcept;
     /// Triangles drawn: every instance counts.

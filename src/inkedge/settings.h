@@ -285,15 +285,19 @@ struct BackendSettings {
     std::optional<int> device;  ///< an EGL device's number, as `inkedge doctor` lists them
 };
 
-/// Everything that can be set about a render. The table below describes each field once.
-struct Settings {
-    LoadSettings load;
-    CameraSettings camera;
+/// What a renderer is asked for: everything about a picture of a scene that is loaded, through a camera that is placed.
+struct RenderSettings {
     PictureSettings picture;
     DetectorSettings detector;
     LineSettings lines;
     StyleSettings style;
     std::vector<Map> maps;
+};
+
+/// Everything that can be set, from the file to the context. The table below describes each field once.
+struct Settings : RenderSettings {
+    LoadSettings load;
+    CameraSettings camera;
     BackendSettings backend;
 };
 

@@ -144,7 +144,7 @@ LineType typeOf(Curve curve, Seen seen) {
     return LineType::Crease;
 }
 
-Isolines drawnIsolines(const Settings& settings) {
+Isolines drawnIsolines(const RenderSettings& settings) {
     const bool drawn = (settings.picture.lines & static_cast<std::uint8_t>(LineType::Isoparametric)) != 0;
     return drawn ? settings.lines.isolines : Isolines{};
 }
@@ -302,7 +302,7 @@ bool ObjectLines::holds(const Scene& scene) const noexcept {
     return identityOf(state_->scene).lock() == identityOf(scene).lock();
 }
 
-Lines ObjectLines::find(const Camera& camera, const Settings& settings, const ViewBuffers* buffers) const {
+Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings, const ViewBuffers* buffers) const {
     const Scene& scene = state_->scene;
     Lines result;
     result.size = settings.picture.size;

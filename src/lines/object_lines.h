@@ -23,7 +23,7 @@ public:
     /// Hertzmann 1999.
     /// @param buffers  what the camera sees, of settings.picture.size: hidden lines are told by it, and by rays only where it
     ///                 leaves a doubt; null: by rays alone
-    [[nodiscard]] Lines find(const Camera&, const Settings&, const ViewBuffers* buffers = nullptr) const;
+    [[nodiscard]] Lines find(const Camera&, const RenderSettings&, const ViewBuffers* buffers = nullptr) const;
 
 private:
     struct State;

@@ -6,9 +6,11 @@
 
 namespace inkedge {
 
-bool wants(const Settings& settings, Map map) { return std::ranges::find(settings.maps, map) != settings.maps.end(); }
+bool wants(const RenderSettings& settings, Map map) {
+    return std::ranges::find(settings.maps, map) != settings.maps.end();
+}
 
-bool wantsAny(const Settings& settings, std::initializer_list<Map> maps) {
+bool wantsAny(const RenderSettings& settings, std::initializer_list<Map> maps) {
     return std::ranges::any_of(maps, [&](Map map) { return wants(settings, map); });
 }
 
@@ -19,7 +21,7 @@ Image<std::uint8_t> mask(const Image<std::uint8_t>& marks, unsigned bits) {
     return edges;
 }
 
-void readSurface(const gl::Api& api, const SurfaceBuffers& buffers, const Settings& settings, Maps& maps) {
+void readSurface(const gl::Api& api, const SurfaceBuffers& buffers, const RenderSettings& settings, Maps& maps) {
     if (wants(settings, Map::Depth)) {
         maps.windowDepth = gl::readDepth(api, buffers.depth);
         for (float& z : maps.windowDepth.pixels) z = 1.0F - z;
@@ -40,7 +42,7 @@ void readSurface(const gl::Api& api, const SurfaceBuffers& buffers, const Settin
     }
 }
 
-void readEdges(const gl::Api& api, const EdgeBuffers& buffers, const Settings& settings, Maps& maps) {
+void readEdges(const gl::Api& api, const EdgeBuffers& buffers, const RenderSettings& settings, Maps& maps) {
     const bool depth = wants(settings, Map::DepthEdges);
     const bool normal = wants(settings, Map::NormalEdges);
     const bool both = wants(settings, Map::Edges) && settings.detector.detector == Detector::Classic;

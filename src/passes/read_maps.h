@@ -10,14 +10,14 @@
 
 namespace inkedge {
 
-[[nodiscard]] bool wants(const Settings&, Map);
-[[nodiscard]] bool wantsAny(const Settings&, std::initializer_list<Map>);
+[[nodiscard]] bool wants(const RenderSettings&, Map);
+[[nodiscard]] bool wantsAny(const RenderSettings&, std::initializer_list<Map>);
 
 /// Fills depth, windowDepth and normal, as far as they are wanted.
-void readSurface(const gl::Api&, const SurfaceBuffers&, const Settings&, Maps&);
+void readSurface(const gl::Api&, const SurfaceBuffers&, const RenderSettings&, Maps&);
 
 /// Fills the edge masks and magnitudes, as far as they are wanted.
-void readEdges(const gl::Api&, const EdgeBuffers&, const Settings&, Maps&);
+void readEdges(const gl::Api&, const EdgeBuffers&, const RenderSettings&, Maps&);
 
 /// 255 where any of the bits is set, else 0.
 [[nodiscard]] Image<std::uint8_t> mask(const Image<std::uint8_t>& marks, unsigned bits);

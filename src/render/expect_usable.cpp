@@ -15,7 +15,7 @@ namespace inkedge {
 namespace {
 
 // Bytes a pixel that the picture and the maps take.
-std::uint64_t bytesPerPixel(const Settings& settings) {
+std::uint64_t bytesPerPixel(const RenderSettings& settings) {
     std::uint64_t bytes = settings.picture.background ? 3 : 4;
     const std::pair<Map, std::uint64_t> costs[]{{Map::Depth, 8},       {Map::Normal, 12}, {Map::DepthEdges, 5},
                                                 {Map::NormalEdges, 5}, {Map::Edges, 1},   {Map::Types, 1},
@@ -60,6 +60,6 @@ void expectUsable(const PictureSettings& picture) {
                 fmt::format("size: expected 1x1 to {0}x{0} pixels, found {1}x{2}", most, size.width, size.height)};
 }
 
-void expectMemory(const Settings& settings) { expectMemory(settings.picture.size, bytesPerPixel(settings)); }
+void expectMemory(const RenderSettings& settings) { expectMemory(settings.picture.size, bytesPerPixel(settings)); }
 
 }  // namespace inkedge

@@ -46,12 +46,12 @@ struct View {
     gl::FunctionInputs& inputs;
     const Scene& scene;
     const Camera& camera;
-    const Settings& settings;
+    const RenderSettings& settings;
 };
 
 // Where the picture's lines come from.
 enum class Source { Planes, Classic, Profiles, Object, None };
-Source sourceOf(const Settings& settings) {
+Source sourceOf(const RenderSettings& settings) {
     if (settings.style.style == Style::Sumi) return Source::None;
     if (settings.lines.from == LinesFrom::Object) return Source::Object;
     switch (settings.detector.detector) {
@@ -67,29 +67,29 @@ Source sourceOf(const Settings& settings) {
     return Source::None;
 }
 
-bool findsPlaneLines(const Settings& settings) { return settings.detector.detector == Detector::Planes; }
-bool findsClassicEdges(const Settings& settings) { return settings.detector.detector == Detector::Classic; }
-bool drawsFunctions(const Settings& settings) { return !settings.detector.functions.empty(); }
+bool findsPlaneLines(const RenderSettings& settings) { return settings.detector.detector == Detector::Planes; }
+bool findsClassicEdges(const RenderSettings& settings) { return settings.detector.detector == Detector::Classic; }
+bool drawsFunctions(const RenderSettings& settings) { return !settings.detector.functions.empty(); }
 
-bool needsPlaneLines(const Settings& settings) {
+bool needsPlaneLines(const RenderSettings& settings) {
     return sourceOf(settings) == Source::Planes || wantsAny(settings, {Map::Types, Map::Ids}) ||
            (findsPlaneLines(settings) && wants(settings, Map::Edges));
 }
 
-bool needsPlanes(const Settings& settings) { return needsPlaneLines(settings) || settings.style.style == Style::Hatch; }
+bool needsPlanes(const RenderSettings& settings) { return needsPlaneLines(settings) || settings.style.style == Style::Hatch; }
 
-bool needsSurface(const Settings& settings) {
+bool needsSurface(const RenderSettings& settings) {
     return sourceOf(settings) == Source::Classic || (findsClassicEdges(settings) && wants(settings, Map::Edges)) ||
            sourceOf(settings) == Source::Profiles || settings.style.style == Style::Sumi ||
            wantsAny(settings, {Map::Depth, Map::Normal, Map::DepthEdges, Map::NormalEdges});
 }
 
-bool drawsTriangles(const Settings& settings) {
+bool drawsTriangles(const RenderSettings& settings) {
     return needsPlanes(settings) || needsSurface(settings) || drawsFunctions(settings);
 }
 
 // Lines from object space, and pictures of nothing else, need none.
-bool needsContext(const Settings& settings) {
+bool needsContext(const RenderSettings& settings) {
     return drawsTriangles(settings) || settings.style.style == Style::Pencil;
 }
 
@@ -219,7 +219,7 @@ struct Ink {
 };
 
 // Samples around a tile that its passes need.
-int reachOf(const Settings& settings) {
+int reachOf(const RenderSettings& settings) {
     if (settings.style.style != Style::Sumi) return tileMargin;
     return std::max(tileMargin, sumiReach(settings.style) * settings.picture.supersampling);
 }
@@ -256,7 +256,7 @@ std::vector<Line> traceImageLines(const View& view, gl::StageClock& clock) {
                     "lines from image: expected the planes detector, found another, which marks pixels and leaves no "
                     "lines; use --detector planes, or --lines-from object"};
     }
-    Settings linesOnly = settings;
+    RenderSettings linesOnly = settings;
     linesOnly.maps.clear();
     linesOnly.detector.functions.clear();
     linesOnly.style.style = Style::Ink;
@@ -280,7 +280,7 @@ std::vector<Line> traceImageLines(const View& view, gl::StageClock& clock) {
 }
 
 // What the passes are asked for: what the scene decides is filled in, and what a pencil draws over lies on nothing.
-Settings completed(Settings settings, const Scene& scene) {
+RenderSettings completed(RenderSettings settings, const Scene& scene) {
     if (settings.style.style == Style::Hatch && !settings.style.hatchBend)
         settings.style.hatchBend = typicalBend(scene);
     if (settings.style.style == Style::Pencil) settings.picture.background.reset();
@@ -370,7 +370,7 @@ const BackendInfo& Renderer::backend() const noexcept {
     return state_->made ? state_->made->context->info() : none;
 }
 
-Lines Renderer::lines(const Scene& scene, const Camera& camera, const Settings& settings) {
+Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
     expectUsable(settings.picture);
     expectUsable(camera);
     Lines found;
@@ -408,18 +408,18 @@ Lines Renderer::lines(const Scene& scene, const Camera& camera, const Settings& 
     return found;
 }
 
-Maps Renderer::render(const Scene& scene, const Camera& camera, const Settings& asked) {
+Maps Renderer::render(const Scene& scene, const Camera& camera, const RenderSettings& asked) {
     expectUsable(asked.picture);
     expectUsable(camera);
     expectMemory(asked);
-    const Settings settings = completed(asked, scene);
+    const RenderSettings settings = completed(asked, scene);
     Maps maps;
     maps.camera = camera;
     Ink ink;
     std::vector<Stroke> strokes;
     const Brush* brush = nullptr;
     if (sourceOf(settings) == Source::Object) {
-        brush = state_->brushFrom(settings.lines.brush, settings.load.limits);
+        brush = state_->brushFrom(settings.lines.brush, scene.loadedWith().limits);
         const Lines found = lines(scene, camera, settings);
         maps.times = found.times;
         strokes = strokesOf(found, settings.picture, settings.lines);

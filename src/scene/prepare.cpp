@@ -114,7 +114,7 @@ PreparedScene prepare(Scene::Data data, const LoadSettings& settings) {
     for (MeshTopology& topology : scene.topologies)
         topology.faceNormals = std::vector<glm::dvec3>{};  // a third of all that is kept; = {} would keep its memory
     scene.triangleCount = trianglesOf(data);
-    scene.creaseAngle = settings.creaseAngle;
+    scene.loadedWith = settings;
     scene.data = std::move(data);
     scene.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     return scene;

@@ -24,7 +24,7 @@ struct PreparedScene {
     std::vector<bool> hidesItsBacks;       ///< one a mesh
     Box box;                               ///< of everything drawn, in world space
     Sphere bounds;                         ///< likewise
-    double creaseAngle = 0.0;              ///< degrees
+    LoadSettings loadedWith;               ///< what the constructor was given
     std::uint64_t triangleCount = 0;       ///< of all instances
     PatchNumbers patchNumbers;
     double milliseconds = 0.0;  ///< that it took to make all this

@@ -22,7 +22,8 @@ const Box& Scene::box() const noexcept { return prepared_->box; }
 const Sphere& Scene::bounds() const noexcept { return prepared_->bounds; }
 std::uint32_t Scene::oneSidedTriangles(std::size_t i) const noexcept { return prepared_->oneSided[i]; }
 bool Scene::hidesItsBacks(std::size_t i) const noexcept { return prepared_->hidesItsBacks[i]; }
-double Scene::creaseAngle() const noexcept { return prepared_->creaseAngle; }
+const LoadSettings& Scene::loadedWith() const noexcept { return prepared_->loadedWith; }
+double Scene::creaseAngle() const noexcept { return prepared_->loadedWith.creaseAngle; }
 std::uint64_t Scene::triangleCount() const noexcept { return prepared_->triangleCount; }
 double Scene::preparationMilliseconds() const noexcept { return prepared_->milliseconds; }
 
