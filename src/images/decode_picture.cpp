@@ -1,29 +1,58 @@
 #include "images/decode_picture.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "base/message.h"
 #include "base/read_file.h"
 #include "images/image_formats.h"
-#include "images/png_reader.h"
+#include "images/read_png.h"
 
 namespace inkedge {
 namespace {
 
+using io::PngChannels;
 using load::refuse;
+
+// By their first bytes.
+bool seemsJpeg(std::span<const std::uint8_t> picture) { return load::textOf(picture).starts_with("\xff\xd8\xff"); }
+bool seemsPng(std::span<const std::uint8_t> picture) { return load::textOf(picture).starts_with("\x89PNG"); }
 
 }  // namespace
 
 Image<std::uint8_t> decodePicture(std::span<const std::uint8_t> picture, std::uint64_t mostPixels) {
-    const std::string_view content = load::textOf(picture);
-    if (content.starts_with("\xff\xd8\xff")) {
+    if (seemsJpeg(picture)) {
         io::DecodedPicture decoded = io::imageFormats(Error::Kind::Input).decodeJpeg(picture, mostPixels);
         if (!decoded.failure.empty()) refuse("expected a JPEG picture, found: " + load::quote(decoded.failure));
         return std::move(decoded.image);
     }
-    if (!content.starts_with("\x89PNG"))
-        refuse(fmt::format("expected a PNG or JPEG picture, found {}; convert it", load::kindOf(content)));
-    return load::PngReader{picture, mostPixels}.read(PNG_FORMAT_RGBA);
+    if (!seemsPng(picture))
+        refuse(
+            fmt::format("expected a PNG or JPEG picture, found {}; convert it", load::kindOf(load::textOf(picture))));
+    return io::readPngToLookAt(picture, mostPixels, PngChannels::Rgba);
+}
+
+std::optional<Image<std::uint8_t>> decodeOpacity(std::span<const std::uint8_t> picture, std::uint64_t mostPixels) {
+    if (seemsJpeg(picture)) return {};
+    if (!seemsPng(picture))
+        refuse(fmt::format("expected a PNG or JPEG picture, found {}", load::kindOf(load::textOf(picture))));
+    if (!io::pngHasAlpha(picture, mostPixels)) return {};
+    const Image<std::uint8_t> greyAlpha = io::readPngToLookAt(picture, mostPixels, PngChannels::GreyAlpha);
+    Image<std::uint8_t> alpha{greyAlpha.size, 1};
+    for (std::size_t i = 0; i < alpha.pixels.size(); ++i) alpha.pixels[i] = greyAlpha.pixels[2 * i + 1];
+    return alpha;
+}
+
+Image<std::uint8_t> decodeInk(std::span<const std::uint8_t> picture, std::uint64_t mostPixels) {
+    if (!seemsPng(picture))
+        refuse(fmt::format("expected a PNG picture, found {}", load::kindOf(load::textOf(picture))));
+    const Image<std::uint8_t> greyAlpha = io::readPngToLookAt(picture, mostPixels, PngChannels::GreyAlpha);
+    Image<std::uint8_t> ink{greyAlpha.size, 1};
+    for (std::size_t i = 0; i < ink.pixels.size(); ++i)
+        ink.pixels[i] =
+            static_cast<std::uint8_t>(((255 - greyAlpha.pixels[2 * i]) * greyAlpha.pixels[2 * i + 1] + 127) / 255);
+    return ink;
 }
 
 }  // namespace inkedge

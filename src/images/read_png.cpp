@@ -9,25 +9,37 @@
 #include <csetjmp>
 #include <cstring>
 #include <new>
-#include <utility>
+#include <string>
 #include <vector>
+
+#include "base/message.h"
 
 namespace inkedge::io {
 namespace {
 
 constexpr std::size_t signatureSize = 8;
 
-/// Owns libpng's two reading structures and what they read from.
+/// Owns libpng's two reading structures and what they read from. Where a step returns false, `failure` says why.
 struct Decoder {
     png_structp png = nullptr;
     png_infop info = nullptr;
+    std::span<const std::uint8_t> whole;
     std::span<const std::uint8_t> rest;
     std::string failure;
 
-    Decoder() = default;
+    explicit Decoder(std::span<const std::uint8_t> bytes);
     Decoder(const Decoder&) = delete;
     Decoder& operator=(const Decoder&) = delete;
     ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
+
+    [[nodiscard]] std::size_t width() const { return png_get_image_width(png, info); }
+    [[nodiscard]] std::size_t height() const { return png_get_image_height(png, info); }
+    [[nodiscard]] Size size() const { return {static_cast<int>(width()), static_cast<int>(height())}; }
+    [[nodiscard]] bool hasColor() const { return (png_get_color_type(png, info) & PNG_COLOR_MASK_COLOR) != 0; }
+    [[nodiscard]] bool hasAlpha() const {
+        return (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 ||
+               png_get_valid(png, info, PNG_INFO_tRNS) != 0;
+    }
 };
 
 // libpng leaves an error by longjmp; no object with a destructor may live in the frames that it jumps over.
@@ -45,7 +57,16 @@ void take(png_structp png, png_bytep data, png_size_t size) {
     rest = rest.subspan(size);
 }
 
-/// Reads what stands before the pixels. @return whether libpng finished; if not, decoder.failure says why
+Decoder::Decoder(std::span<const std::uint8_t> bytes) : whole{bytes}, rest{bytes} {
+    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, leave, ignoreWarning);
+    if (png != nullptr) info = png_create_info_struct(png);
+    if (info == nullptr) {
+        png_destroy_read_struct(&png, nullptr, nullptr);
+        throw std::bad_alloc{};
+    }
+}
+
+/// Reads what stands before the pixels.
 bool readHeader(Decoder& decoder) {
     if (setjmp(png_jmpbuf(decoder.png)) != 0) return false;
     png_set_read_fn(decoder.png, &decoder, take);
@@ -53,8 +74,8 @@ bool readHeader(Decoder& decoder) {
     return true;
 }
 
-/// Asks for 8 or 16 bits a channel in the byte order of this machine. @return likewise
-bool prepareRows(Decoder& decoder) {
+/// Asks for 8 or 16 bits a channel, as in the file, in the byte order of this machine.
+bool askForValues(Decoder& decoder) {
     if (setjmp(png_jmpbuf(decoder.png)) != 0) return false;
     png_set_expand(decoder.png);
     if (std::endian::native == std::endian::little) png_set_swap(decoder.png);
@@ -63,26 +84,61 @@ bool prepareRows(Decoder& decoder) {
     return true;
 }
 
-/// @return likewise
-bool readRows(Decoder& decoder, std::vector<png_bytep>& rows) {
+/// Asks for 8 bits in sRGB. Without a gamma of its own a file of 16 bits is taken for linear, one of less for sRGB: so
+/// does libpng's own simplified reading.
+bool askForLooks(Decoder& decoder, PngChannels channels) {
     if (setjmp(png_jmpbuf(decoder.png)) != 0) return false;
-    png_read_image(decoder.png, rows.data());
+    constexpr int silently = 1;
+    const bool deep = png_get_bit_depth(decoder.png, decoder.info) == 16;
+    png_set_expand(decoder.png);
+    if (channels == PngChannels::Rgba && !decoder.hasColor()) png_set_gray_to_rgb(decoder.png);
+    if (channels == PngChannels::GreyAlpha && decoder.hasColor())
+        png_set_rgb_to_gray_fixed(decoder.png, silently, PNG_RGB_TO_GRAY_DEFAULT, PNG_RGB_TO_GRAY_DEFAULT);
+    png_set_alpha_mode_fixed(decoder.png, PNG_ALPHA_PNG, deep ? PNG_GAMMA_LINEAR : PNG_DEFAULT_sRGB);
+    if (deep) png_set_scale_16(decoder.png);
+    if (!decoder.hasAlpha()) png_set_add_alpha(decoder.png, 255, PNG_FILLER_AFTER);
+    png_set_alpha_mode_fixed(decoder.png, PNG_ALPHA_PNG, PNG_DEFAULT_sRGB);
+    png_set_interlace_handling(decoder.png);
+    png_read_update_info(decoder.png, decoder.info);
+    return true;
+}
+
+bool readRows(Decoder& decoder, png_bytepp rows) {
+    if (setjmp(png_jmpbuf(decoder.png)) != 0) return false;
+    png_read_image(decoder.png, rows);
+    return true;
+}
+
+bool readEnd(Decoder& decoder) {
+    if (setjmp(png_jmpbuf(decoder.png)) != 0) return false;
     png_read_end(decoder.png, nullptr);
     return true;
 }
 
 // A few bytes must not make us ask for the memory of a picture that they cannot hold.
-bool canHoldItsRows(const Decoder& decoder, std::size_t fileSize) {
+bool canHoldItsRows(Decoder& decoder) {
     constexpr std::size_t highestRatio = 1100;  // deflate: 1032
-    const std::size_t height = png_get_image_height(decoder.png, decoder.info);
-    return png_get_rowbytes(decoder.png, decoder.info) <= highestRatio * fileSize / std::max<std::size_t>(height, 1);
+    const std::size_t most = highestRatio * decoder.whole.size() / std::max<std::size_t>(decoder.height(), 1);
+    if (png_get_rowbytes(decoder.png, decoder.info) <= most) return true;
+    decoder.failure = "fewer bytes than its pixels need";
+    return false;
 }
 
 // libpng 1.6.48 no longer looks at the last chunk's checksum, which 1.6.39 does.
-bool endsWhole(std::span<const std::uint8_t> bytes, std::span<const std::uint8_t> rest) {
+bool endsWhole(Decoder& decoder) {
     constexpr std::array<std::uint8_t, 12> end{0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
-    bytes = bytes.first(bytes.size() - rest.size());
-    return bytes.size() >= end.size() && std::ranges::equal(bytes.last(end.size()), end);
+    const auto read = decoder.whole.first(decoder.whole.size() - decoder.rest.size());
+    if (read.size() >= end.size() && std::ranges::equal(read.last(end.size()), end)) return true;
+    decoder.failure = "a wrong last chunk";
+    return false;
+}
+
+/// All rows, one after the other.
+bool readPixels(Decoder& decoder, std::span<std::uint8_t> to) {
+    const std::size_t rowSize = png_get_rowbytes(decoder.png, decoder.info);
+    std::vector<png_bytep> rows;
+    for (std::size_t y = 0; y < decoder.height(); ++y) rows.push_back(&to[rowSize * y]);
+    return readRows(decoder, rows.data());
 }
 
 template <class Sample>
@@ -94,8 +150,15 @@ void scale(const std::vector<std::uint8_t>& bytes, float largest, std::vector<fl
     }
 }
 
-ReadPicture failed(const std::string& found) {
-    return {{}, true, fmt::format("expected a whole PNG, found {}; write it again", found)};
+[[noreturn]] void refuseDamaged(const Decoder& decoder) {
+    load::refuse("expected a PNG picture, found: " + load::quote(decoder.failure));
+}
+
+void beginToLook(Decoder& decoder, std::uint64_t mostPixels) {
+    if (!readHeader(decoder)) refuseDamaged(decoder);
+    if (std::uint64_t{decoder.width()} * decoder.height() > mostPixels)
+        load::refuse(fmt::format("expected at most {} pixels, found {}x{}; raise max-image-pixels", mostPixels,
+                                 decoder.width(), decoder.height()));
 }
 
 }  // namespace
@@ -105,31 +168,36 @@ bool isPng(std::span<const std::uint8_t> bytes) noexcept {
 }
 
 ReadPicture readPng(std::span<const std::uint8_t> bytes) {
-    Decoder decoder;
-    decoder.rest = bytes;
-    decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoder, leave, ignoreWarning);
-    if (decoder.png != nullptr) decoder.info = png_create_info_struct(decoder.png);
-    if (decoder.info == nullptr) throw std::bad_alloc{};
-    if (!readHeader(decoder)) return failed(decoder.failure);
-    if (!canHoldItsRows(decoder, bytes.size())) return failed("fewer bytes than its pixels need");
-    if (!prepareRows(decoder)) return failed(decoder.failure);
-
-    const auto width = static_cast<int>(png_get_image_width(decoder.png, decoder.info));
-    const auto height = static_cast<int>(png_get_image_height(decoder.png, decoder.info));
-    const std::size_t rowSize = png_get_rowbytes(decoder.png, decoder.info);
-    std::vector<std::uint8_t> samples(rowSize * static_cast<std::size_t>(height));
-    std::vector<png_bytep> rows;
-    for (int y = 0; y < height; ++y) rows.push_back(samples.data() + rowSize * static_cast<std::size_t>(y));
-    if (!readRows(decoder, rows)) return failed(decoder.failure);
-    if (!endsWhole(bytes, decoder.rest)) return failed("a wrong last chunk");
-
-    ReadPicture result{{{width, height}, png_get_channels(decoder.png, decoder.info)}, true, {}};
+    Decoder decoder{bytes};
+    const auto failed = [&] {
+        return ReadPicture{{}, true, fmt::format("expected a whole PNG, found {}; write it again", decoder.failure)};
+    };
+    if (!readHeader(decoder) || !canHoldItsRows(decoder) || !askForValues(decoder)) return failed();
+    std::vector<std::uint8_t> samples(png_get_rowbytes(decoder.png, decoder.info) * decoder.height());
+    if (!readPixels(decoder, samples) || !readEnd(decoder) || !endsWhole(decoder)) return failed();
+    ReadPicture result{{decoder.size(), png_get_channels(decoder.png, decoder.info)}, true, {}};
     if (png_get_bit_depth(decoder.png, decoder.info) == 16) {
         scale<std::uint16_t>(samples, 65535.0F, result.image.pixels);
     } else {
         scale<std::uint8_t>(samples, 255.0F, result.image.pixels);
     }
     return result;
+}
+
+Image<std::uint8_t> readPngToLookAt(std::span<const std::uint8_t> bytes, std::uint64_t mostPixels,
+                                    PngChannels channels) {
+    Decoder decoder{bytes};
+    beginToLook(decoder, mostPixels);
+    if (!canHoldItsRows(decoder) || !askForLooks(decoder, channels)) refuseDamaged(decoder);
+    Image<std::uint8_t> image{decoder.size(), channels == PngChannels::Rgba ? 4 : 2};
+    if (!readPixels(decoder, image.pixels)) refuseDamaged(decoder);
+    return image;
+}
+
+bool pngHasAlpha(std::span<const std::uint8_t> bytes, std::uint64_t mostPixels) {
+    Decoder decoder{bytes};
+    beginToLook(decoder, mostPixels);
+    return decoder.hasAlpha();
 }
 
 }  // namespace inkedge::io

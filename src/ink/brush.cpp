@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/read_file.h"
 #include "base/message.h"
-#include "images/opacity_map.h"
+#include "base/read_file.h"
+#include "images/decode_picture.h"
 
 namespace inkedge {
 namespace {

@@ -7,7 +7,7 @@
 #include "base/message.h"
 #include "formats/gltf/attributes.h"
 #include "formats/gltf/paint.h"
-#include "images/opacity_map.h"
+#include "images/decode_picture.h"
 
 namespace inkedge::gltf {
 
