@@ -16,8 +16,8 @@ namespace inkedge {
 /// Replaces every mesh by triangles whose vertices lie on the smooth surface that it controls, settings.subdivide
 /// levels down: of Loop's scheme, or of Catmull-Clark's where the file had polygons. Creases (over the crease angle, or
 /// by the file's normals) and borders stay sharp, faces keep their material, their number and their order; normals are
-/// the limit surface's. Texture coordinates and paint are linear across the faces that were, parts of an edge are of its
-/// kinds. Triangles that repeat an earlier one or have collapsed are dropped. A mesh without faces stays as it is.
+/// the limit surface's. Texture coordinates and paint are linear across the faces that were, parts of an edge are of
+/// its kinds. Triangles that repeat an earlier one or have collapsed are dropped. A mesh without faces stays as it is.
 /// @throws Error  (Kind::Input) if vertices and indices would come to more than settings.limits.vertices;
 ///                (Kind::Runtime) if subdivision is not at hand
 void subdivideMeshes(std::vector<Mesh>&, const LoadSettings& settings);

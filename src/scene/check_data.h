@@ -4,8 +4,8 @@
 
 namespace inkedge {
 
-/// @throws Error  (Kind::Input) if an index, a count or a coordinate is out of range or not finite; the message names the
-///                mesh, the instance or the node, and the element
+/// @throws Error  (Kind::Input) if an index, a count or a coordinate is out of range or not finite; the message names
+///                the mesh, the instance or the node, and the element
 void checkData(const Scene::Data&);
 
 }  // namespace inkedge

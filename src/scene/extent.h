@@ -8,8 +8,8 @@
 
 namespace inkedge {
 
-/// Meshes, the box of each one's positions less its origin, and where they stand. Instances whose box cannot reach further
-/// than what is already found are not looked into.
+/// Meshes, the box of each one's positions less its origin, and where they stand. Instances whose box cannot reach
+/// further than what is already found are not looked into.
 struct PlacedBoxes {
     std::span<const Mesh> meshes;
     std::span<const Box> boxes;  ///< one a mesh

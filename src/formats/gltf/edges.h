@@ -15,8 +15,8 @@ namespace inkedge::gltf {
 /// What EXT_mesh_primitive_edge_visibility says of a primitive's edges.
 struct EdgeVisibility {
     /// One an index of triangleList(), of the edge from that corner to its triangle's next: EdgeKind::Marked, to be
-    /// drawn always; EdgeKind::Inner, to be drawn never, or only as silhouette: the surface is smooth there; or neither.
-    /// Empty: the primitive does not have the extension.
+    /// drawn always; EdgeKind::Inner, to be drawn never, or only as silhouette: the surface is smooth there; or
+    /// neither. Empty: the primitive does not have the extension.
     std::vector<EdgeKinds> kinds;
     std::size_t lost = 0;  ///< line strings' edges that belong to no triangle drawn
 };
