@@ -337,6 +337,7 @@ Scene transformed(const Scene& scene, const glm::dmat4& transform) {
     Scene::Data data;
     data.meshes = scene.meshes();
     data.instances = scene.instances();
+    data.nodes = scene.nodes();
     for (Instance& instance : data.instances) instance.transform = transform * instance.transform;
     return Scene{std::move(data)};
 }
