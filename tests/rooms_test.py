@@ -17,7 +17,6 @@ OWNERS = {  # of the other public headers
     "scene": ["scene"],
     "camera": ["camera", "views"],
     "gl": ["backends"],
-    "reference": ["reference"],
     "render": ["renderer"],
     "io": ["compare", "write"],
     "job": ["job"],

@@ -1,4 +1,4 @@
-#include <inkedge/reference.h>
+#include "reference/reference.h"
 
 #include <algorithm>
 #include <array>

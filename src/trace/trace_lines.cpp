@@ -10,14 +10,11 @@
 
 #include <glm/geometric.hpp>
 
-#include <inkedge/reference.h>
-
+#include "raster/pair_mark.h"
 #include "scene/prepared.h"
 
 namespace inkedge {
 namespace {
-
-using reference::PairMark;
 
 constexpr double leastBend = 0.05;  // pixel footprints over a step: planes that bend less do not say where they meet
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include <inkedge/reference.h>
+#include "reference/reference.h"
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>

@@ -12,10 +12,10 @@
 
 #include <gmock/gmock.h>
 
-#include <inkedge/reference.h>
+#include "reference/reference.h"
 
-#include "gl/gl_test.h"
 #include "base/expect_error.h"
+#include "gl/gl_test.h"
 #include "scenes.h"
 
 namespace inkedge {

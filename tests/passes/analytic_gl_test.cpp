@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <glm/trigonometric.hpp>
 
-#include <inkedge/reference.h>
+#include "reference/reference.h"
 
 #include "gl/gl_test.h"
 #include "scenes.h"

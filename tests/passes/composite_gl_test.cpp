@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include <inkedge/reference.h>
+#include "reference/reference.h"
 
 #include "gl/gl_test.h"
 #include "scenes.h"

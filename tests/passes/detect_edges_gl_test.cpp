@@ -9,7 +9,7 @@
 
 #include <gmock/gmock.h>
 
-#include <inkedge/reference.h>
+#include "reference/reference.h"
 
 #include "gl/gl_test.h"
 #include "gl/read_back.h"

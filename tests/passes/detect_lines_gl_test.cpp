@@ -12,7 +12,7 @@
 #include <gmock/gmock.h>
 #include <glm/trigonometric.hpp>
 
-#include <inkedge/reference.h>
+#include "reference/reference.h"
 
 #include "gl/gl_test.h"
 #include "gl/read_back.h"
@@ -22,8 +22,6 @@
 
 namespace inkedge {
 namespace {
-
-using reference::PairMark;
 
 INKEDGE_ON_EACH_BACKEND(DetectLines);
 

@@ -5,8 +5,8 @@
 
 #include <inkedge/renderer.h>
 
-#include "gl/gl_test.h"
 #include "formats/gltf/load_gltf.h"
+#include "gl/gl_test.h"
 
 namespace inkedge {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <gmock/gmock.h>
 
-#include <inkedge/reference.h>
 #include <inkedge/settings.h>
+#include "reference/reference.h"
 
 #include "gl/gl_test.h"
 #include "gl/read_back.h"

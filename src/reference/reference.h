@@ -3,10 +3,11 @@
 #include <span>
 
 #include <inkedge/camera.h>
-#include <inkedge/export.h>
 #include <inkedge/image.h>
 #include <inkedge/scene.h>
 #include <inkedge/settings.h>
+
+#include "raster/pair_mark.h"
 
 /// The CPU definition of every pass, in plain loops and double precision: what the graphics processor must compute.
 /// Made to be read and to test against, not to be fast. All functions are pure and thread-safe.
@@ -31,21 +32,21 @@ struct Surface {
 /// far. The GPU twin is drawSurface(); the two may differ at pixels whose centre lies within 1/256 pixel of a
 /// triangle's edge, since graphics processors snap vertices to such a grid. O(pixels covered by each triangle's
 /// bounds).
-[[nodiscard]] INKEDGE_API Surface drawSurface(const Scene&, const Camera&, LightSpace, Size);
+[[nodiscard]] Surface drawSurface(const Scene&, const Camera&, LightSpace, Size);
 
 /// The light that a white diffuse surface receives from a red, a green and a blue directional light along +X, +Y and +Z
 /// and from lights of negative intensity along -X, -Y and -Z. Equals the normal. Section 2.1.2.
-[[nodiscard]] INKEDGE_API glm::dvec3 sixLights(glm::dvec3 unitNormal) noexcept;
+[[nodiscard]] glm::dvec3 sixLights(glm::dvec3 unitNormal) noexcept;
 
 /// The depth that edges are found in: 0..1 from near to far.
 /// @param depth  eye-space depth, scene units
-[[nodiscard]] INKEDGE_API Image<double> scaledDepth(const Image<double>& depth, const Camera&, DepthMap);
+[[nodiscard]] Image<double> scaledDepth(const Image<double>& depth, const Camera&, DepthMap);
 
 /// Gradient magnitude (equation 6) of one channel of an image, with the kernels I_x = d along x, p along y and I_y the
 /// other way round, used as printed. Beyond the border the border pixel is repeated.
 /// @return        height x width, row-major, row 0 at the top; the image's unit times the kernel's gain
 /// @throws Error  (Kind::Usage) if there is no such channel
-[[nodiscard]] INKEDGE_API Image<double> gradientMagnitude(const Image<double>& image, int channel, Kernel);
+[[nodiscard]] Image<double> gradientMagnitude(const Image<double>& image, int channel, Kernel);
 
 /// Appendix A on both maps.
 struct Edges {
@@ -60,16 +61,8 @@ struct Edges {
 /// @param depth   eye-space depth, scene units
 /// @param normal  3 channels
 /// @throws Error  (Kind::Usage) if the sizes differ
-[[nodiscard]] INKEDGE_API Edges detectEdges(const Image<double>& depth, const Image<double>& normal, const Camera&,
-                                            const DetectorSettings&);
-
-/// Bits of what may lie between a sample and a neighbour. The same stand in shaders/shared/marks.glsl.
-struct PairMark {
-    static constexpr unsigned background = 1;  ///< one of the two sees no surface
-    static constexpr unsigned patch = 2;       ///< the patches differ
-    static constexpr unsigned bend = 4;        ///< the faces bend by more than the crease angle
-    static constexpr unsigned jump = 8;        ///< one surface lies in front of the other
-};
+[[nodiscard]] Edges detectEdges(const Image<double>& depth, const Image<double>& normal, const Camera&,
+                                const DetectorSettings&);
 
 /// Lines without thresholds. On a plane w = 1 / z (orthographic: w = -z) is linear in the picture. With g the slope of
 /// w over the step from p to q on each one's own plane, r_p = w_q - (w_p + g_p) and r_q = w_p - (w_q - g_q) have one
@@ -85,20 +78,20 @@ struct PairMark {
 /// @return             one byte a pixel: PairMark bits, the low four for the pixel and the one to its right, the
 ///                     high four for the pixel and the one below
 /// @throws Error       (Kind::Usage) if there are not 4 channels
-[[nodiscard]] INKEDGE_API Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength,
-                                                          bool orthographic, double creaseAngle);
+[[nodiscard]] Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength, bool orthographic,
+                                              double creaseAngle);
 
 /// A surface function's values at pixels' centres: Hertzmann 1999, section 2.1.3. Of functions that read pictures or users'
 /// shaders there is no definition here. The definitions stand in src/reference/functions.cpp; GPU twins: shaders/functions.
 /// @return        4 channels; background: the row's value, or 1e30 in the last channel where it has none
 /// @throws Error  (Kind::Usage) if the function reads a file or its materials have pictures
-[[nodiscard]] INKEDGE_API Image<double> drawFunction(const Scene&, const Camera&, const FunctionSettings&, Size);
+[[nodiscard]] Image<double> drawFunction(const Scene&, const Camera&, const FunctionSettings&, Size);
 
 /// Equation 6 on a function's values, the largest of its channels. Differences are taken from the pixel's own value, modulo
 /// wrapPeriod(); background without a value differs from nothing and has no magnitude. GPU twins: detect_function.frag,
 /// measure_function.frag.
 /// @param values  4 channels, as drawFunction() returns them
-[[nodiscard]] INKEDGE_API Image<double> functionMagnitude(const Image<double>& values, const FunctionSettings&);
+[[nodiscard]] Image<double> functionMagnitude(const Image<double>& values, const FunctionSettings&);
 
 /// How dark profiles and internal edges are, 0 to 1: the square of the larger of min((g_max - g_min) / k_p, 1), over the
 /// 3 x 3 pixels around, and min(|l| / k_l, 1), with
@@ -112,8 +105,8 @@ struct PairMark {
 /// limits k_p and k_l are settings. GPU twin: detect_profiles.frag.
 /// @param depth   eye-space depth, scene units
 /// @param normal  3 channels; background: 0
-[[nodiscard]] INKEDGE_API Image<double> detectProfiles(const Image<double>& depth, const Image<double>& normal,
-                                                       const Camera&, const DetectorSettings&);
+[[nodiscard]] Image<double> detectProfiles(const Image<double>& depth, const Image<double>& normal, const Camera&,
+                                           const DetectorSettings&);
 
 /// How much hatch marks cover of each sample, 0 to 1: Hertzmann 1999, Figure 2(b). Where two facets meet between
 /// neighbours (a step or two from the sample, along a row or a column) runs the straight mark on which their planes are
@@ -125,8 +118,8 @@ struct PairMark {
 /// @param focalLength  likewise
 /// @param bend         degrees
 /// @param width        samples
-[[nodiscard]] INKEDGE_API Image<double> hatch(const Image<float>& planes, double focalLength, bool orthographic,
-                                              double bend, double shade, double width);
+[[nodiscard]] Image<double> hatch(const Image<float>& planes, double focalLength, bool orthographic, double bend,
+                                  double shade, double width);
 
 /// How much ink a soft brush leaves, 0 to 1: after Hertzmann 1999, Figure 2(c). The channels are the normal's, of which a
 /// step of 1/2, and the depth's from near to far, of which a step of 0.06 takes half of the ink; depth is first rounded down
@@ -138,18 +131,18 @@ struct PairMark {
 /// sumi_brush.frag.
 /// @param depth   eye-space depth, scene units
 /// @param normal  3 channels; background: 0
-[[nodiscard]] INKEDGE_API Image<double> sumi(const Image<double>& depth, const Image<double>& normal, const Camera&,
-                                             const StyleSettings&);
+[[nodiscard]] Image<double> sumi(const Image<double>& depth, const Image<double>& normal, const Camera&,
+                                 const StyleSettings&);
 
 /// A drawing in loose strokes, after Curtis 1998 (reference 5 of Hertzmann 1999): looked up pencilStrokes times at places
 /// that smooth noise displaces, each laid over the last. Noise stands still in the picture, so that equal lines stray
 /// equally in all pictures of one seed. GPU twin: pencil.frag.
 /// @param drawing  4 channels, 0 to 255, not premultiplied, on nothing
 /// @return         4 channels, 0 to 1, not premultiplied
-[[nodiscard]] INKEDGE_API Image<double> pencil(const Image<std::uint8_t>& drawing, const StyleSettings&);
+[[nodiscard]] Image<double> pencil(const Image<std::uint8_t>& drawing, const StyleSettings&);
 
 /// The outline picture of the classic detector. Fast twin: src/passes/composite.h.
 /// @return  1, 3 or 4 channels, as Maps::picture
-[[nodiscard]] INKEDGE_API Image<std::uint8_t> composite(const Image<std::uint8_t>& edges, const PictureSettings&);
+[[nodiscard]] Image<std::uint8_t> composite(const Image<std::uint8_t>& edges, const PictureSettings&);
 
 }  // namespace inkedge::reference

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace inkedge {
+
+/// Bits of what may lie between a sample and a neighbour. The same stand in shaders/shared/marks.glsl.
+struct PairMark {
+    static constexpr unsigned background = 1;  ///< one of the two sees no surface
+    static constexpr unsigned patch = 2;       ///< the patches differ
+    static constexpr unsigned bend = 4;        ///< the faces bend by more than the crease angle
+    static constexpr unsigned jump = 8;        ///< one surface lies in front of the other
+};
+
+}  // namespace inkedge
