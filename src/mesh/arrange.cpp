@@ -50,7 +50,7 @@ void bringForward(Mesh& mesh, const std::vector<bool>& first) {
     if (std::ranges::is_partitioned(first, [](bool is) { return is; })) return;
     std::vector<std::uint32_t> order(first.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::ranges::stable_partition(order, [&](std::uint32_t t) { return first[t]; });
+    std::stable_partition(order.begin(), order.end(), [&](std::uint32_t t) { return first[t]; });
     reorder(mesh.indices, order, 3);
     reorder(mesh.edges, order, 3);
     reorder(mesh.materials, order, 1);
