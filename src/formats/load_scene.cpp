@@ -10,10 +10,10 @@
 #include <inkedge/error.h>
 #include <inkedge/scene.h>
 
-#include "formats/polygons/load_assimp.h"
+#include "base/message.h"
 #include "base/read_file.h"
 #include "formats/gltf/load_gltf.h"
-#include "base/message.h"
+#include "formats/polygons/load_polygons.h"
 
 namespace inkedge {
 namespace {
@@ -42,12 +42,12 @@ Scene::Data loadByFormat(const fs::path& file, const LoadSettings& settings) {
     const load::Bytes start = load::within(load::printable(file.string()), [&] { return load::readStart(file, 512); });
     if (load::textOf(start).starts_with("glTF")) return loadGltf(file, settings);
     if (const std::optional<PolygonFormat> format = polygonFormat(extension))
-        return loadAssimp(file, *format, settings.limits,
-                          settings.textureCoordinates ? load::Coordinates::Read : load::Coordinates::Skip);
-    load::refuse(
-        fmt::format("{}: expected a model by its extension, {}, found {} with {}", load::printable(file.string()),
-                    readsPolygonFormats() ? ".glb, .gltf, .obj, .stl or .ply" : ".glb or .gltf",
-                    load::kindOf(load::textOf(start)), extension.empty() ? "none" : load::printable(extension)));
+        return loadPolygons(file, *format, settings.limits,
+                            settings.textureCoordinates ? load::Coordinates::Read : load::Coordinates::Skip);
+    load::refuse(fmt::format("{}: expected a model by its extension, {}, found {} with {}",
+                             load::printable(file.string()), ".glb, .gltf, .obj, .stl or .ply",
+                             load::kindOf(load::textOf(start)),
+                             extension.empty() ? "none" : load::printable(extension)));
 }
 
 }  // namespace

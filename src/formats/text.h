@@ -6,19 +6,22 @@
 
 namespace inkedge::load {
 
-inline constexpr std::string_view blanks = " \t\r\n\v\f";
+[[nodiscard]] constexpr bool isBlank(char c) noexcept { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 /// Less the blanks that it starts with.
 [[nodiscard]] inline std::string_view trimmed(std::string_view text) noexcept {
-    const std::size_t start = text.find_first_not_of(blanks);
-    return start == std::string_view::npos ? std::string_view{} : text.substr(start);
+    std::size_t start = 0;
+    while (start < text.size() && isBlank(text[start])) ++start;
+    return text.substr(start);
 }
 
 /// The first word, taken off the text; empty if there is none.
 [[nodiscard]] inline std::string_view takeWord(std::string_view& text) noexcept {
     text = trimmed(text);
-    const std::string_view word = text.substr(0, text.find_first_of(blanks));
-    text.remove_prefix(word.size());
+    std::size_t end = 0;
+    while (end < text.size() && !isBlank(text[end])) ++end;
+    const std::string_view word = text.substr(0, end);
+    text.remove_prefix(end);
     return word;
 }
 

@@ -4,7 +4,7 @@
 
 namespace inkedge::load {
 
-/// The formats that loadAssimp() reads.
+/// The formats that loadPolygons() reads.
 enum class PolygonFormat { Obj, Stl, Ply };
 
 /// Whether texture coordinates are of use.

@@ -1,13 +1,13 @@
 #include "formats/polygons/obj.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -17,53 +17,82 @@
 namespace inkedge::load {
 namespace {
 
-class Checker {
-public:
-    Checker(const glm::dvec3& origin, Coordinates coordinates) : origin_{origin}, coordinates_{coordinates} {}
+// One v, vt and vn that corners name together, each counted from 1; 0: none.
+struct Vertex {
+    std::uint32_t position = 0;
+    std::uint32_t texture = 0;
+    std::uint32_t normal = 0;
+    std::uint32_t next = 0;  // another of the same position, counted from 1
+};
 
-    ObjContent check(std::string_view content) {
-        content_.text.reserve(content.size() + 64);
-        for (line_ = 1; !content.empty(); ++line_) {
-            const std::string_view line = takeLine(content);
-            if (!line.empty()) within(label("line", line_), [&] { readLine(line); });
+class Reader {
+public:
+    Reader(std::string_view content, Coordinates coordinates)
+        : rest_{content}, coordinates_{coordinates}, mostElements_{content.size() / shortestLine} {}
+
+    PolygonFile read() {
+        try {
+            for (line_ = 1; !rest_.empty(); ++line_) readLine(takeLine());
+        } catch (const Error& error) {
+            throw Error{error.kind(), label("line", line_) + ": " + error.what()};
         }
-        within(label("line", highest_.line), [&] { checkIndex(highest_.vertex, vertices_, "a vertex"); });
-        within(label("line", highest_.normalLine), [&] { checkIndex(highest_.normal, normals_, "a normal"); });
-        within(label("line", highest_.textureLine), [&] { checkIndex(highest_.texture, textures_, "a vt"); });
-        return std::move(content_);
+        within(label("line", position_.line), [&] { checkIndex(position_, positions_.size(), "a vertex"); });
+        within(label("line", normal_.line), [&] { checkIndex(normal_, normals_.size(), "a normal"); });
+        within(label("line", texture_.line), [&] { checkIndex(texture_, textures_.size(), "a vt"); });
+        if (file_.faceCount + file_.points + file_.lines == 0) refuse("expected faces, found none");
+        fillVertices();
+        return std::move(file_);
     }
 
 private:
+    static constexpr std::size_t shortestLine = 5;  // "vt 0\n"
+
+    // The highest number in a face, and where it stands.
+    struct Highest {
+        std::uint64_t number = 0;
+        std::size_t line = 0;
+    };
+
+    std::string_view takePhysicalLine() {
+        std::size_t end = 0;
+        while (end < rest_.size() && rest_[end] != '\n' && rest_[end] != '\r') ++end;
+        const std::string_view line = rest_.substr(0, end);
+        rest_.remove_prefix(end);
+        rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : std::min<std::size_t>(rest_.size(), 1));
+        return withoutComment(line);
+    }
+
+    // A comment starts where a word does: names may hold a #.
+    static std::string_view withoutComment(std::string_view line) {
+        for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1))
+            if (at == 0 || isBlank(line[at - 1])) return line.substr(0, at);
+        return line;
+    }
+
     // A backslash joins a line with the next.
-    std::string_view takeLine(std::string_view& rest) {
-        std::size_t end = rest.find('\n');
-        if (end == std::string_view::npos) end = rest.size();
-        std::string_view line = rest.substr(0, end);
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-        if (line.ends_with('\r')) line.remove_suffix(1);
+    std::string_view takeLine() {
+        std::string_view line = takePhysicalLine();
         if (!line.ends_with('\\')) return line;
-        joined_.assign(line.substr(0, line.size() - 1));
-        while (line.ends_with('\\') && !rest.empty()) {
-            ++line_;
-            end = std::min(rest.find('\n'), rest.size());
-            line = rest.substr(0, end);
-            rest.remove_prefix(std::min(end + 1, rest.size()));
-            if (line.ends_with('\r')) line.remove_suffix(1);
+        joined_.clear();
+        for (;;) {
+            const bool goesOn = line.ends_with('\\');
+            joined_ += line.substr(0, line.size() - (goesOn ? 1 : 0));
             joined_ += ' ';
-            joined_ += line.substr(0, line.size() - (line.ends_with('\\') ? 1 : 0));
+            if (!goesOn || rest_.empty()) return joined_;
+            ++line_;
+            line = takePhysicalLine();
         }
-        return joined_;
     }
 
     void readLine(std::string_view line) {
         const std::string_view keyword = takeWord(line);
-        if (keyword == "v") return readVector("v", line, origin_, vertices_);
-        if (keyword == "vn") return readVector("vn", line, glm::dvec3{0.0}, normals_);
+        if (keyword == "v") return positions_.push_back(readVector("v", line));
+        if (keyword == "vn") return normals_.push_back(glm::vec3{readVector("vn", line)});
         if (keyword == "vt" && coordinates_ == Coordinates::Read) return readTexture(line);
         if (keyword == "f" || keyword == "fo") return readFace(line);
         if (keyword == "usemtl") return useMaterial(line);
-        if (keyword == "p") content_.points += countWords(line);
-        if (keyword == "l") content_.lines += std::max<std::uint64_t>(countWords(line), 1) - 1;
+        if (keyword == "p") file_.points += countWords(line);
+        if (keyword == "l") file_.lines += std::max<std::uint64_t>(countWords(line), 1) - 1;
     }
 
     static std::uint64_t countWords(std::string_view line) {
@@ -72,81 +101,88 @@ private:
         return count;
     }
 
-    void readVector(std::string_view keyword, std::string_view line, const glm::dvec3& origin, std::uint64_t& count) {
-        write(keyword);
+    static bool isFinite(const std::optional<double>& number) {
+        return number && std::abs(*number) <= double{std::numeric_limits<float>::max()};
+    }
+
+    static glm::dvec3 readVector(std::string_view keyword, std::string_view line) {
+        glm::dvec3 vector{0.0};
         for (int i = 0; i < 3; ++i) {
             const std::string_view word = takeWord(line);
             const std::optional<double> number = toNumber<double>(word);
-            if (!number || !(std::abs(*number) <= std::numeric_limits<float>::max()))
+            if (!isFinite(number))
                 refuse(fmt::format("expected three finite numbers after {}, found {} and {}", keyword, i,
                                    word.empty() ? "no more" : quote(word)));
-            write(" ");
-            write(static_cast<float>(*number - origin[i]));
+            vector[i] = *number;
         }
-        write("\n");
-        ++count;
+        return vector;
     }
 
-    // "vt u", "vt u v" or "vt u v w".
+    // "vt u", "vt u v" or "vt u v w"; v = 0 lies at the bottom.
     void readTexture(std::string_view line) {
-        write("vt");
+        glm::vec2 texture{0.0F};
         for (int i = 0; i < 2; ++i) {
             const std::string_view word = takeWord(line);
             const std::optional<double> number = i == 1 && word.empty() ? 0.0 : toNumber<double>(word);
-            if (!number || !(std::abs(*number) <= std::numeric_limits<float>::max()))
+            if (!isFinite(number))
                 refuse(fmt::format("expected one to three finite numbers after vt, found {} and {}", i,
                                    word.empty() ? "no more" : quote(word)));
-            write(" ");
-            write(static_cast<float>(*number));
+            texture[i] = static_cast<float>(*number);
         }
-        write("\n");
-        ++textures_;
+        textures_.emplace_back(texture.x, 1.0F - texture.y);
     }
 
     void readFace(std::string_view line) {
         corners_.clear();
-        for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line))
+        bool allNormals = true;
+        bool allTextures = true;
+        for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
             corners_.push_back(corner(word));
+            allNormals = allNormals && corners_.back().normal != 0;
+            allTextures = allTextures && corners_.back().texture != 0;
+        }
         if (corners_.size() < 3) {
-            ++(corners_.size() == 2 ? content_.lines : content_.points);
+            ++(corners_.size() == 2 ? file_.lines : file_.points);
             return;
         }
-        const bool allNormals = std::ranges::all_of(corners_, [](const Corner& c) { return c.normal != 0; });
-        const bool allTextures = std::ranges::all_of(corners_, [](const Corner& c) { return c.texture != 0; });
-        write("f");
-        for (const Corner& c : corners_) {
-            write(" ");
-            write(fmt::format_int{c.vertex});
-            if (allTextures || allNormals) write("/");
-            if (allTextures) write(fmt::format_int{c.texture});
-            if (!allNormals) continue;
-            write("/");
-            write(fmt::format_int{c.normal});
+        for (Vertex& corner : corners_) {
+            if (!allNormals) corner.normal = 0;
+            if (!allTextures) corner.texture = 0;
+            file_.corners.push_back(vertexOf(corner));
         }
-        write("\n");
-        content_.faceMaterials.push_back(material_);
+        file_.endFace(corners_.size(), material_);
     }
 
-    struct Corner {
-        std::uint64_t vertex = 0;
-        std::uint64_t normal = 0;   // 0: none
-        std::uint64_t texture = 0;  // 0: none, or of no use
-    };
+    // The number of the vertex that a corner names, a new one if it is the first to. Of a position with very many
+    // vertices only the latest are looked at.
+    std::uint32_t vertexOf(const Vertex& corner) {
+        if (corner.position > firstVertices_.size()) firstVertices_.resize(corner.position, 0);
+        std::uint32_t& first = firstVertices_[corner.position - 1];
+        constexpr int most = 32;
+        std::uint32_t vertex = first;
+        for (int i = 0; vertex != 0 && i < most; ++i) {
+            const Vertex& known = vertices_[vertex - 1];
+            if (known.texture == corner.texture && known.normal == corner.normal) return vertex - 1;
+            vertex = known.next;
+        }
+        vertices_.push_back({corner.position, corner.texture, corner.normal, first});
+        first = static_cast<std::uint32_t>(vertices_.size());
+        return first - 1;
+    }
 
     // "7", "7/8", "7/8/9" or "7//9".
-    Corner corner(std::string_view word) {
+    Vertex corner(std::string_view word) {
         const std::string_view whole = word;
-        const std::string_view vertex = takePart(word);
+        const std::string_view position = takePart(word);
         const std::string_view texture = takePart(word);
         const std::string_view normal = takePart(word);
         if (!word.empty() || (!texture.empty() && !toNumber<std::int64_t>(texture)))
             refuse("expected a corner like 7, 7/8, 7/8/9 or 7//9, found " + quote(whole));
-        const Corner found{
-            index(vertex, vertices_, "a vertex"), normal.empty() ? 0 : index(normal, normals_, "a normal"),
-            texture.empty() || coordinates_ == Coordinates::Skip ? 0 : index(texture, textures_, "a vt")};
-        if (found.vertex > highest_.vertex) highest_.vertex = found.vertex, highest_.line = line_;
-        if (found.normal > highest_.normal) highest_.normal = found.normal, highest_.normalLine = line_;
-        if (found.texture > highest_.texture) highest_.texture = found.texture, highest_.textureLine = line_;
+        Vertex found;
+        found.position = index(position, positions_.size(), "a vertex", position_);
+        if (!normal.empty()) found.normal = index(normal, normals_.size(), "a normal", normal_);
+        if (!texture.empty() && coordinates_ == Coordinates::Read)
+            found.texture = index(texture, textures_.size(), "a vt", texture_);
         return found;
     }
 
@@ -156,17 +192,21 @@ private:
         return part;
     }
 
-    // Counted from 1; negative ones from the last so far. Positive ones may lie ahead.
-    static std::uint64_t index(std::string_view text, std::uint64_t count, std::string_view kind) {
+    // Counted from 1; negative ones from the last so far. Positive ones may lie ahead: the highest is checked at the
+    // end, and one beyond all that the file can hold is noted only.
+    std::uint32_t index(std::string_view text, std::uint64_t count, std::string_view kind, Highest& highest) const {
         const std::optional<std::int64_t> number = toNumber<std::int64_t>(text);
         if (!number) refuse(fmt::format("expected the number of {}, found {}", kind, quote(text)));
         const std::int64_t place = *number < 0 ? static_cast<std::int64_t>(count) + 1 + *number : *number;
         if (place <= 0) refuse(fmt::format("expected {} from 1 or from -1 to -{}, found {}", kind, count, *number));
-        return static_cast<std::uint64_t>(place);
+        const auto found = static_cast<std::uint64_t>(place);
+        if (found > highest.number) highest = {found, line_};
+        return found > mostElements_ ? 1 : static_cast<std::uint32_t>(found);
     }
 
-    static void checkIndex(std::uint64_t highest, std::uint64_t count, std::string_view kind) {
-        if (highest > count) refuse(fmt::format("expected {} from 1 to {}, found {}", kind, count, highest));
+    static void checkIndex(const Highest& highest, std::uint64_t count, std::string_view kind) {
+        if (highest.number > count)
+            refuse(fmt::format("expected {} from 1 to {}, found {}", kind, count, highest.number));
     }
 
     void useMaterial(std::string_view line) {
@@ -174,45 +214,48 @@ private:
         material_ = materials_.try_emplace(std::string{takeWord(line)}, next).first->second;
     }
 
-    void write(std::string_view text) { content_.text.insert(content_.text.end(), text.begin(), text.end()); }
-    // In plain form: assimp does not take .5 for a number.
-    void write(float number) {
-        std::array<char, 32> text{};
-        const char* const end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
-        write(std::string_view{text.data(), static_cast<std::size_t>(end - text.data())});
+    // Now that nothing lies ahead any more.
+    void fillVertices() {
+        const auto has = [&](std::uint32_t Vertex::*part) {
+            return std::ranges::any_of(vertices_, [&](const Vertex& vertex) { return vertex.*part != 0; });
+        };
+        const std::size_t count = vertices_.size();
+        file_.finePositions.resize(count);
+        file_.normals.resize(has(&Vertex::normal) ? count : 0, glm::vec3{0.0F});
+        file_.textureCoordinates.resize(has(&Vertex::texture) ? count : 0, glm::vec2{0.0F});
+        for (std::size_t i = 0; i < count; ++i) {
+            const Vertex& vertex = vertices_[i];
+            file_.finePositions[i] = positions_[vertex.position - 1];
+            if (vertex.normal != 0) file_.normals[i] = normals_[vertex.normal - 1];
+            if (vertex.texture != 0) file_.textureCoordinates[i] = textures_[vertex.texture - 1];
+        }
     }
-    void write(const fmt::format_int& number) { write(std::string_view{number.data(), number.size()}); }
 
-    // The highest numbers in faces, and where they stand.
-    struct Highest {
-        std::uint64_t vertex = 0;
-        std::size_t line = 0;
-        std::uint64_t normal = 0;
-        std::size_t normalLine = 0;
-        std::uint64_t texture = 0;
-        std::size_t textureLine = 0;
-    };
-
-    glm::dvec3 origin_;
+    std::string_view rest_;
     Coordinates coordinates_;
-    ObjContent content_;
+    std::uint64_t mostElements_;  // of a kind that the file can hold
+    PolygonFile file_;
     std::size_t line_ = 0;
     std::string joined_;
-    std::uint64_t vertices_ = 0;
-    std::uint64_t normals_ = 0;
-    std::uint64_t textures_ = 0;
-    Highest highest_;
-    std::vector<Corner> corners_;  // of the face at hand
+    std::vector<glm::dvec3> positions_;
+    std::vector<glm::vec3> normals_;
+    std::vector<glm::vec2> textures_;
+    Highest position_;
+    Highest normal_;
+    Highest texture_;
+    std::vector<Vertex> vertices_;
+    std::vector<std::uint32_t> firstVertices_;  // one a position: counted from 1, 0: none
+    std::vector<Vertex> corners_;               // of the face at hand
     std::map<std::string, std::uint32_t> materials_;
     std::uint32_t material_ = 0;
 };
 
 }  // namespace
 
-ObjContent checkedObj(std::string_view content, const glm::dvec3& origin, Coordinates coordinates) {
+PolygonFile readObj(std::string_view content, Coordinates coordinates) {
     if (const std::size_t zero = content.find('\0'); zero != std::string_view::npos)
         refuse(fmt::format("expected OBJ, found a zero byte at byte {}", zero));
-    return Checker{origin, coordinates}.check(content);
+    return Reader{content, coordinates}.read();
 }
 
 }  // namespace inkedge::load

@@ -6,15 +6,14 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "base/read_file.h"
 #include "base/message.h"
+#include "base/read_file.h"
 #include "formats/text.h"
 
 namespace inkedge::load {
@@ -36,10 +35,9 @@ struct Type {
 
 struct Property {
     std::string_view name;
-    std::optional<Type> length;  // of a list
-    Type type;                   // of the number, or of a list's
-    bool isUsed = false;         // bears on the shape
-    double origin = 0.0;         // taken off its numbers, which become doubles if it is not 0
+    std::optional<Type> length;            // of a list
+    Type type;                             // of the number, or of a list's
+    std::optional<std::size_t> slot = {};  // where its number goes in Numbers; none: nowhere, or it is a list
 };
 
 struct Element {
@@ -147,25 +145,24 @@ bool isStrips(const Element& element) { return element.name == "tristrips"; }
 
 bool isFaces(const Element& element) { return element.name == "face" || isStrips(element); }
 
-bool isPosition(const Property& property) { return isOneOf(property.name, {"x", "y", "z"}); }
-
-// By the names that assimp knows; lists of a face's corners are not read.
+// By their usual names; lists of a face's corners are not read.
 bool isTexture(const Property& property) {
     return !property.length && isOneOf(property.name, {"u", "s", "texture_u", "v", "t", "texture_v"});
 }
 
-bool isUsed(const Element& element, const Property& property, Coordinates coordinates) {
-    if (element.name == "vertex" && coordinates == Coordinates::Read && isTexture(property)) return true;
-    if (element.name == "vertex") return !property.length && isOneOf(property.name, {"x", "y", "z", "nx", "ny", "nz"});
-    return isFaces(element) && isIndexList(property);
-}
+// What of a vertex is read: its position, normal and texture coordinates.
+using Numbers = std::array<double, 8>;
+constexpr std::size_t firstOfNormal = 3;
+constexpr std::size_t firstOfTexture = 6;
 
-bool hasDoubles(const Header& header) {
-    return std::ranges::any_of(header.elements, [](const Element& element) {
-        return element.name == "vertex" && std::ranges::any_of(element.properties, [](const Property& p) {
-                   return isOneOf(p.name, {"x", "y", "z"}) && p.type.size == 8;
-               });
-    });
+std::optional<std::size_t> slotOf(const Property& property, Coordinates coordinates) {
+    if (property.length) return {};
+    if (isTexture(property) && coordinates == Coordinates::Read)
+        return isOneOf(property.name, {"u", "s", "texture_u"}) ? firstOfTexture : firstOfTexture + 1;
+    constexpr std::array<std::string_view, firstOfTexture> names{"x", "y", "z", "nx", "ny", "nz"};
+    const auto* const found = std::ranges::find(names, property.name);
+    if (found == names.end()) return {};
+    return static_cast<std::size_t>(found - names.begin());
 }
 
 void checkElement(const Element& element) {
@@ -185,7 +182,6 @@ void checkHeader(const Header& header) {
     for (const Element& element : header.elements) {
         within("element " + quote(element.name), [&] {
             bool* const has = element.name == "vertex" ? &hasVertices : (isFaces(element) ? &hasFaces : nullptr);
-            if (has == &hasFaces && !hasVertices) refuse("expected it after the vertices, found it before");
             if (has != nullptr && *has) refuse("expected it once, found it twice");
             if (has != nullptr) *has = true;
             checkElement(element);
@@ -194,272 +190,211 @@ void checkHeader(const Header& header) {
     if (!hasVertices) refuse("expected elements 'vertex', found none");
 }
 
-// ---- what is passed on
+// ---- the data
 
-void append(Bytes& bytes, std::string_view text) { bytes.insert(bytes.end(), text.begin(), text.end()); }
+struct EndOfData {};
 
-// Triangle strips are cut into faces: assimp keeps the last triangle of each and leaks the others.
-std::string headerText(const Header& header, std::uint64_t stripTriangles) {
-    std::string text = fmt::format("ply\nformat {} 1.0\n", encodings[static_cast<std::size_t>(*header.encoding)]);
-    for (const Element& element : header.elements) {
-        if (isStrips(element)) {
-            text += fmt::format("element face {}\nproperty list uchar int vertex_indices\n", stripTriangles);
-            continue;
-        }
-        if (element.name != "vertex" && !isFaces(element)) continue;
-        text += fmt::format("element {} {}\n", element.name, element.count);
-        for (const Property& property : element.properties) {
-            if (!property.isUsed) continue;
-            const std::string list = property.length ? fmt::format("list {} ", property.length->name) : "";
-            text += fmt::format("property {}{} {}\n", list, property.origin == 0.0 ? property.type.name : "double",
-                                property.length ? "vertex_indices" : property.name);
-        }
-    }
-    return text + "end_header\n";
-}
-
-using Corners = std::array<std::uint32_t, 3>;
-
-// Calls add() for each triangle of a strip. An index of -1 ends a strip and starts another.
-template <class Add>
-void cutStrip(std::span<const std::int64_t> strip, Add&& add) {
-    std::vector<std::uint32_t> run;
-    for (const std::int64_t index : strip) {
-        if (index < -1 || index > std::numeric_limits<std::int32_t>::max())
-            refuse(fmt::format("expected vertices from 0, or -1 between strips, found {}", index));
-        if (index == -1) {
-            run.clear();
-            continue;
-        }
-        run.push_back(static_cast<std::uint32_t>(index));
-        const std::size_t end = run.size();
-        if (end < 3) continue;
-        const std::size_t odd = end % 2 == 0 ? 1 : 0;  // every second triangle runs the other way
-        add(Corners{run[end - 3 + odd], run[end - 2 - odd], run[end - 1]});
-    }
-}
-
-[[noreturn]] void refuseEnd(const Element& element, std::uint64_t found) {
-    refuse(fmt::format("expected {} elements {}, found data for {}: the file is truncated", element.count,
-                       quote(element.name), found));
-}
-
-// Numbers in text: one element a line.
+// Numbers in text, whatever their lines.
 class TextData {
 public:
-    TextData(std::string_view rest, Bytes& out) : rest_{rest}, out_{out} {}
+    explicit TextData(std::string_view rest) : rest_{rest} {}
 
-    // False at the end of the data.
-    bool readElement(const Element& element) {
-        const auto pass = [&](const Property& property, std::string_view word) {
-            if (property.origin == 0.0)
-                append(out_, word);
-            else
-                append(out_, fmt::format("{}", *toNumber<double>(word) - property.origin));
-            append(out_, " ");
-        };
-        if (!read(element, pass, pass)) return false;
-        if (element.name == "vertex" || isFaces(element)) append(out_, "\n");
-        return true;
+    std::uint64_t takeLength(const Type&) {
+        const std::string_view word = nextWord();
+        const std::optional<std::uint64_t> length = toNumber<std::uint64_t>(word);
+        if (!length) refuse("expected the length of a list, found " + quote(word));
+        return *length;
     }
-
-    // The same, of strips: their indices are added to a list.
-    bool readStrip(const Element& element, std::vector<std::int64_t>& strip) {
-        const auto add = [&](const Property&, std::string_view word) {
-            strip.push_back(*toNumber<std::int64_t>(word));
-        };
-        return read(
-            element, [](const Property&, std::string_view) {}, add);
+    std::int64_t takeInteger(const Type& type) { return take<std::int64_t>(type); }
+    double takeNumber(const Type& type) {
+        return type.isInteger ? static_cast<double>(takeInteger(type)) : take<double>(type);
     }
-
-    void addFace(const Corners& c) { append(out_, fmt::format("3 {} {} {}\n", c[0], c[1], c[2])); }
-
-    void finish() {}
+    void skip(const Type& type, std::uint64_t count) {
+        for (; count > 0; --count) static_cast<void>(takeNumber(type));
+    }
 
 private:
-    // Hands the words of used properties on: the lengths of lists, and numbers.
-    template <class TakeLength, class TakeNumber>
-    bool read(const Element& element, TakeLength&& takeLength, TakeNumber&& takeNumber) {
-        for (const Property& property : element.properties) {
-            std::uint64_t count = 1;
-            if (property.length) {
-                const std::string_view word = takeWord(rest_);
-                if (word.empty()) return false;
-                const std::optional<std::uint64_t> length = toNumber<std::uint64_t>(word);
-                if (!length) refuse("expected the length of a list, found " + quote(word));
-                count = *length;
-                if (property.isUsed) takeLength(property, word);
-            }
-            for (; count > 0; --count) {
-                const std::string_view word = takeWord(rest_);
-                if (word.empty()) return false;
-                if (property.type.isInteger ? !toNumber<std::int64_t>(word) : !toNumber<double>(word))
-                    refuse(fmt::format("expected a number of type {}, found {}", property.type.name, quote(word)));
-                if (property.isUsed) takeNumber(property, word);
-            }
-        }
-        return true;
+    std::string_view nextWord() {
+        const std::string_view word = takeWord(rest_);
+        if (word.empty()) throw EndOfData{};
+        return word;
+    }
+
+    template <class Number>
+    Number take(const Type& type) {
+        const std::string_view word = nextWord();
+        const std::optional<Number> number = toNumber<Number>(word);
+        if (!number) refuse(fmt::format("expected a number of type {}, found {}", type.name, quote(word)));
+        return *number;
     }
 
     std::string_view rest_;
-    Bytes& out_;
 };
 
-// Numbers in binary: passed on as they are, in runs as long as can be.
 class BinaryData {
 public:
-    BinaryData(std::string_view rest, Bytes& out, Encoding encoding)
-        : rest_{rest}, run_{rest}, out_{out}, encoding_{encoding} {}
+    BinaryData(std::string_view rest, Encoding encoding) : rest_{rest}, isBigEndian_{encoding == Encoding::BigEndian} {}
 
-    // False at the end of the data.
-    bool readElement(const Element& element) {
-        return std::ranges::all_of(element.properties, [&](const Property& property) {
-            if (property.isUsed && property.origin == 0.0) return skipProperty(property);
-            finish();
-            const bool read = property.isUsed ? passLessOrigin(property) : skipProperty(property);
-            run_ = rest_;
-            return read;
-        });
+    std::uint64_t takeLength(const Type& type) {
+        const std::int64_t length = takeInteger(type);
+        if (length < 0) refuse("expected the length of a list, found a negative number");
+        return static_cast<std::uint64_t>(length);
     }
-
-    // The same, of strips: their indices are added to a list.
-    bool readStrip(const Element& element, std::vector<std::int64_t>& strip) {
-        finish();
-        const bool read = std::ranges::all_of(element.properties, [&](const Property& property) {
-            return property.isUsed ? readList(property, strip) : skipProperty(property);
-        });
-        run_ = rest_;
-        return read;
-    }
-
-    void addFace(const Corners& corners) {
-        out_.push_back(3);
-        for (const std::uint32_t corner : corners)
-            for (std::uint64_t i = 0; i < 4; ++i)
-                out_.push_back(static_cast<std::uint8_t>(corner >> (8 * placeOf(i, 4)) & 255));
-    }
-
-    // Passes on the run so far.
-    void finish() {
-        append(out_, run_.substr(0, run_.size() - rest_.size()));
-        run_ = rest_;
-    }
-
-private:
-    bool skipProperty(const Property& property) {
-        if (!property.length) return skip(property.type.size);
-        const std::optional<std::uint64_t> length = takeLength(*property.length);
-        return length && skip(*length * property.type.size);
-    }
-
-    bool readList(const Property& property, std::vector<std::int64_t>& list) {
-        const std::optional<std::uint64_t> length = takeLength(*property.length);
-        if (!length || *length * property.type.size > rest_.size()) return false;
-        for (std::uint64_t i = 0; i < *length; ++i) list.push_back(*takeInteger(property.type));
-        return true;
-    }
-
-    bool passLessOrigin(const Property& property) {
-        const std::optional<std::uint64_t> bits = takeBits(property.type.size);
-        if (!bits) return false;
-        const double number = numberOf(*bits, property.type) - property.origin;
-        const auto shifted = std::bit_cast<std::uint64_t>(number);
-        for (std::uint64_t i = 0; i < 8; ++i)
-            out_.push_back(static_cast<std::uint8_t>(shifted >> (8 * placeOf(i, 8)) & 255));
-        return true;
-    }
-
-    static double numberOf(std::uint64_t bits, const Type& type) {
-        if (type.isInteger) return static_cast<double>(integerOf(bits, type));
-        if (type.size == 8) return std::bit_cast<double>(bits);
-        return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-    }
-
-    static std::int64_t integerOf(std::uint64_t bits, const Type& type) {
+    std::int64_t takeInteger(const Type& type) {
+        const std::uint64_t bits = takeBits(type.size);
         const std::uint64_t signBit = type.hasSign ? std::uint64_t{1} << (8 * type.size - 1) : 0;
         return static_cast<std::int64_t>((bits ^ signBit) - signBit);
     }
+    double takeNumber(const Type& type) {
+        if (type.isInteger) return static_cast<double>(takeInteger(type));
+        const std::uint64_t bits = takeBits(type.size);
+        if (type.size == 8) return std::bit_cast<double>(bits);
+        return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+    }
+    void skip(const Type& type, std::uint64_t count) { static_cast<void>(takeBytes(count * type.size)); }
 
-    bool skip(std::uint64_t size) {
-        if (size > rest_.size()) return false;
+private:
+    std::string_view takeBytes(std::uint64_t size) {
+        if (size > rest_.size()) throw EndOfData{};
+        const std::string_view bytes = rest_.substr(0, size);
         rest_.remove_prefix(size);
-        return true;
+        return bytes;
     }
 
-    std::optional<std::uint64_t> takeLength(const Type& type) {
-        const std::optional<std::int64_t> length = takeInteger(type);
-        if (!length) return {};
-        if (*length < 0) refuse("expected the length of a list, found a negative number");
-        return static_cast<std::uint64_t>(*length);
-    }
-
-    std::optional<std::int64_t> takeInteger(const Type& type) {
-        const std::optional<std::uint64_t> bits = takeBits(type.size);
-        if (!bits) return {};
-        return integerOf(*bits, type);
-    }
-
-    std::optional<std::uint64_t> takeBits(std::uint64_t size) {
-        if (size > rest_.size()) return {};
+    std::uint64_t takeBits(std::uint64_t size) {
+        const std::string_view bytes = takeBytes(size);
         std::uint64_t bits = 0;
-        for (std::uint64_t i = 0; i < size; ++i)
-            bits |= std::uint64_t{static_cast<unsigned char>(rest_[i])} << (8 * placeOf(i, size));
-        rest_.remove_prefix(size);
+        for (std::size_t i = 0; i < size; ++i)
+            bits = bits << 8 | static_cast<unsigned char>(bytes[isBigEndian_ ? i : size - 1 - i]);
         return bits;
     }
 
-    // The weight of byte i of a number.
-    std::uint64_t placeOf(std::uint64_t i, std::uint64_t size) const {
-        return encoding_ == Encoding::BigEndian ? size - 1 - i : i;
-    }
-
     std::string_view rest_;
-    std::string_view run_;  // what is still to be passed on, and the rest
-    Bytes& out_;
-    Encoding encoding_;
+    bool isBigEndian_;
 };
 
-// The number of faces that strips were cut into.
+// Indices that no vertex can have become the highest number, which is refused once the vertices are known.
+std::uint32_t toIndex(std::int64_t number) {
+    constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+    return number < 0 || number > std::int64_t{none} ? none : static_cast<std::uint32_t>(number);
+}
+
 template <class Data>
-std::uint64_t readData(const Header& header, Data data) {
-    std::uint64_t cut = 0;
-    std::vector<std::int64_t> strip;
-    const auto readStrip = [&](const Element& element) {
-        strip.clear();
-        if (!data.readStrip(element, strip)) return false;
-        cutStrip(strip, [&](const Corners& corners) {
-            data.addFace(corners);
-            ++cut;
-        });
-        return true;
-    };
-    for (const Element& element : header.elements)
-        for (std::uint64_t i = 0; i < element.count; ++i)
-            if (!(isStrips(element) ? readStrip(element) : data.readElement(element))) refuseEnd(element, i);
-    data.finish();
-    return cut;
+class Reader {
+public:
+    Reader(Data data, Coordinates coordinates) : data_{data}, coordinates_{coordinates} {}
+
+    PolygonFile read(Header& header, bool finerThanFloat) {
+        finerThanFloat_ = finerThanFloat;
+        for (Element& element : header.elements) {
+            if (element.name == "vertex") prepareVertices(element);
+            for (std::uint64_t i = 0; i < element.count; ++i) {
+                try {
+                    readElement(element);
+                } catch (const EndOfData&) {
+                    refuse(fmt::format("expected {} elements {}, found data for {}: the file is truncated",
+                                       element.count, quote(element.name), i));
+                }
+            }
+        }
+        if (file_.faceCount == 0 && file_.lines == 0) file_.points += vertexCount_;
+        return std::move(file_);
+    }
+
+private:
+    void prepareVertices(Element& element) {
+        vertexCount_ = element.count;
+        for (Property& property : element.properties) {
+            property.slot = slotOf(property, coordinates_);
+            hasNormals_ =
+                hasNormals_ || (property.slot && *property.slot >= firstOfNormal && *property.slot < firstOfTexture);
+            hasTexture_ = hasTexture_ || (property.slot && *property.slot >= firstOfTexture);
+        }
+    }
+
+    void readElement(const Element& element) {
+        if (element.name == "vertex") return readVertex(element);
+        for (const Property& property : element.properties) {
+            if (isFaces(element) && isIndexList(property))
+                isStrips(element) ? readStrip(property) : readFace(property);
+            else
+                skip(property);
+        }
+    }
+
+    void skip(const Property& property) {
+        data_.skip(property.type, property.length ? data_.takeLength(*property.length) : 1);
+    }
+
+    void readVertex(const Element& element) {
+        Numbers numbers{};
+        for (const Property& property : element.properties) {
+            if (property.slot)
+                numbers[*property.slot] = data_.takeNumber(property.type);
+            else
+                skip(property);
+        }
+        const auto [x, y, z, nx, ny, nz, u, v] = numbers;
+        if (finerThanFloat_)
+            file_.finePositions.emplace_back(x, y, z);
+        else
+            file_.positions.emplace_back(x, y, z);
+        if (hasNormals_) file_.normals.emplace_back(nx, ny, nz);
+        if (hasTexture_) file_.textureCoordinates.emplace_back(u, 1.0F - static_cast<float>(v));
+    }
+
+    void readFace(const Property& property) {
+        const std::uint64_t length = data_.takeLength(*property.length);
+        for (std::uint64_t i = 0; i < length; ++i) file_.corners.push_back(toIndex(data_.takeInteger(property.type)));
+        file_.endFace(length);
+    }
+
+    // Every index from the third on makes a triangle with the two before it. -1 ends a strip and starts another.
+    void readStrip(const Property& property) {
+        std::array<std::uint32_t, 2> last{};
+        std::uint64_t count = 0;
+        for (std::uint64_t length = data_.takeLength(*property.length); length > 0; --length) {
+            const std::int64_t index = data_.takeInteger(property.type);
+            if (index < -1 || index > std::numeric_limits<std::int32_t>::max())
+                refuse(fmt::format("expected vertices from 0, or -1 between strips, found {}", index));
+            if (index == -1) {
+                count = 0;
+                continue;
+            }
+            const std::uint32_t vertex = toIndex(index);
+            if (++count >= 3) {
+                const std::size_t first = count % 2 == 0 ? 1 : 0;  // every second triangle runs the other way
+                file_.corners.insert(file_.corners.end(), {last[first], last[1 - first], vertex});
+                file_.endFace(3);
+            }
+            last = {last[1], vertex};
+        }
+    }
+
+    Data data_;
+    Coordinates coordinates_;
+    bool finerThanFloat_ = false;
+    bool hasNormals_ = false;
+    bool hasTexture_ = false;
+    std::uint64_t vertexCount_ = 0;
+    PolygonFile file_;
+};
+
+bool hasDoubles(const Header& header) {
+    return std::ranges::any_of(header.elements, [](const Element& element) {
+        return element.name == "vertex" && std::ranges::any_of(element.properties, [](const Property& p) {
+                   return isOneOf(p.name, {"x", "y", "z"}) && p.type.size == 8;
+               });
+    });
 }
 
 }  // namespace
 
-PlyContent safePly(std::string_view content, const glm::dvec3& origin, Coordinates coordinates) {
-    const std::size_t size = content.size();
+PolygonFile readPly(std::string_view content, Coordinates coordinates) {
     Header header = takeHeader(content);
     checkHeader(header);
-    for (Element& element : header.elements)
-        for (Property& property : element.properties) {
-            property.isUsed = isUsed(element, property, coordinates);
-            if (element.name == "vertex" && property.isUsed && isPosition(property))
-                property.origin = origin[property.name[0] - 'x'];
-        }
-    Bytes bytes;
-    bytes.reserve(size + size / 8 + 1024);
-    const std::uint64_t cut = header.encoding == Encoding::Text
-                                  ? readData(header, TextData{content, bytes})
-                                  : readData(header, BinaryData{content, bytes, *header.encoding});
-    const std::string start = headerText(header, cut);
-    bytes.insert(bytes.begin(), start.begin(), start.end());
-    return {std::move(bytes), header.encoding == Encoding::Text || hasDoubles(header)};
+    if (header.encoding == Encoding::Text) return Reader{TextData{content}, coordinates}.read(header, true);
+    return Reader{BinaryData{content, *header.encoding}, coordinates}.read(header, hasDoubles(header));
 }
 
 }  // namespace inkedge::load

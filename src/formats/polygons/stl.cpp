@@ -10,71 +10,81 @@
 
 #include <fmt/format.h>
 
-#include "base/read_file.h"
 #include "base/message.h"
+#include "base/read_file.h"
 #include "formats/text.h"
 
 namespace inkedge::load {
 namespace {
 
+using View = std::span<const std::uint8_t>;
+
 constexpr std::size_t headerSize = 80;
 constexpr std::size_t dataStart = headerSize + 4;  // with the number of triangles
-constexpr std::uint64_t triangleSize = 50;
+constexpr std::size_t triangleSize = 50;
+constexpr std::size_t normalSize = 12;
 
-std::uint64_t binarySize(const Bytes& bytes) {
-    std::uint64_t triangles = 0;
-    for (std::size_t i = 0; i < 4; ++i) triangles |= std::uint64_t{bytes[headerSize + i]} << (8 * i);
-    return dataStart + triangles * triangleSize;
+std::uint32_t wordAt(View bytes, std::size_t at) {
+    std::uint32_t word = 0;
+    for (std::size_t i = 0; i < 4; ++i) word |= std::uint32_t{bytes[at + i]} << (8 * i);
+    return word;
 }
 
-void append(Bytes& bytes, std::uint32_t word) {
-    for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<std::uint8_t>(word >> (8 * i) & 0xff));
-}
+std::uint64_t binarySize(View bytes) { return dataStart + std::uint64_t{wordAt(bytes, headerSize)} * triangleSize; }
 
 // Writers differ in case.
 bool is(std::string_view word, std::string_view lowerCase) {
     return std::ranges::equal(word, lowerCase, [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; });
 }
 
-// Turns text into the data of a binary file.
 class TextReader {
 public:
-    explicit TextReader(std::string_view content) : rest_{content} { binary_.resize(dataStart); }
+    explicit TextReader(std::string_view content) : rest_{content} {}
 
-    Bytes read() {
+    PolygonFile read() {
         for (std::string_view word = takeWord(rest_); !word.empty(); word = takeWord(rest_)) {
             if (!is(word, "solid")) refuse("expected solid or the end of the file, found " + quote(word));
             skipLine();
             readSolid();
         }
-        const auto triangles = static_cast<std::uint32_t>((binary_.size() - dataStart) / triangleSize);
-        for (std::size_t i = 0; i < 4; ++i) binary_[headerSize + i] = static_cast<std::uint8_t>(triangles >> (8 * i));
-        return std::move(binary_);
+        return std::move(file_);
     }
 
 private:
     void readSolid() {
-        for (;; ++facet_) {
-            const std::string_view word = nextWord();
-            if (is(word, "endsolid")) return skipLine();
-            within(label("facet", facet_), [&] { readFacet(word); });
+        try {
+            for (;; ++facet_) {
+                const std::string_view word = takeWord(rest_);
+                if (is(word, "endsolid")) return skipLine();
+                if (word.empty() && file_.faceCount > 0) {
+                    file_.warnings.emplace_back("expected endsolid, found the end of the file: it may be truncated");
+                    return;
+                }
+                readFacet(word);
+            }
+        } catch (const Error& error) {
+            throw Error{error.kind(), label("facet", facet_) + ": " + error.what()};
         }
     }
 
     void readFacet(std::string_view first) {
+        if (first.empty()) refuseEnd();
         if (!is(first, "facet")) refuse("expected facet or endsolid, found " + quote(first));
         expect("normal");
         for (int i = 0; i < 3; ++i) static_cast<void>(nextWord());
-        for (int i = 0; i < 3; ++i) append(binary_, 0);
         expect("outer");
         expect("loop");
         for (int corner = 0; corner < 3; ++corner) {
             expect("vertex");
-            for (int i = 0; i < 3; ++i) append(binary_, std::bit_cast<std::uint32_t>(nextNumber()));
+            const double x = nextNumber();
+            const double y = nextNumber();
+            const double z = nextNumber();
+            file_.corners.push_back(static_cast<std::uint32_t>(file_.finePositions.size()));
+            file_.finePositions.emplace_back(x, y, z);
         }
         expect("endloop");
         expect("endfacet");
-        binary_.insert(binary_.end(), {0, 0});
+        file_.endFace(3);
     }
 
     void expect(std::string_view word) {
@@ -82,47 +92,85 @@ private:
             refuse(fmt::format("expected {}, found {}", word, quote(found)));
     }
 
-    float nextNumber() {
+    double nextNumber() {
         const std::string_view word = nextWord();
         const std::optional<double> number = toNumber<double>(word);
-        if (!number || !(std::abs(*number) <= std::numeric_limits<float>::max()))
+        if (!number || !(std::abs(*number) <= double{std::numeric_limits<float>::max()}))
             refuse("expected a finite number, found " + quote(word));
-        return static_cast<float>(*number);
+        return *number;
     }
 
     std::string_view nextWord() {
         const std::string_view word = takeWord(rest_);
-        if (word.empty()) refuse("expected endsolid, found the end of the file: it is truncated");
+        if (word.empty()) refuseEnd();
         return word;
     }
+
+    [[noreturn]] static void refuseEnd() { refuse("expected endsolid, found the end of the file: it is truncated"); }
 
     void skipLine() { rest_.remove_prefix(std::min(rest_.find_first_of("\r\n"), rest_.size())); }
 
     std::string_view rest_;
     std::size_t facet_ = 0;
-    Bytes binary_;
+    PolygonFile file_;
 };
 
-}  // namespace
-
-Bytes safeStl(Bytes bytes) {
-    const std::string_view content = textOf(bytes);
-    const bool exact = bytes.size() >= dataStart && binarySize(bytes) == bytes.size();
-    const bool isText = !exact && content.find('\0') == std::string_view::npos;
-    if (isText) {
-        if (!is(trimmed(content).substr(0, 5), "solid")) refuse(fmt::format("expected STL, found {}", kindOf(content)));
-        return TextReader{content}.read();
-    }
-    if (bytes.size() < dataStart)
-        refuse(fmt::format("expected an STL file of at least {} bytes, found {}", dataStart, bytes.size()));
-    if (const std::uint64_t size = binarySize(bytes); size > bytes.size())
+// How many triangles are read: those that the header counts, or all there are.
+std::size_t triangleCount(View bytes, PolygonFile& file) {
+    const std::uint64_t size = binarySize(bytes);
+    const std::uint64_t said = wordAt(bytes, headerSize);
+    const std::size_t found = (bytes.size() - dataStart) / triangleSize;
+    if (said != 0 && size <= bytes.size()) return said;
+    if (found == 0 || (bytes.size() - dataStart) % triangleSize != 0)
         refuse(
             fmt::format("expected {} bytes for the {} triangles that the header says, found {}: the file is "
                         "truncated or no STL",
-                        size, (size - dataStart) / triangleSize, bytes.size()));
-    bytes.resize(binarySize(bytes));
-    std::fill_n(bytes.begin(), headerSize, std::uint8_t{0});
-    return bytes;
+                        size, said, bytes.size()));
+    file.warnings.push_back(
+        fmt::format("expected {} triangles, as the header says, found {}: all are read", said, found));
+    return found;
+}
+
+PolygonFile readBinary(View bytes) {
+    PolygonFile file;
+    const std::size_t count = triangleCount(bytes, file);
+    file.positions.reserve(3 * count);
+    file.corners.reserve(3 * count);
+    for (std::size_t t = 0; t < count; ++t) {
+        std::size_t at = dataStart + t * triangleSize + normalSize;
+        const auto next = [&] {
+            at += 4;
+            return std::bit_cast<float>(wordAt(bytes, at - 4));
+        };
+        for (int corner = 0; corner < 3; ++corner) {
+            const float x = next();
+            const float y = next();
+            const float z = next();
+            file.corners.push_back(static_cast<std::uint32_t>(file.positions.size()));
+            file.positions.emplace_back(x, y, z);
+        }
+        file.endFace(3);
+    }
+    return file;
+}
+
+}  // namespace
+
+PolygonFile readStl(View bytes) {
+    constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
+    std::string_view content = textOf(bytes);
+    const bool exact = bytes.size() > dataStart && binarySize(bytes) == bytes.size();
+    if (!exact && content.find('\0') == std::string_view::npos) {
+        if (content.starts_with(byteOrderMark)) content.remove_prefix(byteOrderMark.size());
+        if (!is(trimmed(content).substr(0, 5), "solid")) refuse(fmt::format("expected STL, found {}", kindOf(content)));
+        PolygonFile file = TextReader{content}.read();
+        if (file.faceCount == 0) refuse("expected facets, found none");
+        return file;
+    }
+    if (bytes.size() < dataStart)
+        refuse(fmt::format("expected an STL file of at least {} bytes, found {}", dataStart, bytes.size()));
+    if (bytes.size() == dataStart && binarySize(bytes) == dataStart) refuse("expected facets, found none");
+    return readBinary(bytes);
 }
 
 }  // namespace inkedge::load

@@ -1,14 +1,16 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <span>
+
+#include "formats/polygons/polygon_file.h"
 
 namespace inkedge::load {
 
-/// An STL file, binary or text, made fit for a reader that trusts its input: a binary one without text in its header,
-/// and with the size that its number of triangles gives. Facet normals are left out of a text file's. O(n).
-/// @throws Error  (Kind::Input) if the file is no STL or is truncated, or if text is malformed; the message then names
-///                the facet
-[[nodiscard]] std::vector<std::uint8_t> safeStl(std::vector<std::uint8_t> bytes);
+/// Reads an STL file, binary or text. Facet normals are left out. A text that ends after a whole facet, and a binary
+/// file whose header counts none or too many of the facets there, are read with a warning. O(n).
+/// @throws Error  (Kind::Input) if the file is no STL, is truncated or has no facet, or if text is malformed; the
+///                message then names the facet
+[[nodiscard]] PolygonFile readStl(std::span<const std::uint8_t> bytes);
 
 }  // namespace inkedge::load

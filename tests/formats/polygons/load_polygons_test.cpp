@@ -1,4 +1,4 @@
-#include "formats/polygons/load_assimp.h"
+#include "formats/polygons/load_polygons.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -85,16 +85,12 @@ std::string binarySquarePly() {
         raw<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}) + raw<std::uint8_t>(4) + raw<std::int32_t>({0, 1, 2, 3}));
 }
 
-class LoadAssimp : public testing::Test {
+class LoadPolygons : public testing::Test {
 protected:
-    void SetUp() override {
-        if (!readsPolygonFormats()) GTEST_SKIP() << "OBJ, STL AND PLY ARE NOT TESTED: this build does not read them";
-    }
-
     [[nodiscard]] Scene::Data load(PolygonFormat format, const std::string& content) const {
         const fs::path file = folder_ / "model";
         put(file, content);
-        return loadAssimp(file, format);
+        return loadPolygons(file, format);
     }
     [[nodiscard]] Scene::Data obj(const std::string& content) const { return load(PolygonFormat::Obj, content); }
     [[nodiscard]] Scene::Data stl(const std::string& content) const { return load(PolygonFormat::Stl, content); }
@@ -145,7 +141,7 @@ const std::vector<glm::dvec3> triangleCorners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
 // ---- what is read
 
-TEST_F(LoadAssimp, makesOneMeshOfAWholeFile) {
+TEST_F(LoadPolygons, makesOneMeshOfAWholeFile) {
     for (const Scene::Data& data :
          {obj(triangleObj + "o b\ng c\nusemtl d\nv 0 0 1\nv 1 0 1\nv 0 1 1\nf 4 5 6\no e\nf 1 2 4\n"),
           stl(triangleStl + triangleStl + triangleStl)}) {
@@ -158,7 +154,7 @@ TEST_F(LoadAssimp, makesOneMeshOfAWholeFile) {
     }
 }
 
-TEST_F(LoadAssimp, readsEveryFlavourOfStl) {
+TEST_F(LoadPolygons, readsEveryFlavourOfStl) {
     const std::string upperCase =
         "SOLID\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1E0 0 0\nVERTEX 0 1 0\n"
         "ENDLOOP\nENDFACET\nENDSOLID\n";
@@ -170,7 +166,7 @@ TEST_F(LoadAssimp, readsEveryFlavourOfStl) {
         EXPECT_EQ(corners(stl(content)), triangleCorners) << content;
 }
 
-TEST_F(LoadAssimp, readsEveryFlavourOfPly) {
+TEST_F(LoadPolygons, readsEveryFlavourOfPly) {
     const std::string doubles = "property double x\nproperty double y\nproperty double z\n";
     std::string bigEndian;
     for (const std::string& value : {raw(1.0F), raw(0.0F)}) bigEndian += std::string{value.rbegin(), value.rend()};
@@ -185,13 +181,13 @@ TEST_F(LoadAssimp, readsEveryFlavourOfPly) {
         EXPECT_EQ(area(plyFile(content)), glm::dvec3(0, 0, 1)) << content;
 }
 
-TEST_F(LoadAssimp, readsObjIndicesOfEveryKind) {
+TEST_F(LoadPolygons, readsObjIndicesOfEveryKind) {
     const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n";
     for (const char* face : {"f 1 2 3", "f -3 -2 -1", "f 1/1 2/1 3/1", "f 1//1 2//1 3//1", "f 1/1/1 2/1/1 3/1/1"})
         EXPECT_EQ(corners(obj(points + face + "\n")), triangleCorners) << face;
 }
 
-TEST_F(LoadAssimp, readsNumbersOfEveryForm) {
+TEST_F(LoadPolygons, readsNumbersOfEveryForm) {
     const std::string numbers = ".5 -.25 1.";
     const std::string more = "+5e-1 -2.5E-1 01.0";
     const std::vector<glm::dvec3> expected{{0.5, -0.25, 1}, {0.5, -0.25, 1}, {0, 0, 0}};
@@ -202,11 +198,11 @@ TEST_F(LoadAssimp, readsNumbersOfEveryForm) {
               expected);
 }
 
-TEST_F(LoadAssimp, joinsObjLinesThatEndInABackslashAndFindsVerticesThatComeLater) {
+TEST_F(LoadPolygons, joinsObjLinesThatEndInABackslashAndFindsVerticesThatComeLater) {
     EXPECT_EQ(corners(obj("f 1 \\\n2 \\\r\n3\nv 0 0 0\r\nv\t1 0 +0.0 # right\nv 0 1e0 0 1 1 1")), triangleCorners);
 }
 
-TEST_F(LoadAssimp, keepsTheNormalsOfObjAndPly) {
+TEST_F(LoadPolygons, keepsTheNormalsOfObjAndPly) {
     const Scene::Data fromObj = obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 3 4\nf 1//1 2//1 3//1\n");
     EXPECT_THAT(fromObj.meshes.at(0).normals,
                 ElementsAre(glm::vec3(0, 0.6F, 0.8F), glm::vec3(0, 0.6F, 0.8F), glm::vec3(0, 0.6F, 0.8F)));
@@ -216,7 +212,7 @@ TEST_F(LoadAssimp, keepsTheNormalsOfObjAndPly) {
     EXPECT_THAT(fromPly.meshes.at(0).normals, ElementsAre(glm::vec3(1, 0, 0), glm::vec3(0, 0, 0), glm::vec3(0, 1, 0)));
 }
 
-TEST_F(LoadAssimp, givesZeroNormalsWhereOnlySomeFacesHaveOne) {
+TEST_F(LoadPolygons, givesZeroNormalsWhereOnlySomeFacesHaveOne) {
     const Scene::Data data =
         obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\no a\nf 1//1 2//1 3//1\no b\nusemtl m\nf 1 2 3\n");
     ASSERT_THAT(data.meshes.at(0).normals, SizeIs(data.meshes.at(0).positions.size()));
@@ -224,12 +220,12 @@ TEST_F(LoadAssimp, givesZeroNormalsWhereOnlySomeFacesHaveOne) {
     EXPECT_EQ(data.meshes[0].normals[data.meshes[0].indices[3]], glm::vec3(0, 0, 0));
 }
 
-TEST_F(LoadAssimp, dropsTheFacetNormalsOfStl) {
+TEST_F(LoadPolygons, dropsTheFacetNormalsOfStl) {
     EXPECT_THAT(stl(triangleStl).meshes.at(0).normals, IsEmpty());
     EXPECT_THAT(stl(binaryStl(2)).meshes.at(0).normals, IsEmpty());
 }
 
-TEST_F(LoadAssimp, numbersMaterialsInTheOrderOfTheirUse) {
+TEST_F(LoadPolygons, numbersMaterialsInTheOrderOfTheirUse) {
     const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
     const Scene::Data data = obj("mtllib a.mtl\n" + points +
                                  "o c\nf 1 2 3\no d\nusemtl b\nf 1 2 4\nusemtl a\nf 1 2 3 4\nusemtl b\nf 2 3 4\n");
@@ -239,14 +235,14 @@ TEST_F(LoadAssimp, numbersMaterialsInTheOrderOfTheirUse) {
     EXPECT_THAT(obj(triangleObj).meshes.at(0).materials, IsEmpty());
 }
 
-TEST_F(LoadAssimp, opensNoFileThatTheFileNames) {
+TEST_F(LoadPolygons, opensNoFileThatTheFileNames) {
     const fs::path pipe = folder_ / "a.mtl";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);  // would block whoever opens it
     const Scene::Data data = obj("mtllib a.mtl\nmtllib " + pipe.string() + "\n" + triangleObj);
     EXPECT_EQ(corners(data), triangleCorners);
 }
 
-TEST_F(LoadAssimp, ignoresPointsAndLinesWithOneWarning) {
+TEST_F(LoadPolygons, ignoresPointsAndLinesWithOneWarning) {
     const Scene::Data data = obj(triangleObj + "p 1\nl 1 2\nl 2 3\n");
     EXPECT_EQ(corners(data), triangleCorners);
     EXPECT_THAT(data.warnings, ElementsAre("1 points and 2 lines are not drawn"));
@@ -256,12 +252,12 @@ TEST_F(LoadAssimp, ignoresPointsAndLinesWithOneWarning) {
     EXPECT_THAT(points.warnings, ElementsAre("2 points and 0 lines are not drawn"));
 }
 
-TEST_F(LoadAssimp, leavesOutTrianglesWithARepeatedVertex) {
+TEST_F(LoadPolygons, leavesOutTrianglesWithARepeatedVertex) {
     EXPECT_EQ(corners(plyFile(ply("ascii", floatXyz, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 1\n", 3, 2))),
               triangleCorners);
 }
 
-TEST_F(LoadAssimp, recentresPositionsAndWarnsOfFloatsThatAreTooCoarse) {
+TEST_F(LoadPolygons, recentresPositionsAndWarnsOfFloatsThatAreTooCoarse) {
     const Scene::Data data = obj("v 5400000 0 0\nv 5400001 0 0\nv 5400000 1 0\nf 1 2 3\n");
     EXPECT_EQ(data.meshes.at(0).origin, glm::dvec3(5400000.5, 0.5, 0));
     EXPECT_EQ(corners(data).at(1), glm::dvec3(5400001, 0, 0));
@@ -277,7 +273,7 @@ TEST_F(LoadAssimp, recentresPositionsAndWarnsOfFloatsThatAreTooCoarse) {
 // ---- precision
 
 // A millimetre's step 5,000 km from the origin: floats there are half a metre apart.
-TEST_F(LoadAssimp, keepsWhatIsFinerThanFloatsFarFromTheOrigin) {
+TEST_F(LoadPolygons, keepsWhatIsFinerThanFloatsFarFromTheOrigin) {
     const std::vector<glm::dvec3> corners{{5.0e6, 1.0, -4.0e6}, {5.0e6 + 0.001, 1.0, -4.0e6}, {5.0e6, 1.001, -4.0e6}};
     std::string vertices;
     std::string doubles;
@@ -303,7 +299,7 @@ TEST_F(LoadAssimp, keepsWhatIsFinerThanFloatsFarFromTheOrigin) {
 
 // ---- polygons
 
-TEST_F(LoadAssimp, marksTheEdgesThatOnlyCutPolygons) {
+TEST_F(LoadPolygons, marksTheEdgesThatOnlyCutPolygons) {
     const Mesh square = obj("v 0 0 0\nv 1 0 0\nv 1 1 0.7\nv 0 1 0\nf 1 2 3 4\n").meshes.at(0);
     ASSERT_THAT(square.indices, SizeIs(6));
     int inner = 0;
@@ -324,7 +320,7 @@ TEST_F(LoadAssimp, marksTheEdgesThatOnlyCutPolygons) {
 // An L with a corner on a straight side, at 1.
 const std::string letterL = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\nv 1 1 0\nv 0 1 0\n";
 
-TEST_F(LoadAssimp, cutsConcavePolygonsWithinTheirOutline) {
+TEST_F(LoadPolygons, cutsConcavePolygonsWithinTheirOutline) {
     for (int turn = 0; turn < 8; ++turn) {
         std::string face = "f";
         for (int i = 0; i < 8; ++i) face += fmt::format(" {}", (i + turn) % 8 + 1);
@@ -337,7 +333,7 @@ TEST_F(LoadAssimp, cutsConcavePolygonsWithinTheirOutline) {
     EXPECT_EQ(unsignedArea(dart), 1.0);
 }
 
-TEST_F(LoadAssimp, cutsPolygonsInEveryPlaneAndDirection) {
+TEST_F(LoadPolygons, cutsPolygonsInEveryPlaneAndDirection) {
     const std::vector<std::vector<double>> polygon{{0, 0}, {4, 0}, {4, 4}, {3, 4}, {3, 1}, {1, 1}, {1, 4}, {0, 4}};
     for (int axis = 0; axis < 3; ++axis) {
         for (const bool backwards : {false, true}) {
@@ -358,7 +354,7 @@ TEST_F(LoadAssimp, cutsPolygonsInEveryPlaneAndDirection) {
     }
 }
 
-TEST_F(LoadAssimp, usesEveryCornerOfAPolygonSoThatNeighboursMeetIt) {
+TEST_F(LoadPolygons, usesEveryCornerOfAPolygonSoThatNeighboursMeetIt) {
     const Scene::Data data = obj("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 3 1 0\nv 0 1 0\nf 1 2 3 4 5 6\n");
     std::vector<int> uses(6);
     for (const std::uint32_t index : data.meshes.at(0).indices) ++uses.at(index);
@@ -367,12 +363,12 @@ TEST_F(LoadAssimp, usesEveryCornerOfAPolygonSoThatNeighboursMeetIt) {
     EXPECT_EQ(unsignedArea(data), 3.0);
 }
 
-TEST_F(LoadAssimp, cutsConvexQuadsFromTheirFirstCorner) {
+TEST_F(LoadPolygons, cutsConvexQuadsFromTheirFirstCorner) {
     const Scene::Data data = obj("v 0 0 0\nv 4 0 1\nv 4 4 0\nv 0 4 1\nf 1 2 3 4\n");
     EXPECT_THAT(data.meshes.at(0).indices, ElementsAre(0, 1, 2, 0, 2, 3));
 }
 
-TEST_F(LoadAssimp, cutsConcaveQuadsFromTheirHollowCorner) {
+TEST_F(LoadPolygons, cutsConcaveQuadsFromTheirHollowCorner) {
     const Scene::Data data = obj("v 0 0 0\nv 1 1 0\nv 4 0 0\nv 0 4 0\nf 1 2 3 4\n");
     EXPECT_THAT(data.meshes.at(0).indices, ElementsAre(1, 2, 3, 1, 3, 0));
 }
@@ -416,7 +412,7 @@ TEST(PolygonCutter, refusesPolygonsThatWouldTakeForEver) {
 
 // ---- what is refused
 
-TEST_F(LoadAssimp, refusesWhatIsNotOfTheFormat) {
+TEST_F(LoadPolygons, refusesWhatIsNotOfTheFormat) {
     EXPECT_EQ(refusal(PolygonFormat::Obj, "no model"), "expected faces, found none");
     const std::string png = std::string{"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16} + std::string(200, '\x01');
     EXPECT_EQ(refusal(PolygonFormat::Obj, png), "expected OBJ, found a zero byte at byte 8");
@@ -429,24 +425,56 @@ TEST_F(LoadAssimp, refusesWhatIsNotOfTheFormat) {
         EXPECT_EQ(refusal(format, ""), "expected a file with content, found an empty one");
 }
 
-TEST_F(LoadAssimp, refusesTruncatedStl) {
+TEST_F(LoadPolygons, refusesTruncatedStl) {
     const std::string binary = binaryStl(9);
     for (const std::size_t size : {std::size_t{1}, std::size_t{83}, std::size_t{84}, binary.size() - 1})
         EXPECT_THAT(refusal(PolygonFormat::Stl, binary.substr(0, size)), StartsWith("expected ")) << size;
-    const std::size_t end = triangleStl.find("endsolid");
+    const std::size_t end = triangleStl.find("endfacet");
     for (std::size_t size = 5; size < end; ++size)
         EXPECT_THAT(refusal(PolygonFormat::Stl, triangleStl.substr(0, size)), HasSubstr("expected "));
     EXPECT_THAT(refusal(PolygonFormat::Stl, triangleStl.substr(0, end)),
                 HasSubstr("the end of the file: it is truncated"));
+    EXPECT_EQ(refusal(PolygonFormat::Stl, "solid\nendsolid\n"), "expected facets, found none");
+    EXPECT_EQ(refusal(PolygonFormat::Stl, binaryStl(0)), "expected facets, found none");
 }
 
-TEST_F(LoadAssimp, refusesTruncatedPlyWhereverItIsCut) {
+TEST_F(LoadPolygons, readsStlWhoseHeaderOrEndIsWrongWithAWarning) {
+    const Scene::Data open = stl(triangleStl.substr(0, triangleStl.find("endsolid")));
+    EXPECT_EQ(corners(open), triangleCorners);
+    EXPECT_THAT(open.warnings, ElementsAre("expected endsolid, found the end of the file: it may be truncated"));
+    EXPECT_EQ(corners(stl("\xef\xbb\xbf" + triangleStl)), triangleCorners);
+    for (const std::uint32_t said : {0U, 2U, 4294967295U}) {
+        std::string binary = binaryStl(1);
+        binary.replace(80, 4, raw(said));
+        const Scene::Data data = stl(binary);
+        EXPECT_EQ(corners(data), triangleCorners);
+        EXPECT_THAT(data.warnings,
+                    ElementsAre(fmt::format("expected {} triangles, as the header says, found 1: all are read", said)));
+    }
+}
+
+TEST_F(LoadPolygons, readsPlyFacesThatComeBeforeTheirVertices) {
+    const std::string header = "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\n";
+    const std::string square = header + "element vertex 4\n" + floatXyz + "end_header\n4 0 1 2 3\n";
+    EXPECT_EQ(area(plyFile(square + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n")), glm::dvec3(0, 0, 1));
+}
+
+TEST_F(LoadPolygons, readsObjCommentsIndentationAndLineEnds) {
+    for (const std::string& content : {std::string{"# a path\\\nv 0 0 0\nv 1 0 0 # b\\\nv 0 1 0\nf 1 2 3 # c\n"},
+                                       std::string{"v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r"},
+                                       std::string{"  v 0 0 0\n\tv 1 0 0\n v 0 1 0\n  f 1 2 3"}})
+        EXPECT_EQ(corners(obj(content)), triangleCorners) << content;
+    const Scene::Data named = obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a#1\nf 1 2 3\nusemtl a#2\nf 1 3 2\n");
+    EXPECT_THAT(named.meshes.at(0).materials, ElementsAre(1, 2));
+}
+
+TEST_F(LoadPolygons, refusesTruncatedPlyWhereverItIsCut) {
     for (const std::string& whole : {binarySquarePly(), squarePly.substr(0, squarePly.size() - 1)})
         for (std::size_t size = 1; size < whole.size(); ++size)
             EXPECT_THAT(refusal(PolygonFormat::Ply, whole.substr(0, size)), HasSubstr("expected ")) << size;
 }
 
-TEST_F(LoadAssimp, refusesCountsThatTheFileCannotHold) {
+TEST_F(LoadPolygons, refusesCountsThatTheFileCannotHold) {
     const std::string huge = "4294967295";
     for (const std::string& element :
          {"vertex " + huge + "\n" + floatXyz,
@@ -461,7 +489,7 @@ TEST_F(LoadAssimp, refusesCountsThatTheFileCannotHold) {
                 HasSubstr("expected the number of elements 'vertex', found '99999999999'"));
 }
 
-TEST_F(LoadAssimp, refusesMalformedPlyByLineOrElement) {
+TEST_F(LoadPolygons, refusesMalformedPlyByLineOrElement) {
     const std::string vertices = "element vertex 0\n" + floatXyz;
     const std::string faces = "element face 0\nproperty list uchar int vertex_indices\n";
     for (const auto& [lines, expected] : std::map<std::string, std::string>{
@@ -469,7 +497,6 @@ TEST_F(LoadAssimp, refusesMalformedPlyByLineOrElement) {
              {"element vertex 0\nproperty float x\n", "element 'vertex': expected the property y, found none"},
              {vertices + vertices, "element 'vertex': expected it once, found it twice"},
              {vertices + faces + faces, "element 'face': expected it once, found it twice"},
-             {faces + vertices, "element 'face': expected it after the vertices, found it before"},
              {vertices + "element face 0\nproperty int vertex_indices\n",
               "element 'face': expected one list vertex_indices of integers, found none or several"},
              {"property int i\n", "line 3: expected an element before its properties, found none"},
@@ -485,14 +512,14 @@ TEST_F(LoadAssimp, refusesMalformedPlyByLineOrElement) {
               "expected a number of type float, found 'z'");
 }
 
-TEST_F(LoadAssimp, refusesMalformedStlByFacet) {
+TEST_F(LoadPolygons, refusesMalformedStlByFacet) {
     std::string broken = triangleStl;
     broken.replace(broken.find("vertex 1"), 8, "vertex x");
     EXPECT_EQ(refusal(PolygonFormat::Stl, triangleStl + broken), "facet 1: expected a finite number, found 'x'");
     EXPECT_EQ(refusal(PolygonFormat::Stl, triangleStl + "more"), "expected solid or the end of the file, found 'more'");
 }
 
-TEST_F(LoadAssimp, cutsTheTriangleStripsOfPlyEveryOneOfThem) {
+TEST_F(LoadPolygons, cutsTheTriangleStripsOfPlyEveryOneOfThem) {
     const std::string header = "\nelement vertex 5\n" + floatXyz + "element tristrips 2\n";
     const std::string positions = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n";
     const std::string property = "property list int int vertex_indices\nend_header\n";
@@ -509,7 +536,7 @@ TEST_F(LoadAssimp, cutsTheTriangleStripsOfPlyEveryOneOfThem) {
                 HasSubstr("expected vertices from 0, or -1 between strips, found -2"));
 }
 
-TEST_F(LoadAssimp, skipsWhatPlyFilesHoldBesidesTheShape) {
+TEST_F(LoadPolygons, skipsWhatPlyFilesHoldBesidesTheShape) {
     const std::string content =
         "ply\nformat ascii 1.0\ncomment \xff\nobj_info end_header\nelement odd\xc3\xa9 1\nproperty list int float "
         "many\n"
@@ -522,7 +549,7 @@ TEST_F(LoadAssimp, skipsWhatPlyFilesHoldBesidesTheShape) {
     EXPECT_EQ(corners(plyFile(content)), triangleCorners);
 }
 
-TEST_F(LoadAssimp, refusesFacesOfMissingVertices) {
+TEST_F(LoadPolygons, refusesFacesOfMissingVertices) {
     const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n";
     for (const auto& [face, expected] : std::map<std::string, std::string>{
              {"1 2 9", "expected a vertex from 1 to 3, found 9"},
@@ -539,18 +566,18 @@ TEST_F(LoadAssimp, refusesFacesOfMissingVertices) {
             HasSubstr("expected vertices below 4, found 4"));
 }
 
-TEST_F(LoadAssimp, refusesPositionsThatAreNotFiniteByMeshAndVertex) {
+TEST_F(LoadPolygons, refusesPositionsThatAreNotFiniteByMeshAndVertex) {
     std::string broken = binaryStl(2);
     const std::string nan = raw(std::numeric_limits<float>::quiet_NaN());
     broken.replace(84 + 50 + 12 + 12 + 4, 4, nan);
-    EXPECT_EQ(refusal(PolygonFormat::Stl, broken), "mesh 0: expected finite positions, found (1, nan, 0) at vertex 4");
+    EXPECT_EQ(refusal(PolygonFormat::Stl, broken), "expected finite positions, found (1, nan, 0) at vertex 4");
     for (const char* number : {"nan", "inf", "-1e39", "1e999", "1,5", "0x1p"})
         EXPECT_EQ(refusal(PolygonFormat::Obj, fmt::format("v 0 0 0\n\nv 1 {} 0\nv 0 1 0\nf 1 2 3\n", number)),
                   fmt::format("line 3: expected three finite numbers after v, found 1 and '{}'", number));
 }
 
 // Every byte of small files is changed in several ways: each ends in a model or in one line.
-TEST_F(LoadAssimp, survivesEveryChangedByte) {
+TEST_F(LoadPolygons, survivesEveryChangedByte) {
     const std::map<PolygonFormat, std::vector<std::string>> files{
         {PolygonFormat::Obj, {"mtllib m\n" + letterL + "vn 0 0 1\nusemtl a\nf 1//1 2//1 3//1 4//1 5//1\nl 1 2\n"}},
         {PolygonFormat::Stl, {triangleStl, binaryStl(1)}},
@@ -575,7 +602,7 @@ TEST_F(LoadAssimp, survivesEveryChangedByte) {
 
 // ---- loadScene
 
-TEST_F(LoadAssimp, isChosenByExtensionInAnyCase) {
+TEST_F(LoadPolygons, isChosenByExtensionInAnyCase) {
     for (const auto& [name, content] : std::map<std::string, std::string>{
              {"a.obj", triangleObj}, {"b.OBJ", triangleObj}, {"c.Stl", triangleStl}, {"d.ply", squarePly}}) {
         put(folder_ / name, content);
@@ -583,7 +610,7 @@ TEST_F(LoadAssimp, isChosenByExtensionInAnyCase) {
     }
 }
 
-TEST_F(LoadAssimp, namesTheFormatsWhenTheExtensionTellsNone) {
+TEST_F(LoadPolygons, namesTheFormatsWhenTheExtensionTellsNone) {
     for (const std::string name : {"a.txt", "b"}) {
         const fs::path file = folder_ / name;
         put(file, triangleObj);
@@ -598,7 +625,7 @@ TEST_F(LoadAssimp, namesTheFormatsWhenTheExtensionTellsNone) {
                 [&] { static_cast<void>(loadScene(folder_ / "missing.txt")); });
 }
 
-TEST_F(LoadAssimp, isNotAskedForBinaryGltfWhateverTheExtension) {
+TEST_F(LoadPolygons, isNotAskedForBinaryGltfWhateverTheExtension) {
     put(folder_ / "a.obj", "glTF....");
     expectError(Error::Kind::Input, HasSubstr("expected a .glb"),
                 [&] { static_cast<void>(loadScene(folder_ / "a.obj")); });
@@ -612,7 +639,7 @@ fs::path modelFolder() {
 }
 
 // The folder's MODELS.tsv: file, source, licence, triangles, what is special.
-TEST_F(LoadAssimp, readsRealModelsWithTheTrianglesThatTheirTableSays) {
+TEST_F(LoadPolygons, readsRealModelsWithTheTrianglesThatTheirTableSays) {
     std::ifstream table{modelFolder() / "MODELS.tsv"};
     if (!table)
         GTEST_SKIP() << "NO REAL MODEL IS TESTED: " << modelFolder() << " holds no MODELS.tsv; set INKEDGE_MODELS";
@@ -628,13 +655,6 @@ TEST_F(LoadAssimp, readsRealModelsWithTheTrianglesThatTheirTableSays) {
         EXPECT_EQ(std::to_string(loadScene(file).triangleCount()), fields[3]) << fields[0];
     }
     EXPECT_GT(count, 0);
-}
-
-TEST(LoadAssimpLeftOut, refusesWithOneLineThatNamesTheFormat) {
-    if (readsPolygonFormats()) GTEST_SKIP() << "this build reads OBJ, STL and PLY";
-    expectError(Error::Kind::Input,
-                std::string{"a.stl: expected glTF 2.0 (.glb or .gltf), found STL, which this build does not read"},
-                [] { static_cast<void>(loadAssimp("a.stl", PolygonFormat::Stl)); });
 }
 
 }  // namespace

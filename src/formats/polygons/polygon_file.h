@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace inkedge::load {
+
+/// What an OBJ, STL or PLY file says of its surface, not yet checked against itself.
+struct PolygonFile {
+    std::vector<glm::vec3> positions;           ///< of a file of floats
+    std::vector<glm::dvec3> finePositions;      ///< of a file of text or doubles, in place of the others
+    std::vector<glm::vec3> normals;             ///< one a position, of any length; (0, 0, 0): none; may be empty
+    std::vector<glm::vec2> textureCoordinates;  ///< one a position, v = 0 at the top; may be empty
+    std::vector<std::uint32_t> corners;         ///< into positions, face after face
+    std::vector<std::uint32_t> faceSizes;       ///< one a face, at least 3; empty: all are triangles
+    std::vector<std::uint32_t> faceMaterials;   ///< one a face: from 1 in the order of first use, 0: none; empty: all 0
+    std::uint64_t faceCount = 0;
+    std::uint64_t points = 0;  ///< left out
+    std::uint64_t lines = 0;   ///< left out
+    std::vector<std::string> warnings;
+
+    /// Makes the last corners a face; fewer than three are a line or a point, which is left out.
+    void endFace(std::uint64_t size, std::uint32_t material = 0) {
+        if (size < 3) {
+            ++(size == 2 ? lines : points);
+            corners.resize(corners.size() - size);
+            return;
+        }
+        if (size != 3 && faceSizes.empty()) faceSizes.resize(faceCount, 3);
+        if (size != 3 || !faceSizes.empty()) faceSizes.push_back(static_cast<std::uint32_t>(size));
+        if (material != 0 && faceMaterials.empty()) faceMaterials.resize(faceCount, 0);
+        if (material != 0 || !faceMaterials.empty()) faceMaterials.push_back(material);
+        ++faceCount;
+    }
+};
+
+}  // namespace inkedge::load
