@@ -2,6 +2,7 @@
 #include <png.h>
 #include <zlib.h>
 
+#include <bit>
 #include <csetjmp>
 #include <exception>
 #include <new>
@@ -111,16 +112,18 @@ void chooseQuickCompression(png_structp png) {
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
 }
 
+/// Samples of 8 bits, or of 16 in the byte order of this machine.
 /// @return whether libpng finished; if not, encoder.failure says why
 /// @param palette  of the picture, whose indices the image then holds; or null
-bool encode(Encoder& encoder, const Image<std::uint8_t>& image, const Palette* palette) {
+template <class Sample>
+bool encode(Encoder& encoder, const Image<Sample>& image, const Palette* palette) {
     if (setjmp(png_jmpbuf(encoder.png)) != 0) return false;
     // The picture was drawn within our own limits; libpng's guard against files from elsewhere is off.
     png_set_user_limits(encoder.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_write_fn(encoder.png, &encoder, append, flush);
     chooseQuickCompression(encoder.png);
     png_set_IHDR(encoder.png, encoder.info, static_cast<png_uint_32>(image.size.width),
-                 static_cast<png_uint_32>(image.size.height), 8,
+                 static_cast<png_uint_32>(image.size.height), 8 * static_cast<int>(sizeof(Sample)),
                  palette != nullptr ? PNG_COLOR_TYPE_PALETTE : colorType(image.channels), PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (palette != nullptr) {
@@ -131,26 +134,43 @@ bool encode(Encoder& encoder, const Image<std::uint8_t>& image, const Palette* p
         }
     }
     png_write_info(encoder.png, encoder.info);
-    for (int y = 0; y < image.size.height; ++y) png_write_row(encoder.png, &image.at(0, y));
+    if (sizeof(Sample) == 2 && std::endian::native == std::endian::little) png_set_swap(encoder.png);
+    for (int y = 0; y < image.size.height; ++y)
+        png_write_row(encoder.png, reinterpret_cast<png_const_bytep>(&image.at(0, y)));
     png_write_end(encoder.png, encoder.info);
     return true;
+}
+
+template <class Sample>
+void expectEncodable(const Image<Sample>& image) {
+    static_cast<void>(colorType(image.channels));
+    if (image.empty()) throw Error{Error::Kind::Usage, "PNG: expected a picture of at least one pixel, found none"};
+}
+
+template <class Sample>
+std::vector<std::uint8_t> encoded(const Image<Sample>& image, const Palette* palette) {
+    Encoder encoder;
+    encoder.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &encoder, leave, ignoreWarning);
+    if (encoder.png != nullptr) encoder.info = png_create_info_struct(encoder.png);
+    if (encoder.info == nullptr) throw std::bad_alloc{};
+    if (!encode(encoder, image, palette)) {
+        throw Error{Error::Kind::Runtime, fmt::format("PNG: a picture of {} x {} cannot be encoded: {}",
+                                                      image.size.width, image.size.height, encoder.failure)};
+    }
+    return std::move(encoder.bytes);
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> encodePng(const Image<std::uint8_t>& image) {
-    static_cast<void>(colorType(image.channels));
-    if (image.empty()) throw Error{Error::Kind::Usage, "PNG: expected a picture of at least one pixel, found none"};
-    Encoder encoder;
-    encoder.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &encoder, leave, ignoreWarning);
-    if (encoder.png != nullptr) encoder.info = png_create_info_struct(encoder.png);
-    if (encoder.info == nullptr) throw std::bad_alloc{};
+    expectEncodable(image);
     const std::optional<Palette> palette = paletteOf(image);
-    if (!encode(encoder, palette ? palette->indices : image, palette ? &*palette : nullptr)) {
-        throw Error{Error::Kind::Runtime, fmt::format("PNG: a picture of {} x {} cannot be encoded: {}",
-                                                      image.size.width, image.size.height, encoder.failure)};
-    }
-    return std::move(encoder.bytes);
+    return palette ? encoded(palette->indices, &*palette) : encoded(image, nullptr);
+}
+
+std::vector<std::uint8_t> encodePng(const Image<std::uint16_t>& image) {
+    expectEncodable(image);
+    return encoded(image, nullptr);
 }
 
 }  // namespace inkedge

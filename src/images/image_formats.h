@@ -21,8 +21,10 @@ enum class SampleType { Uint8, Half, Float };
 
 /// Channels that come from one image.
 struct Layer {
-    /// 8-bit values count as 0..1; 32-bit integers stay what they are.
-    std::variant<const Image<std::uint8_t>*, const Image<float>*, const Image<std::uint32_t>*> image;
+    /// 8-bit values count as 0..1; 16- and 32-bit integers stay what they are.
+    std::variant<const Image<std::uint8_t>*, const Image<float>*, const Image<std::uint16_t>*,
+                 const Image<std::uint32_t>*>
+        image;
     std::vector<std::string> channels;  ///< a name for each of its channels
     SampleType stored;                  ///< what the file keeps
 };
@@ -76,7 +78,7 @@ struct ImageFormats {
 
 inline constexpr ModuleOf<ImageFormats> imageModule{{.purpose = "image formats",
                                                      .file = "inkedge_image_formats.so",
-                                                     .symbol = "inkedge_image_formats_3",
+                                                     .symbol = "inkedge_image_formats_4",
                                                      .library = "OpenImageIO",
                                                      .option = "",
                                                      .remedy = "use .png, which needs no module"}};

@@ -62,6 +62,7 @@ OIIO::ImageSpec describe(FileFormat format, std::span<const Layer> layers, std::
 
 float normalised(float value) { return value; }
 float normalised(std::uint8_t value) { return static_cast<float>(value) / 255.0F; }
+float normalised(std::uint16_t value) { return static_cast<float>(value); }
 float normalised(std::uint32_t value) { return static_cast<float>(value); }
 
 /// Copies rows [begin, end) of an image into interleaved rows of `stride` channels, from channel `first` on.
@@ -166,7 +167,7 @@ DecodedPicture decodeJpeg(std::span<const std::uint8_t> bytes, std::uint64_t mos
 
 }  // namespace
 
-extern "C" INKEDGE_API const ImageFormats* inkedge_image_formats_3() noexcept {
+extern "C" INKEDGE_API const ImageFormats* inkedge_image_formats_4() noexcept {
     static constexpr ImageFormats formats{
         [](FileFormat format, std::span<const Layer> layers, std::span<const HeaderEntry> header) {
             return guarded([&] { return encodeFile(format, layers, header); });

@@ -1,7 +1,5 @@
 #include "ink/pens.h"
 
-#include <bit>
-
 namespace inkedge {
 namespace {
 
@@ -26,13 +24,12 @@ std::array<Pen, penCount> pens(const PictureSettings& settings) {
 }
 
 std::uint8_t penOf(const Line& line) noexcept {
-    const int type = std::countr_zero(static_cast<std::uint8_t>(line.type));
+    const int type = bitIndex(line.type);
     return static_cast<std::uint8_t>(line.visible ? type : type + lineTypeCount);
 }
 
 bool isDrawn(const Line& line, const PictureSettings& picture, const LineSettings& lines) noexcept {
-    const bool wanted = (picture.lines & static_cast<std::uint8_t>(line.type)) != 0;
-    return wanted && (line.visible || lines.hidden != HiddenLines::None);
+    return picture.lines.contains(line.type) && (line.visible || lines.hidden != HiddenLines::None);
 }
 
 }  // namespace inkedge

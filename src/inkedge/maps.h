@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <inkedge/backends.h>
@@ -22,7 +23,7 @@ struct Maps {
     Image<std::uint8_t> depthEdges;  ///< equation 7 on the depth map
     Image<std::uint8_t> normalEdges;  ///< equation 7 on the normal map
     Image<std::uint8_t> edges;        ///< either: Figure 1(e); with the planes detector: on a line
-    Image<std::uint8_t> types;        ///< bits of LineType at pixels on the nearer side of a line, else 0
+    Image<std::uint16_t> types;       ///< LineTypes::bits() at pixels on the nearer side of a line, else 0
     Image<std::uint32_t> ids;  ///< 4 channels: the pixel's patch; the patch across the line, 0 off lines; the node;
                                ///< the material. Each counts from 1; 0 is none or background
 

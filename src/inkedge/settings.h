@@ -13,6 +13,7 @@
 
 #include <inkedge/export.h>
 #include <inkedge/image.h>
+#include <inkedge/line_types.h>
 #include <inkedge/surface_functions.h>
 
 namespace inkedge {
@@ -94,24 +95,6 @@ struct Color {
     friend bool operator==(const Color&, const Color&) = default;
 };
 
-/// What a line is: bits of Maps::types. A place may be several at once; a line is drawn in the style of the first that
-/// has one of its own.
-enum class LineType : std::uint8_t {
-    Outline = 1,         ///< the model against the background
-    Occlusion = 2,       ///< a surface in front of another
-    Boundary = 4,        ///< where a surface ends: an open mesh's border
-    Crease = 8,          ///< two faces that meet at more than the crease angle
-    Intersection = 16,   ///< surfaces that run into each other, and borders of surfaces that touch
-    Object = 32,         ///< between two nodes of the scene
-    Isoparametric = 64,  ///< where a texture coordinate passes a step; only of lines from object space
-    Marked = 128,        ///< edges that the file marks, but those drawn as one of the first three; object space only
-};
-inline constexpr int lineTypeCount = 8;
-inline constexpr std::uint8_t allLineTypes = 255;
-
-/// "outline", "occlusion", "boundary", "crease", "intersection", "object", "isoparametric", "marked".
-[[nodiscard]] INKEDGE_API std::string_view name(LineType) noexcept;
-
 /// A length on the picture.
 struct PictureLength {
     double value = 0.0;
@@ -145,8 +128,8 @@ struct PictureSettings {
     double dpi = 96.0;                                       ///< pixels an inch, for widths in millimetres
     std::optional<PageSize> page;                            ///< the sheet that vectors are for; none: the size at dpi
     int supersampling = 1;                                   ///< samples a pixel along each axis: 1, 2 or 4
-    int tileSize = 4096;                ///< the largest side of what is drawn at once, samples: trades memory for time
-    std::uint8_t lines = allLineTypes;  ///< which types are drawn
+    int tileSize = 4096;             ///< the largest side of what is drawn at once, samples: trades memory for time
+    LineTypes lines = allLineTypes;  ///< which types are drawn
     std::array<LineStyle, lineTypeCount> lineStyles;  ///< in the order of LineType's bits
 };
 

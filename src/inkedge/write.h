@@ -32,7 +32,8 @@ namespace inkedge {
                                                                          std::span<const Map> maps);
 
 /// Writes the picture and the named maps; every file appears whole or not at all. 8-bit files are for looking: depth as
-/// grey from near (black) to far (white), normals as (n + 1) / 2, edges black on white, types and ids as colours. EXR
+/// grey from near (black) to far (white), normals as (n + 1) / 2, edges black on white, types and ids as colours
+/// (encodePng(maps.types) keeps the types' bits). EXR
 /// holds the maps in layers depth.Z (scene units), normal.X/Y/Z, depth-edges.Y, normal-edges.Y, edges.Y, types.bits,
 /// ids.patch/across/object/material beside the picture's Y or R, G, B, A (linear light, alpha premultiplied), with
 /// inkedge:near, inkedge:far, inkedge:view and inkedge:projection in its header.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <string_view>
 
 #include <inkedge/error.h>
@@ -81,7 +80,7 @@ Image<std::uint8_t> edgePicture(const Image<std::uint8_t>& mask) {
 }
 
 /// One colour for each combination of bits: outlines red, occlusions green, creases blue and so on; white off lines.
-Image<std::uint8_t> typesPicture(const Image<std::uint8_t>& types) {
+Image<std::uint8_t> typesPicture(const Image<std::uint16_t>& types) {
     constexpr std::array<std::array<int, 3>, lineTypeCount> inks{{{220, 30, 30},
                                                                   {20, 150, 40},
                                                                   {230, 140, 0},
@@ -92,9 +91,9 @@ Image<std::uint8_t> typesPicture(const Image<std::uint8_t>& types) {
                                                                   {90, 60, 30}}};
     Image<std::uint8_t> picture{types.size, 3, std::uint8_t{255}};
     for (std::size_t i = 0; i < types.pixels.size(); ++i) {
-        const unsigned bits = types.pixels[i];
-        if (bits == 0) continue;
-        const auto& ink = inks[static_cast<std::size_t>(std::countr_zero(bits))];
+        const LineTypes known = LineTypes::fromBits(types.pixels[i]) & allLineTypes;
+        if (known.empty()) continue;
+        const auto& ink = inks[static_cast<std::size_t>(bitIndex(known.first()))];
         for (std::size_t k = 0; k < 3; ++k) picture.pixels[3 * i + k] = static_cast<std::uint8_t>(ink[k]);
     }
     return picture;
@@ -170,21 +169,11 @@ std::vector<io::HeaderEntry> cameraEntries(const Camera& camera, Size size) {
             {"inkedge:projection", rowMajor(camera.projection(size))}};
 }
 
-Image<std::uint32_t> widened(const Image<std::uint8_t>& bytes) {
-    Image<std::uint32_t> words{bytes.size, bytes.channels};
-    std::copy(bytes.pixels.begin(), bytes.pixels.end(), words.pixels.begin());
-    return words;
-}
-
 std::vector<std::uint8_t> encodeLayers(const Maps& maps, std::span<const Map> wanted, const fs::path& target) {
     expectMemory(maps.picture.size, sizeof(float) * static_cast<std::uint64_t>(maps.picture.channels));
     const Image<float> picture = io::linearPicture(maps.picture);
     std::vector<io::Layer> layers{{&picture, io::channelNames(picture.channels), io::SampleType::Half}};
-    const Image<std::uint32_t> typeBits = widened(maps.types);  // bits, not shares of 255
-    for (const Map map : wanted) {
-        layers.push_back(mapLayer(maps, map));
-        if (map == Map::Types) layers.back().image = &typeBits;
-    }
+    for (const Map map : wanted) layers.push_back(mapLayer(maps, map));
     io::EncodedPicture encoded = io::imageFormats(Error::Kind::Output)
                                      .encode(io::FileFormat::OpenExr, layers, cameraEntries(maps.camera, picture.size));
     if (!encoded.failure.empty()) io::failToWrite(target, encoded.failure);

@@ -145,7 +145,7 @@ LineType typeOf(Curve curve, Seen seen) {
 }
 
 Isolines drawnIsolines(const RenderSettings& settings) {
-    const bool drawn = (settings.picture.lines & static_cast<std::uint8_t>(LineType::Isoparametric)) != 0;
+    const bool drawn = settings.picture.lines.contains(LineType::Isoparametric);
     return drawn ? settings.lines.isolines : Isolines{};
 }
 
@@ -168,13 +168,13 @@ void addIntersections(const std::vector<IntersectionSegment>& found, std::vector
 }
 
 // @param drawn  PictureSettings::lines
-LineType typeOf(const Segment& segment, Seen seen, std::uint8_t drawn) {
+LineType typeOf(const Segment& segment, Seen seen, LineTypes drawn) {
     const LineType type = typeOf(segment.curve, seen);
-    return segment.marked && (drawn & static_cast<std::uint8_t>(type)) == 0 ? LineType::Marked : type;
+    return segment.marked && !drawn.contains(type) ? LineType::Marked : type;
 }
 
 // @param drawn  PictureSettings::lines
-Line makeLine(const View& view, const Chain& chain, const Part& part, std::uint8_t drawn) {
+Line makeLine(const View& view, const Chain& chain, const Part& part, LineTypes drawn) {
     const Segment& first = view.segments[chain.links[static_cast<std::size_t>(part.begin)].segment];
     Line line;
     line.type = typeOf(first, part.seen, drawn);
@@ -317,7 +317,7 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings, co
                         settings.lines.hidden, standsOutside(camera, scene), settings.picture.lines},
                        drawnIsolines(settings));
     watch.finish("curves");
-    if ((settings.picture.lines & static_cast<std::uint8_t>(LineType::Intersection)) != 0)
+    if (settings.picture.lines.contains(LineType::Intersection))
         addIntersections(state_->intersections(), view.segments);
     watch.finish("intersections");
     view.projected = project(view.segments, screen);

@@ -14,10 +14,11 @@ bool wantsAny(const RenderSettings& settings, std::initializer_list<Map> maps) {
     return std::ranges::any_of(maps, [&](Map map) { return wants(settings, map); });
 }
 
-Image<std::uint8_t> mask(const Image<std::uint8_t>& marks, unsigned bits) {
-    Image<std::uint8_t> edges{marks.size, 1};
-    std::ranges::transform(marks.pixels, edges.pixels.begin(),
-                           [&](std::uint8_t m) { return static_cast<std::uint8_t>((m & bits) != 0 ? 255 : 0); });
+Image<std::uint8_t> mask(const Image<std::uint16_t>& types, LineTypes wanted) {
+    Image<std::uint8_t> edges{types.size, 1};
+    std::ranges::transform(types.pixels, edges.pixels.begin(), [bits = wanted.bits()](std::uint16_t t) {
+        return static_cast<std::uint8_t>((t & bits) != 0 ? 255 : 0);
+    });
     return edges;
 }
 

@@ -19,7 +19,8 @@ void readSurface(const gl::Api&, const SurfaceBuffers&, const RenderSettings&, M
 /// Fills the edge masks and magnitudes, as far as they are wanted.
 void readEdges(const gl::Api&, const EdgeBuffers&, const RenderSettings&, Maps&);
 
-/// 255 where any of the bits is set, else 0.
-[[nodiscard]] Image<std::uint8_t> mask(const Image<std::uint8_t>& marks, unsigned bits);
+/// 255 where a pixel has any of the types, else 0.
+/// @param types  as Maps::types
+[[nodiscard]] Image<std::uint8_t> mask(const Image<std::uint16_t>& types, LineTypes wanted);
 
 }  // namespace inkedge

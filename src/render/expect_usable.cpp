@@ -18,7 +18,7 @@ namespace {
 std::uint64_t bytesPerPixel(const RenderSettings& settings) {
     std::uint64_t bytes = settings.picture.background ? 3 : 4;
     const std::pair<Map, std::uint64_t> costs[]{{Map::Depth, 8},       {Map::Normal, 12}, {Map::DepthEdges, 5},
-                                                {Map::NormalEdges, 5}, {Map::Edges, 1},   {Map::Types, 1},
+                                                {Map::NormalEdges, 5}, {Map::Edges, 1},   {Map::Types, 2},
                                                 {Map::Ids, 16}};
     for (const auto& [map, cost] : costs) bytes += wants(settings, map) ? cost : 0;
     if (!settings.detector.functions.empty() || settings.detector.detector == Detector::SaitoTakahashi) ++bytes;  // ink

@@ -278,22 +278,20 @@ PageSize parsePage(std::string_view text) {
     return {parseMillimetres(text.substr(0, between)), parseMillimetres(text.substr(between + 1))};
 }
 
-std::uint8_t parseLineTypes(std::string_view text) {
-    std::uint8_t types = 0;
+LineTypes parseLineTypes(std::string_view text) {
+    LineTypes types;
     if (text == "none") return types;
     if (text == "all") return allLineTypes;
-    for (const std::string_view part : split(text, ',')) {
-        types = static_cast<std::uint8_t>(types | static_cast<std::uint8_t>(parseChoice(lineTypeChoices, part)));
-    }
+    for (const std::string_view part : split(text, ',')) types |= parseChoice(lineTypeChoices, part);
     return types;
 }
 
-std::string lineTypesText(std::uint8_t types) {
+std::string lineTypesText(LineTypes types) {
+    if (types == allLineTypes) return "all";
     std::vector<std::string_view> names;
     for (const auto& choice : lineTypeChoices) {
-        if ((types & static_cast<std::uint8_t>(choice.value)) != 0) names.push_back(choice.name);
+        if (types.contains(choice.value)) names.push_back(choice.name);
     }
-    if (types == allLineTypes) return "all";
     return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ","));
 }
 
@@ -333,7 +331,7 @@ std::array<LineStyle, lineTypeCount> parseLineStyles(std::string_view text) {
         const Expected expected{"TYPE:width=W,color=C;... with one or both of width and color"};
         if (colon == std::string_view::npos) throw expected;
         const LineType type = parseChoice(lineTypeChoices, part.substr(0, colon));
-        LineStyle& style = styles[static_cast<std::size_t>(std::countr_zero(static_cast<std::uint8_t>(type)))];
+        LineStyle& style = styles[static_cast<std::size_t>(bitIndex(type))];
         for (const std::string_view field : split(part.substr(colon + 1), ',')) {
             if (field.starts_with("width=")) {
                 style.width = parseLength(field.substr(6));
@@ -690,7 +688,7 @@ constexpr std::array table{
 
 LoadSettings loadSettings(const Settings& settings) {
     LoadSettings load = settings.load;
-    const bool drawsIsolines = (settings.picture.lines & static_cast<std::uint8_t>(LineType::Isoparametric)) != 0;
+    const bool drawsIsolines = settings.picture.lines.contains(LineType::Isoparametric);
     load.textureCoordinates = load.textureCoordinates || (drawsIsolines && settings.lines.isolines != Isolines{});
     for (const FunctionSettings& function : settings.detector.functions) {
         const FunctionNeeds& needs = functionDescription(function.name).needs;
@@ -708,7 +706,8 @@ Thresholds thresholds(const DetectorSettings& detector) noexcept {
 }
 
 std::string_view name(LineType type) noexcept {
-    return lineTypeChoices[static_cast<std::size_t>(std::countr_zero(static_cast<std::uint8_t>(type)))].name;
+    const auto* const choice = std::ranges::find(lineTypeChoices, type, &Choice<LineType>::value);
+    return choice == lineTypeChoices.end() ? std::string_view{} : choice->name;
 }
 
 std::string_view name(Map map) noexcept { return mapChoices[static_cast<std::size_t>(map)].name; }

@@ -1,7 +1,6 @@
 #include "trace/trace_lines.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <iterator>
@@ -18,13 +17,11 @@ namespace {
 
 constexpr double leastBend = 0.05;  // pixel footprints over a step: planes that bend less do not say where they meet
 
-constexpr std::uint8_t bit(LineType type) { return static_cast<std::uint8_t>(type); }
-
 // A line between two neighbouring samples.
 struct Crossing {
-    glm::vec2 place;         // samples
-    std::uint8_t types = 0;  // 0: there is none
-    float nearness = 0.0F;   // as StrokePlace has it
+    glm::vec2 place;        // samples
+    LineTypes types;        // empty: there is none
+    float nearness = 0.0F;  // as StrokePlace has it
     std::uint32_t triangle = 0;
 };
 
@@ -34,8 +31,8 @@ struct CrossingRow {
 
     // Most samples have none.
     void clear() {
-        for (const int column : columns) right[static_cast<std::size_t>(column)].types = 0;
-        for (const int column : columns) down[static_cast<std::size_t>(column)].types = 0;
+        for (const int column : columns) right[static_cast<std::size_t>(column)].types = {};
+        for (const int column : columns) down[static_cast<std::size_t>(column)].types = {};
         columns.clear();
     }
 
@@ -100,8 +97,8 @@ public:
         });
     }
 
-    // LineType bits at the nearer sample of each crossing traced so far.
-    Image<std::uint8_t> takeTypes() { return std::move(types_); }
+    // Maps::types at the nearer sample of each crossing traced so far.
+    Image<std::uint16_t> takeTypes() { return std::move(types_); }
 
 private:
     using End = ScreenTriangles::End;
@@ -173,8 +170,8 @@ private:
                 }
             }
         }
-        const std::uint8_t types = classify(near, far, marks, way.exit);
-        types_.at(near.x, near.y) |= types;
+        const LineTypes types = classify(near, far, marks, way.exit);
+        types_.at(near.x, near.y) |= static_cast<std::uint16_t>(types.bits());
         const glm::dvec2 from = centre(near);
         const glm::dvec2 to = centre(far);
         const glm::dvec2 offset = t * (to - from);
@@ -198,17 +195,17 @@ private:
         return !way.arrivedAt || triangles_.touch({seen.instance, *way.arrivedAt}, seen);
     }
 
-    [[nodiscard]] std::uint8_t classify(Sample near, Sample far, unsigned marks,
-                                        const std::optional<ScreenTriangles::Exit>& exit) const {
+    [[nodiscard]] LineTypes classify(Sample near, Sample far, unsigned marks,
+                                     const std::optional<ScreenTriangles::Exit>& exit) const {
         const bool atBorder = exit && exit->end == End::Border;
-        const std::uint8_t boundary = atBorder ? bit(LineType::Boundary) : 0;
-        if ((marks & PairMark::background) != 0) return bit(LineType::Outline) | boundary;
+        const LineTypes boundary = atBorder ? LineTypes{LineType::Boundary} : LineTypes{};
+        if ((marks & PairMark::background) != 0) return LineType::Outline | boundary;
         const bool otherObject = triangle(near).instance != triangle(far).instance;
-        const std::uint8_t object = otherObject ? bit(LineType::Object) : 0;
-        if ((marks & PairMark::jump) != 0) return bit(LineType::Occlusion) | boundary | object;
-        if (otherObject) return bit(LineType::Intersection) | object;
-        if (exit && exit->end == End::Fold) return bit(LineType::Occlusion);
-        return exit ? bit(LineType::Crease) : bit(LineType::Intersection);
+        const LineTypes object = otherObject ? LineTypes{LineType::Object} : LineTypes{};
+        if ((marks & PairMark::jump) != 0) return LineType::Occlusion | boundary | object;
+        if (otherObject) return LineType::Intersection | object;
+        if (exit && exit->end == End::Fold) return LineType::Occlusion;
+        return exit ? LineType::Crease : LineType::Intersection;
     }
 
     const LineBuffers& buffers_;
@@ -216,7 +213,7 @@ private:
     bool orthographic_;
     double focalLength_;
     Rectangle columns_;
-    Image<std::uint8_t> types_;
+    Image<std::uint16_t> types_;
 };
 
 // Vertices that nearly touch leave cracks, through which single samples see what lies behind: a sample that lies behind
@@ -304,7 +301,7 @@ public:
             const Crossing* sides[4]{&above.right[column], &below.right[column], &above.down[column],
                                      &above.down[column + 1]};
             const auto drawnEnd =
-                std::remove_if(sides, sides + 4, [&](const Crossing* c) { return (c->types & types_.drawn) == 0; });
+                std::remove_if(sides, sides + 4, [&](const Crossing* c) { return (c->types & types_.drawn).empty(); });
             joinCell({sides, static_cast<std::size_t>(drawnEnd - sides)}, x + tile_.drawn.x, y);
         }
     }
@@ -322,9 +319,9 @@ private:
     }
 
     [[nodiscard]] std::uint8_t styleOf(const Crossing& c) const {
-        const auto drawn = static_cast<unsigned>(c.types & types_.drawn);
-        const unsigned styled = drawn & types_.styled;
-        return static_cast<std::uint8_t>(std::countr_zero(styled != 0 ? styled : drawn));
+        const LineTypes drawn = c.types & types_.drawn;
+        const LineTypes styled = drawn & types_.styled;
+        return static_cast<std::uint8_t>(bitIndex((styled.empty() ? drawn : styled).first()));
     }
 
     void add(glm::vec2 from, glm::vec2 to, const Crossing& crossing, float nearnessTo) {
@@ -408,8 +405,8 @@ Image<std::uint32_t> traceIds(const LineBuffers& buffers, const Scene& scene, co
 }
 
 // A pixel's types are those of all its samples.
-Image<std::uint8_t> typesOfPixels(const Image<std::uint8_t>& samples, int samplesPerPixel) {
-    Image<std::uint8_t> types{{samples.size.width / samplesPerPixel, samples.size.height / samplesPerPixel}, 1};
+Image<std::uint16_t> typesOfPixels(const Image<std::uint16_t>& samples, int samplesPerPixel) {
+    Image<std::uint16_t> types{{samples.size.width / samplesPerPixel, samples.size.height / samplesPerPixel}, 1};
     for (int y = 0; y < samples.size.height; ++y) {
         for (int x = 0; x < samples.size.width; ++x)
             types.at(x / samplesPerPixel, y / samplesPerPixel) |= samples.at(x, y);
@@ -441,9 +438,9 @@ Image<std::uint32_t> idsOfPixels(const TracedLines& traced, int samplesPerPixel)
 }  // namespace
 
 DrawnTypes drawnTypes(const PictureSettings& settings) {
-    DrawnTypes types{settings.lines, 0};
+    DrawnTypes types{settings.lines, {}};
     for (std::size_t i = 0; i < settings.lineStyles.size(); ++i) {
-        if (settings.lineStyles[i] != LineStyle{}) types.styled = static_cast<std::uint8_t>(types.styled | 1U << i);
+        if (settings.lineStyles[i] != LineStyle{}) types.styled |= static_cast<LineType>(1U << i);
     }
     return types;
 }

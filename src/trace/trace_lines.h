@@ -9,9 +9,9 @@
 #include <inkedge/settings.h>
 
 #include "ink/paint_strokes.h"
-#include "trace/screen_triangles.h"
 #include "raster/samples.h"
 #include "raster/tiles.h"
+#include "trace/screen_triangles.h"
 
 namespace inkedge {
 
@@ -33,18 +33,18 @@ struct StrokePlace {
 struct TracedLines {
     std::vector<Stroke> strokes;      ///< in output pixels of the whole picture: those of cells that the tile keeps
     std::vector<StrokePlace> places;  ///< one a stroke; empty unless asked for
-    Image<std::uint8_t> types;        ///< as Maps::types, of what the tile keeps
+    Image<std::uint16_t> types;       ///< as Maps::types, of what the tile keeps
     Image<std::uint32_t> ids;         ///< as Maps::ids, likewise; empty unless asked for
 };
 
 enum class TraceIds { Drop, Keep };
 enum class TracePlaces { Drop, Keep };
 
-/// Which types of lines become strokes, and which of them have a style of their own: bits of LineType. A stroke has the
-/// style of the first of its types that has one, else of its first.
+/// Which types of lines become strokes, and which of them have a style of their own. A stroke has the style of the first
+/// of its types that has one, else of its first.
 struct DrawnTypes {
-    std::uint8_t drawn;
-    std::uint8_t styled;
+    LineTypes drawn;
+    LineTypes styled;
 };
 [[nodiscard]] DrawnTypes drawnTypes(const PictureSettings&);
 

@@ -82,7 +82,7 @@ TEST(FreeEnds, AreThoseBesideLinesThatAreNotDrawn) {
     const Line line = lineAt({{10, 50, 0}, {60, 50, 0}});
     Line other = lineAt({{60, 50, 0}, {110, 50, 0}}, LineType::Crease);
     PictureSettings outlines;
-    outlines.lines = static_cast<std::uint8_t>(LineType::Outline);
+    outlines.lines = LineType::Outline;
     EXPECT_TRUE(freeEnds({line, other}, {}, outlines)[1]);
     other.visible = false;
     EXPECT_TRUE(freeEnds({line, other})[1]);

@@ -296,7 +296,7 @@ TEST_P(Ink, neitherThinsOutNorDoublesWhereTypesMeet) {
             const Maps maps = renderer().render(scene, camera, ink(square, width, {Map::Types}));
             const Image<double> drawn = ink_measures::inkOf(maps.picture);
             unsigned types = 0;
-            for (const std::uint8_t t : maps.types.pixels) types |= t;
+            for (const std::uint16_t t : maps.types.pixels) types |= t;
             EXPECT_EQ(types & 3U, 3U) << "no two types to meet";
             const Image<double> exact = ink_measures::exactInk(square, lines, width);
             ink_measures::Difference junctions;

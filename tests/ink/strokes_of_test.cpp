@@ -61,9 +61,9 @@ TEST(StrokesOf, leaveOutTypesThatAreNotDrawn) {
     Line line = lineThrough({{10, 10}, {50, 10}});
     line.type = LineType::Marked;
     PictureSettings settings = picture(2.0);
-    settings.lines = allLineTypes & ~static_cast<unsigned>(LineType::Marked);
+    settings.lines = allLineTypes - LineType::Marked;
     EXPECT_TRUE(strokesOf(linesOf({line}), settings, {}).empty());
-    settings.lines = static_cast<std::uint8_t>(LineType::Marked);
+    settings.lines = LineType::Marked;
     EXPECT_EQ(strokesOf(linesOf({line}), settings, {}).size(), 1U);
 }
 

@@ -18,6 +18,7 @@
 #include "base/expect_error.h"
 #include "base/temporary_folder.h"
 #include "images/image_formats.h"
+#include "images/read_png.h"
 
 using namespace inkedge;
 using testing::AllOf;
@@ -210,6 +211,25 @@ TEST(EncodePng, refusesAPictureWithoutPixels) {
                 [] { static_cast<void>(encodePng(Image<std::uint8_t>{})); });
 }
 
+// Pixels of a PNG of one channel of 16 bits: the file's own, most significant byte first.
+std::vector<std::uint16_t> decodeGrey16(const std::vector<std::uint8_t>& bytes) {
+    const io::ReadPicture picture = io::readPng(bytes);
+    std::vector<std::uint16_t> values;
+    for (const float v : picture.image.pixels) values.push_back(static_cast<std::uint16_t>(std::lround(v * 65535.0F)));
+    return values;
+}
+
+TEST(EncodePng, keepsEveryBitOfATypesMap) {
+    Image<std::uint16_t> types{{6, 1}, 1};
+    types.pixels = {0, 1, 255, 256, 0x8001, 0xFFFF};
+    const std::vector<std::uint8_t> bytes = encodePng(types);
+    EXPECT_EQ(bytes[24], 16) << "bits a sample";
+    EXPECT_EQ(bytes[25], PNG_COLOR_TYPE_GRAY);
+    EXPECT_THAT(decodeGrey16(bytes), ElementsAreArray(types.pixels));
+    expectError(Error::Kind::Usage, testing::StrEq("PNG: expected a picture of at least one pixel, found none"),
+                [] { static_cast<void>(encodePng(Image<std::uint16_t>{})); });
+}
+
 TEST(OutputFiles, putAMapsNameBeforeTheExtension) {
     EXPECT_THAT(outputFiles("out/gear.v2.png", std::array{Map::Depth, Map::NormalEdges}),
                 ElementsAre("out/gear.v2.png", "out/gear.v2.depth.png", "out/gear.v2.normal-edges.png"));
@@ -395,6 +415,24 @@ TEST(WriteMaps, keepsFloatMapsExactlyInAnExr) {
     EXPECT_THAT(file.channel("depth-edges.Y"), ElementsAre(1.0F, 0.0F));
     EXPECT_THAT(file.channel("normal-edges.Y"), ElementsAre(0.0F, 1.0F));
     EXPECT_THAT(file.channel("edges.Y"), ElementsAre(1.0F, 1.0F));
+}
+
+TEST(WriteMaps, keepsEveryBitOfTypesInAnExr) {
+    const TemporaryFolder folder;
+    Maps maps = smallMaps();
+    maps.types = Image<std::uint16_t>{maps.picture.size, 1};
+    maps.types.pixels = {0x8001, 0xFFFF};
+    writeMaps(maps, std::array{Map::Types}, folder / "a.exr");
+    EXPECT_THAT(decodeFile(folder / "a.exr").channel("types.bits"), ElementsAre(32769.0F, 65535.0F));
+}
+
+TEST(WriteMaps, writesTypesAsTheColourOfTheFirst) {
+    const TemporaryFolder folder;
+    Maps maps = smallMaps();
+    maps.types = Image<std::uint16_t>{maps.picture.size, 1};
+    maps.types.pixels = {0, 2 | 32};  // an occlusion between two objects
+    writeMaps(maps, std::array{Map::Types}, folder / "a.png");
+    EXPECT_THAT(decodePng(contents(folder / "a.types.png")).image.pixels, ElementsAre(255, 255, 255, 20, 150, 40));
 }
 
 TEST(WriteMaps, keepsRowsOfATallExrInTheirPlaces) {

@@ -13,9 +13,7 @@ namespace {
 
 using testing::IsEmpty;
 
-constexpr std::uint8_t bit(LineType type) { return static_cast<std::uint8_t>(type); }
-
-Settings drawing(std::uint8_t types) {
+Settings drawing(LineTypes types) {
     Settings settings;
     settings.picture.size = {400, 400};
     settings.picture.lines = types;
@@ -66,7 +64,7 @@ TEST(MarkedEdges, AreLinesWhereNothingElseIs) {
     EXPECT_EQ(seen(mesh, LineType::Marked, drawing(allLineTypes)), 0.0);
     mesh.edges[2] = EdgeKind::Marked;  // the diagonal, on one of its faces
     EXPECT_NEAR(seen(mesh, LineType::Marked, drawing(allLineTypes)), 2.0 * std::numbers::sqrt2, rounding);
-    EXPECT_EQ(seen(mesh, LineType::Marked, drawing(allLineTypes & ~bit(LineType::Marked))), 0.0);
+    EXPECT_EQ(seen(mesh, LineType::Marked, drawing(allLineTypes - LineType::Marked)), 0.0);
 }
 
 TEST(MarkedEdges, AreCreasesOnlyWhereMarkedLinesAreNotDrawn) {
@@ -75,7 +73,7 @@ TEST(MarkedEdges, AreCreasesOnlyWhereMarkedLinesAreNotDrawn) {
     mesh.edges[roofsRidge] = EdgeKind::Marked;
     EXPECT_NEAR(seen(mesh, LineType::Marked, drawing(allLineTypes)), 2.0, rounding);
     EXPECT_EQ(seen(mesh, LineType::Crease, drawing(allLineTypes)), 0.0);
-    EXPECT_NEAR(seen(mesh, LineType::Crease, drawing(bit(LineType::Crease))), 2.0, rounding);
+    EXPECT_NEAR(seen(mesh, LineType::Crease, drawing(LineType::Crease)), 2.0, rounding);
 }
 
 TEST(MarkedEdges, AreOutlinesUnlessThoseAreNotDrawn) {
@@ -83,7 +81,7 @@ TEST(MarkedEdges, AreOutlinesUnlessThoseAreNotDrawn) {
     mesh.edges[0] = EdgeKind::Marked;  // from (-1, -1) to (1, -1)
     EXPECT_NEAR(seen(mesh, LineType::Outline, drawing(allLineTypes)), 8.0, rounding);
     EXPECT_EQ(seen(mesh, LineType::Marked, drawing(allLineTypes)), 0.0);
-    EXPECT_NEAR(seen(mesh, LineType::Marked, drawing(bit(LineType::Marked))), 2.0, rounding);
+    EXPECT_NEAR(seen(mesh, LineType::Marked, drawing(LineType::Marked)), 2.0, rounding);
 }
 
 TEST(Isolines, AreLinesOfTheirOwnWhoseStepsMayChange) {
@@ -105,7 +103,7 @@ TEST(Isolines, AreLinesOfTheirOwnWhoseStepsMayChange) {
     EXPECT_THAT(isolines({4, 0}), testing::ElementsAreArray(std::vector(4, testing::DoubleNear(2.0, rounding))));
     EXPECT_THAT(isolines({4, 2}), testing::SizeIs(6));
     EXPECT_THAT(isolines({0, 2}), testing::SizeIs(2));
-    settings.picture.lines = allLineTypes & ~bit(LineType::Isoparametric);
+    settings.picture.lines = allLineTypes - LineType::Isoparametric;
     EXPECT_THAT(isolines({4, 4}), IsEmpty());
 }
 

@@ -40,8 +40,9 @@ Settings linesOf(Size size, std::vector<Map> maps = {Map::Types}) {
     return settings;
 }
 
-int countMarked(const Image<std::uint8_t>& mask) {
-    return static_cast<int>(std::ranges::count_if(mask.pixels, [](std::uint8_t m) { return m != 0; }));
+template <class T>
+int countMarked(const Image<T>& map) {
+    return static_cast<int>(std::ranges::count_if(map.pixels, [](T value) { return value != 0; }));
 }
 
 // A camera at the origin that looks along -Z at a square picture.
@@ -336,6 +337,7 @@ TEST_P(Lines, findTheCornerOfAFold) {
 Scene transformed(const Scene& scene, const glm::dmat4& transform) {
     Scene::Data data;
     data.meshes = scene.meshes();
+    data.nodes = scene.nodes();
     data.instances = scene.instances();
     data.nodes = scene.nodes();
     for (Instance& instance : data.instances) instance.transform = transform * instance.transform;
@@ -429,7 +431,7 @@ Ids idsAt(const Maps& maps, int x, int y) {
 
 unsigned typesIn(const Maps& maps) {
     unsigned all = 0;
-    for (const std::uint8_t t : maps.types.pixels) all |= t;
+    for (const std::uint16_t t : maps.types.pixels) all |= t;
     return all;
 }
 
@@ -518,11 +520,11 @@ TEST_P(Lines, areDrawnAsAskedAndCountedWhetherDrawnOrNot) {
     const Camera camera = frameCamera(scene, threeQuarters(false), pictureSize);
     Settings settings = linesOf(pictureSize, {Map::Types, Map::Edges});
     const Maps all = renderer().render(scene, camera, settings);
-    settings.picture.lines = crease;
+    settings.picture.lines = LineType::Crease;
     const Maps creases = renderer().render(scene, camera, settings);
-    settings.picture.lines = outline;
+    settings.picture.lines = LineType::Outline;
     const Maps outlines = renderer().render(scene, camera, settings);
-    settings.picture.lines = 0;
+    settings.picture.lines = {};
     const Maps none = renderer().render(scene, camera, settings);
     EXPECT_EQ(creases.types.pixels, all.types.pixels);
     EXPECT_THAT(none.picture.pixels, Each(255));

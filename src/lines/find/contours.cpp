@@ -114,7 +114,7 @@ private:
         return smooth_[topology_.patches[edges_.shared.halfEdges[e] / 3]] && mayBeSmooth(e);
     }
 
-    [[nodiscard]] bool draws(LineType type) const { return (choice_.lines & static_cast<std::uint8_t>(type)) != 0; }
+    [[nodiscard]] bool draws(LineType type) const { return choice_.lines.contains(type); }
     [[nodiscard]] bool isMarked(std::uint32_t halfEdge) const {
         return draws(LineType::Marked) && lines::isMarked(mesh_, topology_, halfEdge);
     }

@@ -24,7 +24,7 @@ struct CurveChoice {
     const ControlMesh* control = nullptr;    ///< of the mesh; with a refinement
     HiddenLines hidden = HiddenLines::None;  ///< what a part itself hides is found only if it is wanted
     bool eyeOutside = true;  ///< the eye and the near plane are outside the scene: closed parts hide their backs
-    std::uint8_t lines = allLineTypes;  ///< PictureSettings::lines: whether marked edges are drawn, and as what
+    LineTypes lines = allLineTypes;  ///< PictureSettings::lines: whether marked edges are drawn, and as what
 };
 
 /// What one instance's mesh has of its own, whatever the view.

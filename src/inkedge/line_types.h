@@ -1,0 +1,104 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <iterator>
+#include <string_view>
+
+#include <inkedge/export.h>
+
+namespace inkedge {
+
+/// What a line is: one bit of LineTypes and of Maps::types. A pixel of a line may have several types at once; a line is
+/// drawn in the style of the first that has one of its own.
+enum class LineType : std::uint32_t {
+    Outline = 1,         ///< the model against the background
+    Occlusion = 2,       ///< a surface in front of another
+    Boundary = 4,        ///< where a surface ends: an open mesh's border
+    Crease = 8,          ///< two faces that meet at more than the crease angle
+    Intersection = 16,   ///< surfaces that run into each other, and borders of surfaces that touch
+    Object = 32,         ///< between two nodes of the scene
+    Isoparametric = 64,  ///< where a texture coordinate passes a step; only of lines from object space
+    Marked = 128,        ///< edges that the file marks, but those drawn as one of the first three; object space only
+};
+inline constexpr int lineTypeCount = 8;
+
+/// "outline", "occlusion", "boundary", "crease", "intersection", "object", "isoparametric", "marked"; empty for a value
+/// that is none of them.
+[[nodiscard]] INKEDGE_API std::string_view name(LineType) noexcept;
+
+/// The number of a type's bit: 0 for LineType::Outline. The type must be one of the enumerators.
+[[nodiscard]] constexpr int bitIndex(LineType type) noexcept {
+    return std::countr_zero(static_cast<std::uint32_t>(type));
+}
+
+/// A set of line types: 32 bits, each as LineType numbers them. Iteration goes from the lowest bit to the highest.
+class LineTypes {
+public:
+    /// One bit after the other.
+    class Iterator {
+    public:
+        using value_type = LineType;
+        using difference_type = std::ptrdiff_t;
+        constexpr Iterator() noexcept = default;
+        constexpr explicit Iterator(std::uint32_t rest) noexcept : rest_{rest} {}
+        constexpr LineType operator*() const noexcept { return static_cast<LineType>(rest_ & (~rest_ + 1U)); }
+        constexpr Iterator& operator++() noexcept {
+            rest_ &= rest_ - 1U;
+            return *this;
+        }
+        constexpr Iterator operator++(int) noexcept {
+            const Iterator before = *this;
+            ++*this;
+            return before;
+        }
+        friend constexpr bool operator==(Iterator, Iterator) noexcept = default;
+
+    private:
+        std::uint32_t rest_ = 0;  // the bits that are still to come
+    };
+
+    constexpr LineTypes() noexcept = default;
+    constexpr LineTypes(LineType type) noexcept : bits_{static_cast<std::uint32_t>(type)} {}
+    constexpr LineTypes(std::initializer_list<LineType> types) noexcept {
+        for (const LineType type : types) *this |= type;
+    }
+    /// @param bits  any: also those that no type has yet
+    [[nodiscard]] static constexpr LineTypes fromBits(std::uint32_t bits) noexcept {
+        LineTypes types;
+        types.bits_ = bits;
+        return types;
+    }
+
+    [[nodiscard]] constexpr std::uint32_t bits() const noexcept { return bits_; }
+    [[nodiscard]] constexpr bool empty() const noexcept { return bits_ == 0; }
+    [[nodiscard]] constexpr int size() const noexcept { return std::popcount(bits_); }
+    [[nodiscard]] constexpr bool contains(LineType type) const noexcept { return !(*this & type).empty(); }
+
+    /// The lowest bit's type; of an empty set no type: the value 0.
+    [[nodiscard]] constexpr LineType first() const noexcept { return *begin(); }
+    [[nodiscard]] constexpr Iterator begin() const noexcept { return Iterator{bits_}; }
+    [[nodiscard]] constexpr Iterator end() const noexcept { return Iterator{}; }
+
+    constexpr LineTypes& operator|=(LineTypes other) noexcept {
+        bits_ |= other.bits_;
+        return *this;
+    }
+    friend constexpr LineTypes operator|(LineTypes a, LineTypes b) noexcept { return fromBits(a.bits_ | b.bits_); }
+    friend constexpr LineTypes operator&(LineTypes a, LineTypes b) noexcept { return fromBits(a.bits_ & b.bits_); }
+    /// Those of the first that the second does not hold.
+    friend constexpr LineTypes operator-(LineTypes a, LineTypes b) noexcept { return fromBits(a.bits_ & ~b.bits_); }
+    friend constexpr bool operator==(LineTypes, LineTypes) noexcept = default;
+
+private:
+    std::uint32_t bits_ = 0;
+};
+
+[[nodiscard]] constexpr LineTypes operator|(LineType a, LineType b) noexcept { return LineTypes{a} | LineTypes{b}; }
+
+/// Every type there is.
+inline constexpr LineTypes allLineTypes = LineTypes::fromBits((1U << lineTypeCount) - 1U);
+
+}  // namespace inkedge
