@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <inkedge/settings.h>
+#include <inkedge/setting_table.h>
 
 namespace inkedge {
 namespace {
@@ -27,8 +27,8 @@ std::string settingsTable() {
     for (const SettingDescription& row : settingTable()) {
         std::string flags = fmt::format("`--{}`", row.name);
         if (!row.shortName.empty()) flags += fmt::format(", `--{}`", row.shortName);
-        table += fmt::format("| {} | `{}`: {} | {} | {} |\n", flags, escaped(row.values), escaped(row.range),
-                             escaped(row.defaultValue), escaped(row.help));
+        table += fmt::format("| {} | `{}`: {} | {} | {} |\n", flags, escaped(row.values()), escaped(row.range()),
+                             escaped(row.defaultValue()), escaped(row.help));
     }
     return table;
 }

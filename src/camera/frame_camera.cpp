@@ -9,6 +9,7 @@
 
 #include <inkedge/camera.h>
 #include <inkedge/error.h>
+#include <inkedge/setting_table.h>
 
 #include "scene/extent.h"
 
@@ -96,15 +97,6 @@ void checkForContradictions(const CameraSettings& wish) {
             "both camera-position and camera-focal-point");
     exclude(wish.index && (wish.position || wish.focalPoint || wish.direction || wish.viewUp || angles), "camera-index",
             "another camera position or direction");
-    if (wish.viewAngle <= 0.0 || wish.viewAngle >= 180.0) {
-        refuse(fmt::format("camera-view-angle: expected degrees over 0 and under 180, found {}", wish.viewAngle));
-    }
-    if (wish.orthographicHeight.value_or(0.0) < 0.0) {
-        refuse(fmt::format("camera-orthographic: expected a height of 0 or more, found {}", *wish.orthographicHeight));
-    }
-    if (wish.zoomFactor <= 0.0) {
-        refuse(fmt::format("camera-zoom-factor: expected a number over 0, found {}", wish.zoomFactor));
-    }
 }
 
 // How far the scene reaches across the picture: over the centre line along axis, for a frustum side of slope s (0:
@@ -161,6 +153,7 @@ void takeFileCamera(Camera& camera, const Scene& scene, int index) {
 }  // namespace
 
 Camera frameCamera(const Scene& scene, const CameraSettings& wish, Size size) {
+    validate(wish);
     checkForContradictions(wish);
     Camera camera;
     camera.viewAngle = wish.viewAngle;

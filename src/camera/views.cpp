@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <inkedge/error.h>
+#include <inkedge/setting_table.h>
 
 namespace inkedge {
 namespace {

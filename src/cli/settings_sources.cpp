@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <inkedge/error.h>
+#include <inkedge/setting_table.h>
 
 namespace inkedge::cli {
 namespace {
@@ -19,7 +20,8 @@ std::string environmentName(std::string_view setting) {
 }
 
 std::string helpFor(const SettingDescription& row) {
-    return row.defaultValue.empty() ? std::string{row.help} : fmt::format("{} [{}]", row.help, row.defaultValue);
+    const std::string byDefault = row.defaultValue();
+    return byDefault.empty() ? std::string{row.help} : fmt::format("{} [{}]", row.help, byDefault);
 }
 
 void applyPreset(Settings& settings, std::string_view wanted) {
@@ -43,7 +45,7 @@ void SettingsSources::addTo(CLI::App& app, std::initializer_list<std::string_vie
         std::string names = fmt::format("--{}", row.name);
         if (!row.shortName.empty()) names += fmt::format(",--{}", row.shortName);
         options_[row.name] = app.add_option(names, flags_[row.name], helpFor(row))
-                                 ->type_name(std::string{row.values})
+                                 ->type_name(row.values())
                                  ->group(std::string{row.group});
         if (row.joinedBy != '\0') options_[row.name]->join(row.joinedBy);
     }

@@ -8,7 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <inkedge/settings.h>
+#include <inkedge/setting_table.h>
 
 namespace inkedge::cli {
 

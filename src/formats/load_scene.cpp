@@ -9,6 +9,7 @@
 
 #include <inkedge/error.h>
 #include <inkedge/scene.h>
+#include <inkedge/setting_table.h>
 
 #include "base/message.h"
 #include "base/read_file.h"
@@ -53,6 +54,7 @@ Scene::Data loadByFormat(const fs::path& file, const LoadSettings& settings) {
 }  // namespace
 
 Scene loadScene(const fs::path& file, const LoadSettings& settings) {
+    validate(settings);
     Scene::Data data = loadByFormat(file, settings);
     try {
         return Scene{std::move(data), settings};

@@ -39,7 +39,7 @@ public:
     /// is drawn in parts, so that graphics memory does not limit the size; the picture and the maps themselves are held
     /// in memory. A brush of lines from object space is held to the limits that the scene was loaded with. The last
     /// scene's upload is kept for the next call, and the last brush.
-    /// @throws Error  (Kind::Usage) if a setting of the picture is out of range, or the camera is unusable;
+    /// @throws Error  (Kind::Usage) if validate() refuses a setting, or the camera is unusable;
     ///                (Kind::Input) if the brush of lines from object space cannot be read, or is no PNG;
     ///                (Kind::Runtime) if there is less memory than the picture and its maps take, or the context runs
     ///                out of memory, or is lost: then make a new Renderer
@@ -49,7 +49,7 @@ public:
     /// says image: visible ones, and hidden ones if settings.lines.hidden keeps them. What a scene needs for it (edge tables,
     /// bounding volume hierarchies) is kept for the next call. From image: what the planes detector finds between pixels.
     /// Of settings.picture, size, lines and, from image, lineStyles, supersampling and tileSize are looked at.
-    /// @throws Error  (Kind::Usage) if the size or the camera is unusable, or lines from image are asked of the classic
+    /// @throws Error  (Kind::Usage) if validate() refuses a setting, if the camera is unusable, or lines from image are asked of the classic
     ///                detector, or of a contour finder what it cannot do; (Kind::Runtime) if Embree is not there or memory
     ///                runs out
     [[nodiscard]] Lines lines(const Scene&, const Camera&, const RenderSettings& = {});

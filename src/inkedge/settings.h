@@ -287,41 +287,4 @@ struct Settings : RenderSettings {
 /// How a model is to be loaded for pictures with these settings: Settings::load, and what their lines need besides.
 [[nodiscard]] INKEDGE_API LoadSettings loadSettings(const Settings&);
 
-/// One setting: what flags, environment variables, configuration files, metadata and the manual derive from.
-struct SettingDescription {
-    std::string_view name;          ///< as on the command line without its dashes: "line-color"
-    std::string_view shortName;     ///< a second name, or empty: "eye" for "camera-position"
-    std::string_view group;         ///< heading in the help: "camera"
-    std::string_view values;        ///< what it takes, with unit: "DEG" or "sobel|farid"
-    std::string_view range;         ///< what is allowed, in words
-    std::string_view defaultValue;  ///< in words where it depends on something
-    std::string_view help;          ///< one line
-    void (*set)(Settings&, std::string_view text);
-    std::string (*get)(const Settings&);  ///< as text that set() takes; empty where not given
-    char joinedBy = '\0';                 ///< a flag given several times: what stands between its texts; 0: once only
-};
-
-/// All settings in the order of the manual.
-[[nodiscard]] INKEDGE_API std::span<const SettingDescription> settingTable() noexcept;
-
-/// Sets one setting from text.
-/// @param source  where the text comes from, for the message: "--kernel" or "INKEDGE_KERNEL"
-/// @throws Error  (Kind::Usage) if no setting bears the name or it cannot take the text
-INKEDGE_API void set(Settings&, std::string_view name, std::string_view text, std::string_view source);
-
-/// A named set of settings.
-struct Preset {
-    std::string_view name;
-    std::string_view help;
-    std::vector<std::pair<std::string_view, std::string_view>> values;  ///< setting, text
-};
-[[nodiscard]] INKEDGE_API const std::vector<Preset>& presets();
-
-/// Sets what a configuration file says: lines name = value in the words of settingTable(), the value between double
-/// quotes or not; empty lines and those that start with # are left out. A later line wins over an earlier one.
-/// @throws Error  (Kind::Input) if the file cannot be read or has over 1 MiB; (Kind::Usage) if a line is none of these,
-///                names no setting or has a value that it cannot take: the message names file and line. What earlier
-///                lines say is then set.
-INKEDGE_API void readConfig(Settings&, const std::filesystem::path& file);
-
 }  // namespace inkedge

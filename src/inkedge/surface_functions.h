@@ -77,6 +77,7 @@ struct FunctionDescription {
 [[nodiscard]] INKEDGE_API FunctionSettings surfaceFunction(std::string_view text);
 
 /// As text that surfaceFunction() takes: what is not as by default.
+/// @throws Error  (Kind::Usage) if no row bears its name, or it has not as many options as its row
 [[nodiscard]] INKEDGE_API std::string text(const FunctionSettings&);
 
 /// T in force.

@@ -2,6 +2,7 @@
 
 #include <glm/matrix.hpp>
 
+#include <inkedge/setting_table.h>
 #include <inkedge/write.h>
 
 namespace inkedge {

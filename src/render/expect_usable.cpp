@@ -43,23 +43,6 @@ void expectUsable(const Camera& camera) {
     }
 }
 
-void expectUsable(const PictureSettings& picture) {
-    const Size size = picture.size;
-    if (picture.supersampling != 1 && picture.supersampling != 2 && picture.supersampling != 4) {
-        throw Error{Error::Kind::Usage,
-                    fmt::format("supersampling: expected 1, 2 or 4, found {}", picture.supersampling)};
-    }
-    if (picture.tileSize < PictureSettings::leastTileSize || picture.tileSize > PictureSettings::mostTileSize) {
-        throw Error{Error::Kind::Usage,
-                    fmt::format("tile-size: expected {} to {}, found {}", PictureSettings::leastTileSize,
-                                PictureSettings::mostTileSize, picture.tileSize)};
-    }
-    constexpr int most = PictureSettings::mostSide;
-    if (size.width >= 1 && size.height >= 1 && size.width <= most && size.height <= most) return;
-    throw Error{Error::Kind::Usage,
-                fmt::format("size: expected 1x1 to {0}x{0} pixels, found {1}x{2}", most, size.width, size.height)};
-}
-
 void expectMemory(const RenderSettings& settings) { expectMemory(settings.picture.size, bytesPerPixel(settings)); }
 
 }  // namespace inkedge

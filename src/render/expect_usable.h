@@ -7,8 +7,6 @@ namespace inkedge {
 
 /// @throws Error  (Kind::Usage) if nothing can be drawn through it
 void expectUsable(const Camera&);
-/// @throws Error  (Kind::Usage) if the size, the samples or the tiles are out of range
-void expectUsable(const PictureSettings&);
 /// @throws Error  (Kind::Runtime) if there is less memory than the picture and the maps that are asked for take
 void expectMemory(const RenderSettings&);
 

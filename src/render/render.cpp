@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <inkedge/renderer.h>
+#include <inkedge/setting_table.h>
 
 #include "render/expect_usable.h"
 #include "gl/context.h"
@@ -358,6 +359,7 @@ struct Renderer::State {
 };
 
 Renderer::Renderer(const BackendSettings& wish, ContextTime when) : state_{std::make_unique<State>(wish)} {
+    validate(wish);
     std::vector<StageTime> untold;
     if (when == ContextTime::AtOnce) (void)state_->graphics(untold);
 }
@@ -371,7 +373,7 @@ const BackendInfo& Renderer::backend() const noexcept {
 }
 
 Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
-    expectUsable(settings.picture);
+    validate(settings);
     expectUsable(camera);
     Lines found;
     std::vector<StageTime> before;
@@ -409,7 +411,7 @@ Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSett
 }
 
 Maps Renderer::render(const Scene& scene, const Camera& camera, const RenderSettings& asked) {
-    expectUsable(asked.picture);
+    validate(asked);
     expectUsable(camera);
     expectMemory(asked);
     const RenderSettings settings = completed(asked, scene);

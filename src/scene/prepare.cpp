@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include <inkedge/error.h>
+#include <inkedge/setting_table.h>
 
 #include "mesh/arrange.h"
 #include "mesh/closed_surface.h"
@@ -93,6 +94,7 @@ std::uint64_t trianglesOf(const Scene::Data& data) {
 
 PreparedScene prepare(Scene::Data data, const LoadSettings& settings) {
     const auto begin = std::chrono::steady_clock::now();
+    validate(settings);
     checkData(data);
     dropEmptyInstances(data);
     bakeDistortedInstances(data, settings.limits.vertices);

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <inkedge/error.h>
-#include <inkedge/settings.h>
+#include <inkedge/setting_table.h>
 
 namespace inkedge {
 namespace {

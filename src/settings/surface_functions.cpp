@@ -151,8 +151,8 @@ std::optional<double> valueOf(const FunctionOption& option, std::string_view tex
 }
 
 std::string textOf(const FunctionOption& option, double value) {
-    return option.choices.empty() ? fmt::format("{}", value)
-                                  : std::string{option.choices[static_cast<std::size_t>(value)]};
+    const bool isChoice = value >= 0.0 && value < static_cast<double>(option.choices.size());
+    return isChoice ? std::string{option.choices[static_cast<std::size_t>(value)]} : fmt::format("{}", value);
 }
 
 // Takes key=value.
@@ -217,10 +217,13 @@ FunctionSettings surfaceFunction(std::string_view text) {
 
 std::string text(const FunctionSettings& function) {
     const FunctionDescription& row = functionDescription(function.name);
+    if (function.options.size() != row.options.size())
+        throw Error{Error::Kind::Usage, fmt::format("{}: expected {} options, found {}", row.name, row.options.size(),
+                                                    function.options.size())};
     std::vector<std::string> parts;
     if (!function.file.empty()) parts.push_back("file=" + function.file);
     for (std::size_t i = 0; i < row.options.size(); ++i) {
-        if (function.options.at(i) == row.options[i].defaultValue) continue;
+        if (function.options[i] == row.options[i].defaultValue) continue;
         parts.push_back(fmt::format("{}={}", row.options[i].name, textOf(row.options[i], function.options[i])));
     }
     if (function.kernel == Kernel::Farid) parts.emplace_back("kernel=farid");

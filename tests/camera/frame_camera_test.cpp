@@ -329,13 +329,13 @@ TEST(FrameCamera, takesTheFilesCamera) {
 }
 
 TEST(FrameCamera, refusesACameraThatTheFileDoesNotHave) {
-    for (const int index : {2, -1}) {
-        CameraSettings wish;
-        wish.index = index;
-        expectError(Error::Kind::Usage,
-                    StrEq("camera-index: expected a camera of the file, 0 to below 2, found " + std::to_string(index)),
-                    [&] { (void)frameCamera(sceneWithCameras(), wish, square); });
-    }
+    CameraSettings wish;
+    wish.index = 2;
+    expectError(Error::Kind::Usage, StrEq("camera-index: expected a camera of the file, 0 to below 2, found 2"),
+                [&] { (void)frameCamera(sceneWithCameras(), wish, square); });
+    wish.index = -1;
+    expectError(Error::Kind::Usage, StrEq("camera-index: expected a whole number from 0, found '-1'"),
+                [&] { (void)frameCamera(sceneWithCameras(), wish, square); });
 }
 
 TEST(FrameCamera, fitsNearAndFarToTheBoundingSphere) {
@@ -466,17 +466,17 @@ TEST(FrameCamera, refusesACameraInsideOut) {
 TEST(FrameCamera, refusesNumbersOutOfRange) {
     CameraSettings wish;
     wish.viewAngle = 0.0;
-    expectRefusal(wish, "camera-view-angle: expected degrees over 0 and under 180, found 0");
+    expectRefusal(wish, "camera-view-angle: expected degrees over 0 and under 180, found '0'");
     wish.viewAngle = 180.0;
-    expectRefusal(wish, "camera-view-angle: expected degrees over 0 and under 180, found 180");
+    expectRefusal(wish, "camera-view-angle: expected degrees over 0 and under 180, found '180'");
     wish = {};
     wish.zoomFactor = 0.0;
-    expectRefusal(wish, "camera-zoom-factor: expected a number over 0, found 0");
+    expectRefusal(wish, "camera-zoom-factor: expected a number over 0, found '0'");
     wish.zoomFactor = -2.0;
-    expectRefusal(wish, "camera-zoom-factor: expected a number over 0, found -2");
+    expectRefusal(wish, "camera-zoom-factor: expected a number over 0, found '-2'");
     wish = {};
     wish.orthographicHeight = -1.0;
-    expectRefusal(wish, "camera-orthographic: expected a height of 0 or more, found -1");
+    expectRefusal(wish, "camera-orthographic: expected a number from 0 to 1.7976931348623157e+308, found '-1'");
 }
 
 TEST(Projection, mapsNearAndFarToTheEndsOfClipSpace) {

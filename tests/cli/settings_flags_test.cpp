@@ -1,7 +1,7 @@
 // Every row of the settings table: its flag, second name, environment variable and configuration key.
 #include <map>
 
-#include <inkedge/settings.h>
+#include <inkedge/setting_table.h>
 
 #include "cli/command.h"
 

@@ -1,5 +1,5 @@
 // Bytes as a configuration file. What it sets can be written down and read again.
-#include <inkedge/settings.h>
+#include <inkedge/setting_table.h>
 
 #include "fuzz/promise.h"
 #include "base/temporary_folder.h"

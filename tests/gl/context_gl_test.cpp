@@ -173,10 +173,10 @@ TEST_P(Rendering, drawsAnotherSceneThatStandsWhereADeadOneStood) {
 TEST_P(Rendering, refusesSizesThatItCannotDraw) {
     const Scene scene = scenes::sceneOf(scenes::cube());
     constexpr int most = PictureSettings::mostSide;
-    for (const Size size : {Size{0, 5}, Size{5, 0}, Size{-1, 5}, Size{most + 1, 1}, Size{1, most + 1}}) {
+    for (const Size size : {Size{0, 5}, Size{5, 0}, Size{most + 1, 1}, Size{1, most + 1}}) {
         expectError(Error::Kind::Usage,
-                    StrEq("size: expected 1x1 to 32768x32768 pixels, found " + std::to_string(size.width) + "x" +
-                          std::to_string(size.height)),
+                    StrEq("size: expected 1x1 to 32768x32768 pixels, found '" + std::to_string(size.width) + "x" +
+                          std::to_string(size.height) + "'"),
                     [&] {
                         (void)renderer().render(scene, frameCamera(scene, {}, {1, 1}), classic(size));
                     });
@@ -188,8 +188,8 @@ TEST_P(Rendering, refusesSupersamplingThatItCannotDo) {
     for (const int samples : {0, -1, 3, 8}) {
         Settings settings = classic({8, 8});
         settings.picture.supersampling = samples;
-        expectError(Error::Kind::Usage, StrEq("supersampling: expected 1, 2 or 4, found " + std::to_string(samples)),
-                    [&] {
+        expectError(Error::Kind::Usage,
+                    StrEq("supersampling: expected 1, 2 or 4, found '" + std::to_string(samples) + "'"), [&] {
                         (void)renderer().render(scene, frameCamera(scene, {}, {8, 8}), settings);
                     });
     }
@@ -200,9 +200,11 @@ TEST_P(Rendering, refusesTilesThatItCannotDraw) {
     for (const int side : {-1, 0, 255, 8193}) {
         Settings settings = classic({8, 8});
         settings.picture.tileSize = side;
-        expectError(Error::Kind::Usage, StrEq("tile-size: expected 256 to 8192, found " + std::to_string(side)), [&] {
-            (void)renderer().render(scene, frameCamera(scene, {}, {8, 8}), settings);
-        });
+        expectError(Error::Kind::Usage,
+                    StrEq("tile-size: expected a whole number from 256 to 8192, found '" + std::to_string(side) + "'"),
+                    [&] {
+                        (void)renderer().render(scene, frameCamera(scene, {}, {8, 8}), settings);
+                    });
     }
 }
 

@@ -24,6 +24,7 @@
 #include <inkedge/compare.h>
 #include <inkedge/renderer.h>
 #include <inkedge/scene.h>
+#include <inkedge/setting_table.h>
 #include <inkedge/write.h>
 
 namespace inkedge {

@@ -9,6 +9,8 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include <inkedge/setting_table.h>
+
 #include "curves/curves.h"
 #include "ink/strokes_of.h"
 #include "base/expect_error.h"

@@ -15,6 +15,8 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <nlohmann/json.hpp>
 
+#include <inkedge/setting_table.h>
+
 #include "base/expect_error.h"
 #include "base/temporary_folder.h"
 #include "images/image_formats.h"

@@ -7,6 +7,7 @@
 #include <inkedge/camera.h>
 #include <inkedge/renderer.h>
 #include <inkedge/scene.h>
+#include <inkedge/setting_table.h>
 #include <inkedge/write.h>
 
 namespace {

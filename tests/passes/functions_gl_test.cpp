@@ -8,7 +8,8 @@
 
 #include <gmock/gmock.h>
 
-#include <inkedge/settings.h>
+#include <inkedge/setting_table.h>
+
 #include "reference/reference.h"
 
 #include "gl/gl_test.h"

@@ -1,4 +1,4 @@
-#include <inkedge/settings.h>
+#include <inkedge/setting_table.h>
 
 #include <string>
 

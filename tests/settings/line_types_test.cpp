@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include <inkedge/settings.h>
+#include <inkedge/setting_table.h>
 
 namespace inkedge {
 namespace {

@@ -1,11 +1,14 @@
-#include <inkedge/settings.h>
+#include <inkedge/setting_table.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <inkedge/error.h>
@@ -32,41 +35,39 @@ std::vector<std::string> split(std::string_view text, char separator) {
     return parts;
 }
 
-bool isChoice(const SettingDescription& row) { return row.range == "one of these"; }
-bool isCount(const SettingDescription& row) {
-    return std::isdigit(static_cast<unsigned char>(row.values.front())) != 0;
-}
+bool isChoice(const SettingDescription& row) { return row.range() == "one of these"; }
+bool isCount(const SettingDescription& row) { return std::holds_alternative<Count>(row.constraint); }
 
 // Texts that a row must take, in the form in which it gives them back, worked out from what the manual says it takes.
 std::vector<std::string> samples(const SettingDescription& row) {
-    if (isChoice(row)) return split(row.values, '|');
-    if (row.values == "MAP,...") return {"depth", "edges,depth-edges", "depth,normal,depth-edges,normal-edges,edges"};
+    if (isChoice(row)) return split(row.values(), '|');
+    if (row.values() == "MAP,...") return {"depth", "edges,depth-edges", "depth,normal,depth-edges,normal-edges,edges"};
     if (row.name == "page-size") return {"210mmx297mm", "12.5mmx40mm"};
-    if (row.values == "WIDTHxHEIGHT") return {"1x1", "320x200"};
-    if (row.values == "COLOR") return {"#000000", "#12ab9f", "#ffffff"};
-    if (row.values == "COLOR|none") return {"none", "#12ab9f"};
-    if (row.values == "X,Y,Z") return {"1,2,3", "-1.5,0.25,1e-300"};
-    if (row.values == "DEG") return {"12.5", "89.75"};
-    if (row.values == "HEIGHT" || row.values == "FACTOR" || row.values == "T") return {"0.25", "2", "1000"};
+    if (row.values() == "WIDTHxHEIGHT") return {"1x1", "320x200"};
+    if (row.values() == "COLOR") return {"#000000", "#12ab9f", "#ffffff"};
+    if (row.values() == "COLOR|none") return {"none", "#12ab9f"};
+    if (row.values() == "X,Y,Z") return {"1,2,3", "-1.5,0.25,1e-300"};
+    if (row.values() == "DEG") return {"12.5", "89.75"};
+    if (row.values() == "HEIGHT" || row.values() == "FACTOR" || row.values() == "T") return {"0.25", "2", "1000"};
     if (row.name == "dpi") return {"72", "300.5"};
-    if (row.values == "PX" && row.group == "lines") return {"0", "0.25", "2.5"};
-    if (row.group == "style" && row.values == "X") return {"0.25", "1"};
-    if (row.group == "style" && row.values == "PX") return {"1", "1.5"};
-    if (row.group == "style" && row.values == "N") return {"1", "7"};
-    if (row.group == "detector" && (row.values == "PX" || row.values == "X")) return {"0.25", "2.5"};
-    if (row.values == "PX") return {"0.5", "2.25", "0.35mm"};
-    if (row.values == "TYPE,...") return {"none", "crease", "outline,object"};
-    if (row.values == "TYPE:width=W,color=C;...") return {"crease:width=1", "outline:width=0.5mm,color=#123456"};
-    if (row.values == "NAME|N") return {"Run", "2"};
-    if (row.values == "FILE") return {"charcoal.png", "/brushes/dry one.png"};
-    if (row.values == "SAMPLES") return {"256", "1000"};
-    if (row.values == "SECONDS") return {"0", "2.5"};
+    if (row.values() == "PX" && row.group == "lines") return {"0", "0.25", "2.5"};
+    if (row.group == "style" && row.values() == "X") return {"0.25", "1"};
+    if (row.group == "style" && row.values() == "PX") return {"1", "1.5"};
+    if (row.group == "style" && row.values() == "N") return {"1", "7"};
+    if (row.group == "detector" && (row.values() == "PX" || row.values() == "X")) return {"0.25", "2.5"};
+    if (row.values() == "PX") return {"0.5", "2.25", "0.35mm"};
+    if (row.values() == "TYPE,...") return {"none", "crease", "outline,object"};
+    if (row.values() == "TYPE:width=W,color=C;...") return {"crease:width=1", "outline:width=0.5mm,color=#123456"};
+    if (row.values() == "NAME|N") return {"Run", "2"};
+    if (row.values() == "FILE") return {"charcoal.png", "/brushes/dry one.png"};
+    if (row.values() == "SAMPLES") return {"256", "1000"};
+    if (row.values() == "SECONDS") return {"0", "2.5"};
     if (row.group == "limits") return {"1", "123456"};
-    if (row.range == "0 to 6") return {"0", "6"};
-    if (row.values == "N|u:N,v:N") return {"8", "u:4,v:12"};
+    if (row.range() == "0 to 6") return {"0", "6"};
+    if (row.values() == "N|u:N,v:N") return {"8", "u:4,v:12"};
     if (row.name == "function") return {"depth", "height:levels=4;normal:kernel=farid"};
-    if (row.values == "N") return {"0", "7"};
-    ADD_FAILURE() << "--" << row.name << " takes " << row.values << ", for which this test knows no samples";
+    if (row.values() == "N") return {"0", "7"};
+    ADD_FAILURE() << "--" << row.name << " takes " << row.values() << ", for which this test knows no samples";
     return {};
 }
 
@@ -77,6 +78,16 @@ void expectRefusal(std::string_view name, std::string_view text, const std::stri
 
 std::string got(std::string_view name, const Settings& settings) {
     return std::ranges::find(settingTable(), name, &SettingDescription::name)->get(settings);
+}
+
+template <class Action>
+bool throwsError(Action action) {
+    try {
+        action();
+    } catch (const Error&) {
+        return true;
+    }
+    return false;
 }
 
 Settings with(std::string_view name, std::string_view text) {
@@ -107,11 +118,11 @@ TEST(SettingTable, namesAreLowerCaseWordsJoinedByDashes) {
 
 TEST(SettingTable, describesEverySettingInOneLine) {
     for (const SettingDescription& row : settingTable()) {
-        for (const std::string_view text : {row.group, row.values, row.range, row.help}) {
+        for (const std::string& text : {std::string{row.group}, row.values(), row.range(), std::string{row.help}}) {
             EXPECT_THAT(text, Not(IsEmpty())) << row.name;
         }
-        for (const std::string_view text : {row.group, row.values, row.range, row.defaultValue, row.help}) {
-            EXPECT_EQ(text.find('\n'), std::string_view::npos) << row.name;
+        for (const std::string& text : {row.values(), row.range(), row.defaultValue(), std::string{row.help}}) {
+            EXPECT_EQ(text.find('\n'), std::string::npos) << row.name;
         }
     }
 }
@@ -161,9 +172,9 @@ TEST(SettingTable, takesItsOwnDefaults) {
 TEST(SettingTable, statesTheDefaultsInForce) {
     for (const SettingDescription& row : settingTable()) {
         const std::string inForce = row.get(Settings{});
-        if (inForce.empty() || row.defaultValue == "all") continue;  // said in words
+        if (inForce.empty() || row.defaultValue() == "all") continue;  // said in words
         Settings stated;
-        ASSERT_NO_THROW(set(stated, row.name, row.defaultValue, "test")) << row.name;
+        ASSERT_NO_THROW(set(stated, row.name, row.defaultValue(), "test")) << row.name;
         EXPECT_EQ(row.get(stated), inForce) << row.name;
     }
 }
@@ -172,7 +183,7 @@ TEST(SettingTable, refusesWhatIsNoChoiceAndListsTheChoices) {
     for (const SettingDescription& row : settingTable()) {
         if (!isChoice(row) || isCount(row)) continue;
         std::string list;
-        for (const std::string& choice : split(row.values, '|')) list += (list.empty() ? "" : ", ") + choice;
+        for (const std::string& choice : split(row.values(), '|')) list += (list.empty() ? "" : ", ") + choice;
         const bool one = list.find(',') == std::string::npos;
         expectRefusal(row.name, "Nonsense",
                       "--flag: expected " + (one ? list : "one of " + list) + ", found 'Nonsense'");
@@ -319,18 +330,118 @@ TEST(Set, refusesWhatIsNoColor) {
 TEST(Set, refusesUnknownMaps) {
     const auto row = std::ranges::find(settingTable(), "maps", &SettingDescription::name);
     for (const std::string text : {"", "depth,", "depth,curvature", "Depth"}) {
-        expectRefusal("maps", text, "--flag: expected one of " + std::string{row->range} + ", found '" + text + "'");
+        expectRefusal("maps", text, "--flag: expected one of " + row->range() + ", found '" + text + "'");
     }
 }
 
 TEST(Set, leavesTheSettingsAloneWhenItRefuses) {
     for (const SettingDescription& row : settingTable()) {
-        if (row.values == "NAME|N" || row.values == "FILE") continue;  // take any text
+        if (row.values() == "NAME|N" || row.values() == "FILE") continue;  // take any text
         Settings settings;
         set(settings, row.name, samples(row).back(), "test");
         EXPECT_THROW(set(settings, row.name, "!", "test"), Error) << row.name;
         EXPECT_EQ(row.get(settings), samples(row).back()) << row.name;
     }
+}
+
+TEST(SettingDescription, refusesATextWithTheLibrarysError) {
+    Settings settings;
+    const auto row = std::ranges::find(settingTable(), "sumi-width", &SettingDescription::name);
+    expectError(Error::Kind::Usage, StrEq("expected a number from 1 to 32, found '33'"),
+                [&] { row->set(settings, "33"); });
+    EXPECT_EQ(settings.style.sumiWidth, Settings{}.style.sumiWidth);
+}
+
+// Texts just beyond each end of a row's range, and at it.
+TEST(SettingTable, holdsTextsToTheLimitsOfTheirConstraints) {
+    int held = 0;
+    for (const SettingDescription& row : settingTable()) {
+        if (const auto* const number = std::get_if<Number>(&row.constraint); number != nullptr) {
+            for (const double end : {number->min, number->max}) {
+                if (!std::isfinite(end) || end == std::numeric_limits<double>::max()) continue;
+                Settings settings;
+                const double beyond = std::nextafter(end, end == number->min ? -1e300 : 1e300);
+                EXPECT_EQ(throwsError([&] { row.set(settings, fmt::format("{}", end)); }), number->open) << row.name;
+                EXPECT_TRUE(throwsError([&] { row.set(settings, fmt::format("{}", beyond)); })) << row.name;
+                ++held;
+            }
+        }
+        if (const auto* const count = std::get_if<Count>(&row.constraint); count != nullptr) {
+            Settings settings;
+            EXPECT_NO_THROW(row.set(settings, fmt::format("{}", count->choices.empty() ? count->min : 1))) << row.name;
+            EXPECT_TRUE(throwsError([&] { row.set(settings, fmt::format("{}", count->max + 1)); })) << row.name;
+            EXPECT_TRUE(throwsError([&] { row.set(settings, "-1"); })) << row.name;
+            ++held;
+        }
+    }
+    EXPECT_GT(held, 40);
+}
+
+TEST(Validate, takesTheDefaultsAndEverySample) {
+    EXPECT_NO_THROW(validate(Settings{}));
+    for (const SettingDescription& row : settingTable()) {
+        for (const std::string& sample : samples(row)) EXPECT_NO_THROW(validate(with(row.name, sample))) << row.name;
+    }
+}
+
+void expectInvalid(const std::string& message, void (*spoil)(Settings&)) {
+    Settings settings;
+    spoil(settings);
+    expectError(Error::Kind::Usage, StrEq(message), [&] { validate(settings); });
+    expectError(Error::Kind::Usage, StrEq(message), [&] { validate(static_cast<const RenderSettings&>(settings)); });
+}
+
+TEST(Validate, refusesValuesWithTheWordsOfTheCommandLine) {
+    expectInvalid("sumi-width: expected a number from 1 to 32, found '-5'",
+                  [](Settings& s) { s.style.sumiWidth = -5; });
+    expectInvalid("line-width: expected a number from 0.5 to 32, found '-3'",
+                  [](Settings& s) { s.picture.lineWidth.value = -3; });
+    expectInvalid("line-width: expected a number over 0, found '0mm'", [](Settings& s) {
+        s.picture.lineWidth = {0.0, true};
+    });
+    expectInvalid("isolines: expected a whole number from 0 to 1000, found 'u:-4,v:5000'", [](Settings& s) {
+        s.lines.isolines = {-4, 5000};
+    });
+    expectInvalid("size: expected 1x1 to 32768x32768 pixels, found '0x5'", [](Settings& s) {
+        s.picture.size = {0, 5};
+    });
+    expectInvalid("supersampling: expected 1, 2 or 4, found '3'", [](Settings& s) { s.picture.supersampling = 3; });
+    expectInvalid("dpi: expected a number, found 'nan'",
+                  [](Settings& s) { s.picture.dpi = std::numeric_limits<double>::quiet_NaN(); });
+    expectInvalid("fit-curves: expected 0 or a number from 0.01 to 100, found '0.001'",
+                  [](Settings& s) { s.lines.fitCurves = 0.001; });
+    expectInvalid("style: expected one of ink, hatch, sumi, pencil, found '9'",
+                  [](Settings& s) { s.style.style = static_cast<Style>(9); });
+    expectInvalid("line-style: expected a number from 0.5 to 32, found 'crease:width=99'",
+                  [](Settings& s) { s.picture.lineStyles[3].width = PictureLength{99.0}; });
+}
+
+TEST(Validate, refusesFunctionsThatNoRowAllows) {
+    expectInvalid(
+        "function: expected one of depth, normal, texture, base-color, environment, volume, curvature, uv, "
+        "height, custom, found 'nonsense'",
+        [](Settings& s) { s.detector.functions.emplace_back().name = "nonsense"; });
+    expectInvalid("function: height: expected 3 options, found 0",
+                  [](Settings& s) { s.detector.functions.emplace_back().name = "height"; });
+    Settings settings;
+    settings.detector.functions = {surfaceFunction("texture")};
+    settings.detector.functions[0].file = "a,b;c.png";
+    EXPECT_NO_THROW(validate(settings));
+}
+
+TEST(Validate, holdsEachPartToItsOwnRows) {
+    LoadSettings load;
+    load.subdivide = 7;
+    expectError(Error::Kind::Usage, StrEq("subdivide: expected a whole number from 0 to 6, found '7'"),
+                [&] { validate(load); });
+    CameraSettings camera;
+    camera.zoomFactor = 0.0;
+    expectError(Error::Kind::Usage, StrEq("camera-zoom-factor: expected a number over 0, found '0'"),
+                [&] { validate(camera); });
+    BackendSettings backend;
+    backend.device = -1;
+    expectError(Error::Kind::Usage, StrEq("device: expected a whole number from 0, found '-1'"),
+                [&] { validate(backend); });
 }
 
 TEST(Presets, haveNamesOfTheirOwnAndOneLineOfHelp) {
@@ -387,7 +498,7 @@ TEST(Thresholds, meanTheSameStepUnderBothKernels) {
 TEST(Thresholds, areThoseThatTheManualStates) {
     const auto stated = [](std::string_view name, Kernel kernel) {
         const auto row = std::ranges::find(settingTable(), name, &SettingDescription::name);
-        const std::string text = split(row->defaultValue, ',').at(kernel == Kernel::Sobel ? 0 : 1);
+        const std::string text = split(row->defaultValue(), ',').at(kernel == Kernel::Sobel ? 0 : 1);
         EXPECT_NE(text.find(kernel == Kernel::Sobel ? "(sobel)" : "(farid)"), std::string::npos) << text;
         return std::stof(text);
     };

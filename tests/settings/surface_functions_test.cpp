@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <inkedge/error.h>
-#include <inkedge/settings.h>
+#include <inkedge/setting_table.h>
 
 namespace inkedge {
 namespace {

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <inkedge/setting_table.h>
+
+#include "settings/names.h"
+#include "settings/text.h"
+
+/// Rows of the table of settings. A field is a function without state that finds a value in Settings:
+/// [](auto& s) -> auto& { return s.picture.dpi; }
+namespace inkedge::settings {
+
+/// What a row says besides its constraint.
+struct About {
+    std::string_view name = {};
+    std::string_view shortName = {};
+    std::string_view help = {};
+    std::string_view rangeNote = {};
+    std::string_view defaultInWords = {};
+    char joinedBy = '\0';
+};
+
+template <class T>
+struct ValueOf {
+    using Type = T;
+};
+template <class T>
+struct ValueOf<std::optional<T>> {
+    using Type = T;
+};
+template <class Field>
+using FieldValue = typename ValueOf<std::decay_t<decltype(Field{}(std::declval<Settings&>()))>>::Type;
+
+inline SettingDescription described(const About& about, Constraint constraint, SettingDescription::Field field) {
+    return {about.name,           about.shortName, {},   about.help, constraint, about.rangeNote,
+            about.defaultInWords, about.joinedBy,  field};
+}
+
+template <class Field>
+SettingDescription row(const About& about, const Number& number, Field) {
+    return described(about, number,
+                     {[](const Constraint& c, Settings& s, std::string_view text) {
+                          Field{}(s) = static_cast<FieldValue<Field>>(parseNumber(std::get<Number>(c), text));
+                      },
+                      [](const Constraint&, const Settings& s) { return textOf(Field{}(s)); }});
+}
+
+template <class Field>
+SettingDescription row(const About& about, const Count& count, Field) {
+    return described(about, count,
+                     {[](const Constraint& c, Settings& s, std::string_view text) {
+                          Field{}(s) = static_cast<FieldValue<Field>>(parseCount(std::get<Count>(c), text));
+                      },
+                      [](const Constraint&, const Settings& s) { return textOf(Field{}(s)); }});
+}
+
+template <class Field>
+SettingDescription row(const About& about, const Choice& choice, Field) {
+    return described(about, choice,
+                     {[](const Constraint& c, Settings& s, std::string_view text) {
+                          Field{}(s) = static_cast<FieldValue<Field>>(parseChoice(std::get<Choice>(c).names, text));
+                      },
+                      [](const Constraint& c, const Settings& s) {
+                          return nameOf(std::get<Choice>(c).names, static_cast<int>(Field{}(s)));
+                      }});
+}
+
+/// @param parse  from text, a value or what an optional one holds
+template <auto parse, class Field>
+SettingDescription row(const About& about, const Custom& custom, Field) {
+    return described(about, custom,
+                     {[](const Constraint&, Settings& s, std::string_view text) { Field{}(s) = parse(text); },
+                      [](const Constraint&, const Settings& s) { return textOf(Field{}(s)); }});
+}
+
+inline std::vector<SettingDescription> inGroup(std::string_view group, std::vector<SettingDescription> rows) {
+    for (SettingDescription& row : rows) row.group = group;
+    return rows;
+}
+
+/// The groups, in the order of the manual.
+[[nodiscard]] std::vector<SettingDescription> outputRows();
+[[nodiscard]] std::vector<SettingDescription> pictureRows();
+[[nodiscard]] std::vector<SettingDescription> lineRows();
+[[nodiscard]] std::vector<SettingDescription> styleRows();
+[[nodiscard]] std::vector<SettingDescription> cameraRows();
+[[nodiscard]] std::vector<SettingDescription> modelRows();
+[[nodiscard]] std::vector<SettingDescription> limitRows();
+[[nodiscard]] std::vector<SettingDescription> detectorRows();
+[[nodiscard]] std::vector<SettingDescription> backendRows();
+
+}  // namespace inkedge::settings

@@ -1,0 +1,121 @@
+#include <inkedge/setting_table.h>
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include <inkedge/error.h>
+
+#include "settings/constraints.h"
+#include "settings/rows.h"
+
+namespace inkedge {
+namespace {
+
+std::vector<SettingDescription> allRows() {
+    std::vector<SettingDescription> rows;
+    for (const auto& group : {settings::outputRows(), settings::pictureRows(), settings::lineRows(),
+                              settings::styleRows(), settings::cameraRows(), settings::modelRows(),
+                              settings::limitRows(), settings::detectorRows(), settings::backendRows()})
+        rows.insert(rows.end(), group.begin(), group.end());
+    return rows;
+}
+
+using Groups = std::span<const std::string_view>;
+constexpr std::array<std::string_view, 5> renderGroups{"output", "picture", "lines", "style", "detector"};
+constexpr std::array<std::string_view, 2> loadGroups{"model", "limits"};
+constexpr std::array<std::string_view, 1> cameraGroups{"camera"};
+constexpr std::array<std::string_view, 1> backendGroups{"backend"};
+
+void validate(const Settings& settings, Groups groups) {
+    for (const SettingDescription& row : settingTable()) {
+        if (std::ranges::find(groups, row.group) != groups.end()) row.check(settings);
+    }
+}
+
+// Calls what throws an error about a text, and says before it where the text comes from.
+template <class Action>
+void named(std::string_view source, Action action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        throw Error{error.kind(), fmt::format("{}: {}", source, error.what())};
+    }
+}
+
+}  // namespace
+
+std::string SettingDescription::values() const {
+    return std::visit([](const auto& c) { return settings::formOf(c); }, constraint);
+}
+
+std::string SettingDescription::range() const {
+    const std::string range = std::visit([](const auto& c) { return settings::rangeOf(c); }, constraint);
+    return rangeNote.empty() ? range : fmt::format("{}; {}", range, rangeNote);
+}
+
+std::string SettingDescription::defaultValue() const {
+    return defaultInWords.empty() ? get({}) : std::string{defaultInWords};
+}
+
+void SettingDescription::set(Settings& settings, std::string_view text) const {
+    try {
+        field.set(constraint, settings, text);
+    } catch (const settings::Expected& expected) {
+        throw Error{Error::Kind::Usage, fmt::format("expected {}, found '{}'", expected.what, text)};
+    }
+}
+
+std::string SettingDescription::get(const Settings& settings) const { return field.get(constraint, settings); }
+
+void SettingDescription::check(const Settings& settings) const {
+    named(name, [&] {
+        if (field.check != nullptr) return field.check(settings);
+        const std::string text = get(settings);
+        Settings taken;
+        if (!text.empty()) set(taken, text);
+    });
+}
+
+std::span<const SettingDescription> settingTable() {
+    static const std::vector<SettingDescription> table = allRows();
+    return table;
+}
+
+void set(Settings& settings, std::string_view name, std::string_view text, std::string_view source) {
+    const auto row = std::ranges::find(settingTable(), name, &SettingDescription::name);
+    if (row == settingTable().end())
+        throw Error{Error::Kind::Usage, fmt::format("{}: there is no setting named '{}'", source, name)};
+    named(source, [&] { row->set(settings, text); });
+}
+
+void validate(const Settings& settings) {
+    for (const SettingDescription& row : settingTable()) row.check(settings);
+}
+
+void validate(const RenderSettings& render) {
+    Settings settings;
+    static_cast<RenderSettings&>(settings) = render;
+    validate(settings, renderGroups);
+}
+
+void validate(const LoadSettings& load) {
+    Settings settings;
+    settings.load = load;
+    validate(settings, loadGroups);
+}
+
+void validate(const CameraSettings& camera) {
+    Settings settings;
+    settings.camera = camera;
+    validate(settings, cameraGroups);
+}
+
+void validate(const BackendSettings& backend) {
+    Settings settings;
+    settings.backend = backend;
+    validate(settings, backendGroups);
+}
+
+}  // namespace inkedge

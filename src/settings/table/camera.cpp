@@ -1,0 +1,65 @@
+#include "settings/rows.h"
+
+namespace inkedge::settings {
+
+std::vector<SettingDescription> cameraRows() {
+    return inGroup(
+        "camera",
+        {row<parseVector>(
+             {.name = "camera-position",
+              .shortName = "eye",
+              .help = "where the camera stands, world space",
+              .defaultInWords = "frames the model"},
+             {"X,Y,Z", [] { return std::string{"any point"}; }}, [](auto& s) -> auto& { return s.camera.position; }),
+         row<parseVector>(
+             {.name = "camera-focal-point",
+              .shortName = "target",
+              .help = "what the camera looks at, world space",
+              .defaultInWords = "the model's centre"},
+             {"X,Y,Z", [] { return std::string{"any point but the position"}; }},
+             [](auto& s) -> auto& { return s.camera.focalPoint; }),
+         row<parseVector>(
+             {.name = "camera-view-up",
+              .shortName = "up",
+              .help = "which way is up in the picture, world space",
+              .defaultInWords = "0,1,0"},
+             {"X,Y,Z", [] { return std::string{"not along the view direction"}; }},
+             [](auto& s) -> auto& { return s.camera.viewUp; }),
+         row(
+             {.name = "camera-view-angle", .shortName = "fov", .help = "vertical view angle, degrees"},
+             Number{.min = 0.0, .max = 180.0, .unit = "DEG", .open = true},
+             [](auto& s) -> auto& { return s.camera.viewAngle; }),
+         row(
+             {.name = "camera-orthographic",
+              .help = "orthographic view, HEIGHT scene units tall; 0 frames the model",
+              .defaultInWords = "perspective"},
+             Number{.min = 0.0, .max = std::numeric_limits<double>::max(), .unit = "HEIGHT"},
+             [](auto& s) -> auto& { return s.camera.orthographicHeight; }),
+         row<parseVector>(
+             {.name = "camera-direction",
+              .help = "view direction, from the camera into the scene",
+              .defaultInWords = "three-quarter view"},
+             {"X,Y,Z", [] { return std::string{"not 0,0,0"}; }}, [](auto& s) -> auto& { return s.camera.direction; }),
+         row(
+             {.name = "camera-azimuth-angle",
+              .shortName = "azimuth",
+              .help = "view from this angle about +Y, from the front (+Z) towards +X",
+              .defaultInWords = "30"},
+             Number{.unit = "DEG"}, [](auto& s) -> auto& { return s.camera.azimuthAngle; }),
+         row(
+             {.name = "camera-elevation-angle",
+              .shortName = "elevation",
+              .help = "view from this angle above the horizon",
+              .defaultInWords = "20"},
+             Number{.min = -90.0, .max = 90.0, .unit = "DEG"},
+             [](auto& s) -> auto& { return s.camera.elevationAngle; }),
+         row(
+             {.name = "camera-index", .help = "a camera of the file", .defaultInWords = "none"},
+             Count{.last = "the file's last camera"}, [](auto& s) -> auto& { return s.camera.index; }),
+         row(
+             {.name = "camera-zoom-factor", .shortName = "zoom", .help = "over 1 magnifies"},
+             Number{.min = 0.0, .unit = "FACTOR", .open = true},
+             [](auto& s) -> auto& { return s.camera.zoomFactor; })});
+}
+
+}  // namespace inkedge::settings

@@ -1,0 +1,75 @@
+#include "settings/constraints.h"
+#include "settings/rows.h"
+
+namespace inkedge::settings {
+namespace {
+
+using Names = std::string_view;
+constexpr std::array linesFromNames{Names{"auto"}, Names{"image"}, Names{"object"}};
+constexpr std::array contourNames{Names{"auto"}, Names{"mesh"}, Names{"smooth"}};
+constexpr std::array contourFinderNames{Names{"every"}, Names{"random"}, Names{"gauss"}};
+constexpr std::array visibilityNames{Names{"exact"}, Names{"fast"}};
+constexpr std::array hiddenNames{Names{"none"}, Names{"dashed"}, Names{"solid"}};
+constexpr std::array strokeWidthNames{Names{"constant"}, Names{"depth"}, Names{"curvature"}};
+
+std::string isolineRange() { return rangeOf(isolineSteps); }
+std::filesystem::path parsePath(std::string_view text) { return text; }
+
+}  // namespace
+
+std::vector<SettingDescription> lineRows() {
+    return inGroup(
+        "lines",
+        {row(
+             {.name = "lines-from",
+              .help = "image: between pixels; object: exact lines of the mesh; auto: object for .svg and .json"},
+             Choice{linesFromNames}, [](auto& s) -> auto& { return s.lines.from; }),
+         row(
+             {.name = "contour",
+              .help = "contours: edges of the mesh, or curves where the shading normal turns away; lines from object"},
+             Choice{contourNames}, [](auto& s) -> auto& { return s.lines.contour; }),
+         row(
+             {.name = "contour-finder",
+              .help = "every edge, a random search that may miss some, or a map for orthographic views; lines from "
+                      "object"},
+             Choice{contourFinderNames}, [](auto& s) -> auto& { return s.lines.contourFinder; }),
+         row(
+             {.name = "visibility",
+              .help = "hidden lines found by rays, or by drawn buffers with rays in doubt; lines from object"},
+             Choice{visibilityNames}, [](auto& s) -> auto& { return s.lines.visibility; }),
+         row(
+             {.name = "hidden", .help = "how hidden lines are drawn; lines from object"}, Choice{hiddenNames},
+             [](auto& s) -> auto& { return s.lines.hidden; }),
+         row(
+             {.name = "stroke-width",
+              .help = "wider where nearer, or where straighter: half to one and a half widths; lines from object"},
+             Choice{strokeWidthNames}, [](auto& s) -> auto& { return s.lines.strokeWidth; }),
+         row(
+             {.name = "stroke-taper",
+              .help = "pixels over which ends where no line goes on or meets run out to nothing; lines from object"},
+             Number{.min = 0.0, .max = 1000.0, .unit = "PX"}, [](auto& s) -> auto& { return s.lines.strokeTaper; }),
+         row<parsePath>(
+             {.name = "brush",
+              .help = "texture repeated along each line, its height across the line's width; lines from object"},
+             {"FILE", [] { return std::string{"a PNG, dark is ink"}; }},
+             [](auto& s) -> auto& { return s.lines.brush; }),
+         row(
+             {.name = "simplify",
+              .help = "how far polylines in .svg and .json may stray from the lines found",
+              .rangeNote = "0 keeps every point"},
+             Number{.min = 0.0, .max = 100.0, .unit = "PX"}, [](auto& s) -> auto& { return s.lines.simplify; }),
+         row(
+             {.name = "fit-curves",
+              .help = "cubic curves in .svg that stray from the lines no further than this; 0: polylines"},
+             Number{.min = 0.01, .max = 100.0, .unit = "PX", .zeroToo = true},
+             [](auto& s) -> auto& { return s.lines.fitCurves; }),
+         row(
+             {.name = "subdivide-adaptive",
+              .help = "refine N times, but only the faces that the contour may cross; lines from object"},
+             subdivisionLevels, [](auto& s) -> auto& { return s.lines.subdivideAdaptive; }),
+         row<parseIsolines>(
+             {.name = "isolines", .help = "lines at N steps of each texture coordinate's unit; lines from object"},
+             {"N|u:N,v:N", isolineRange}, [](auto& s) -> auto& { return s.lines.isolines; })});
+}
+
+}  // namespace inkedge::settings

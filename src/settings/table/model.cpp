@@ -1,0 +1,82 @@
+#include "settings/rows.h"
+
+namespace inkedge::settings {
+namespace {
+
+constexpr std::array<std::string_view, 3> normalsNames{"auto", "authored", "flat"};
+constexpr std::array<std::string_view, 2> transparentNames{"solid", "ignore"};
+constexpr std::array<std::string_view, 2> alphaMaskNames{"cut", "ignore"};
+constexpr std::array<std::string_view, 2> backFacesNames{"draw", "material"};
+
+constexpr std::uint64_t tera = std::uint64_t{1} << 40U;
+constexpr Count bytes{.min = 1, .max = tera, .unit = "BYTES", .suffixes = true};
+constexpr Count amount{.min = 1, .max = tera, .suffixes = true};
+
+std::string parseName(std::string_view text) { return std::string{text}; }
+
+}  // namespace
+
+std::vector<SettingDescription> modelRows() {
+    return inGroup(
+        "model",
+        {row(
+             {.name = "normals",
+              .help = "auto: the file's, smooth ones where it has none; authored: flat where it has none"},
+             Choice{normalsNames}, [](auto& s) -> auto& { return s.load.normals; }),
+         row(
+             {.name = "crease-angle", .help = "faces that meet at more than this meet in a crease"},
+             Number{.min = 0.0, .max = 180.0, .unit = "DEG"}, [](auto& s) -> auto& { return s.load.creaseAngle; }),
+         row(
+             {.name = "scene",
+              .help = "which of the file's scenes to draw",
+              .defaultInWords = "the file's default scene"},
+             Count{.last = "the glTF file's last"}, [](auto& s) -> auto& { return s.load.scene; }),
+         row<parseName>(
+             {.name = "animation", .help = "pose the model as an animation of the file does"},
+             {"NAME|N", [] { return std::string{"an animation of the glTF file"}; }},
+             [](auto& s) -> auto& { return s.load.animation; }),
+         row(
+             {.name = "time", .help = "when in the animation"}, Number{.min = 0.0, .max = 1e9, .unit = "SECONDS"},
+             [](auto& s) -> auto& { return s.load.time; }),
+         row(
+             {.name = "transparent", .help = "what becomes of materials that blend with what lies behind them"},
+             Choice{transparentNames}, [](auto& s) -> auto& { return s.load.transparent; }),
+         row(
+             {.name = "alpha-mask", .help = "cut materials with holes out along their outline, or draw them whole"},
+             Choice{alphaMaskNames}, [](auto& s) -> auto& { return s.load.alphaMask; }),
+         row(
+             {.name = "back-faces", .help = "draw the backs of all faces, or only those of double-sided materials"},
+             Choice{backFacesNames}, [](auto& s) -> auto& { return s.load.backFaces; }),
+         row(
+             {.name = "subdivide",
+              .help = "refine every mesh N times into the smooth surface that it controls; creases stay sharp"},
+             subdivisionLevels, [](auto& s) -> auto& { return s.load.subdivide; })});
+}
+
+std::vector<SettingDescription> limitRows() {
+    return inGroup(
+        "limits", {row(
+                       {.name = "max-file-size", .help = "most bytes of a model and the files that belong to it"},
+                       bytes, [](auto& s) -> auto& { return s.load.limits.fileSize; }),
+                   row(
+                       {.name = "max-decompressed-size", .help = "most bytes that compressed geometry comes to"}, bytes,
+                       [](auto& s) -> auto& { return s.load.limits.decompressedSize; }),
+                   row(
+                       {.name = "max-vertices", .help = "most vertices and indices of all meshes"},
+                       Count{.min = 1, .max = 4'000'000'000, .suffixes = true},
+                       [](auto& s) -> auto& { return s.load.limits.vertices; }),
+                   row(
+                       {.name = "max-instances", .help = "most meshes drawn, counted each time"}, amount,
+                       [](auto& s) -> auto& { return s.load.limits.instances; }),
+                   row(
+                       {.name = "max-nodes", .help = "most nodes of a glTF file"}, amount,
+                       [](auto& s) -> auto& { return s.load.limits.nodes; }),
+                   row(
+                       {.name = "max-node-depth", .help = "most nodes from a root down"}, amount,
+                       [](auto& s) -> auto& { return s.load.limits.nodeDepth; }),
+                   row(
+                       {.name = "max-image-pixels", .help = "most pixels of a picture that a material needs"}, amount,
+                       [](auto& s) -> auto& { return s.load.limits.imagePixels; })});
+}
+
+}  // namespace inkedge::settings

@@ -1,0 +1,52 @@
+#include "settings/rows.h"
+
+namespace inkedge::settings {
+namespace {
+
+constexpr std::array<std::string_view, 4> styleNames{"ink", "hatch", "sumi", "pencil"};
+
+}  // namespace
+
+std::vector<SettingDescription> styleRows() {
+    return inGroup(
+        "style",
+        {row(
+             {.name = "style",
+              .help = "ink: lines as found; hatch: and marks where facets bend; sumi: a soft brush in place of lines; "
+                      "pencil: loose strokes; pictures only"},
+             Choice{styleNames}, [](auto& s) -> auto& { return s.style.style; }),
+         row(
+             {.name = "hatch-bend",
+              .help = "facets that bend by this much give a dark mark in half light; hatch",
+              .defaultInWords = "the mesh's typical bend"},
+             Number{.min = 0.1, .max = 90.0, .unit = "DEG"}, [](auto& s) -> auto& { return s.style.hatchBend; }),
+         row(
+             {.name = "hatch-shade",
+              .help = "0: marks everywhere alike; 1: few in the light, from the upper left, many in the dark; hatch"},
+             Number{.min = 0.0, .max = 1.0, .unit = "X"}, [](auto& s) -> auto& { return s.style.hatchShade; }),
+         row(
+             {.name = "hatch-width", .help = "width of marks; hatch"}, Number{.min = 0.25, .max = 2.0, .unit = "PX"},
+             [](auto& s) -> auto& { return s.style.hatchWidth; }),
+         row(
+             {.name = "sumi-width", .help = "width of the brush; sumi"}, Number{.min = 1.0, .max = 32.0, .unit = "PX"},
+             [](auto& s) -> auto& { return s.style.sumiWidth; }),
+         row(
+             {.name = "sumi-length", .help = "how far ink is smeared along an edge, each way; sumi"},
+             Number{.min = 0.0, .max = 100.0, .unit = "PX"}, [](auto& s) -> auto& { return s.style.sumiLength; }),
+         row(
+             {.name = "sumi-streaks",
+              .help = "steps that depth is sampled in, each of which leaves a streak; 0: none; sumi"},
+             Count{.max = 4096}, [](auto& s) -> auto& { return s.style.sumiStreaks; }),
+         row(
+             {.name = "pencil-strokes", .help = "how often each line is drawn; pencil"}, Count{.min = 1, .max = 8},
+             [](auto& s) -> auto& { return s.style.pencilStrokes; }),
+         row(
+             {.name = "pencil-looseness", .help = "how far strokes stray; pencil"},
+             Number{.min = 0.0, .max = 32.0, .unit = "PX"}, [](auto& s) -> auto& { return s.style.pencilLooseness; }),
+         row(
+             {.name = "pencil-seed",
+              .help = "of chance: strokes stray the same way in every picture of one seed; pencil"},
+             Count{.max = 65535}, [](auto& s) -> auto& { return s.style.pencilSeed; })});
+}
+
+}  // namespace inkedge::settings

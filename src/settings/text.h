@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include <inkedge/setting_table.h>
+
+/// Values from text and back. What cannot be taken throws Expected or, where it says more, Error:
+/// SettingDescription::set() turns the first into the second.
+namespace inkedge::settings {
+
+/// What a text should have been.
+struct Expected {
+    std::string what;
+};
+
+/// Pens of lines in output pixels.
+inline constexpr Number penWidth{.min = 0.5, .max = 32.0, .unit = "PX"};
+/// Lines within a texture coordinate's unit.
+inline constexpr Count isolineSteps{.max = 1000};
+/// Levels of refinement.
+inline constexpr Count subdivisionLevels{.max = 6};
+/// Sides of pictures.
+inline constexpr Count pictureSides{.min = 1, .max = PictureSettings::mostSide, .unit = "PX"};
+
+[[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
+
+[[nodiscard]] double parseNumber(const Number&, std::string_view text);
+[[nodiscard]] std::uint64_t parseCount(const Count&, std::string_view text);
+/// @return  the name's number in the list
+[[nodiscard]] int parseChoice(std::span<const std::string_view> names, std::string_view text);
+/// @return  the number itself, as text, if no name bears it
+[[nodiscard]] std::string nameOf(std::span<const std::string_view> names, int value);
+
+[[nodiscard]] glm::dvec3 parseVector(std::string_view text);
+[[nodiscard]] Size parseSize(std::string_view text);
+[[nodiscard]] Color parseColor(std::string_view text);
+[[nodiscard]] PictureLength parseLength(std::string_view text);
+[[nodiscard]] PageSize parsePage(std::string_view text);
+[[nodiscard]] Isolines parseIsolines(std::string_view text);
+[[nodiscard]] std::array<LineStyle, lineTypeCount> parseLineStyles(std::string_view text);
+[[nodiscard]] std::vector<FunctionSettings> parseFunctions(std::string_view text);
+
+/// @throws Error  (Kind::Usage) as surfaceFunction() does; files may have any name
+void checkFunctions(const std::vector<FunctionSettings>&);
+
+[[nodiscard]] std::string textOf(double);
+[[nodiscard]] std::string textOf(float);
+[[nodiscard]] std::string textOf(int);
+[[nodiscard]] std::string textOf(std::uint64_t);
+[[nodiscard]] std::string textOf(const std::string&);
+[[nodiscard]] std::string textOf(const std::filesystem::path&);
+[[nodiscard]] std::string textOf(glm::dvec3);
+[[nodiscard]] std::string textOf(Size);
+[[nodiscard]] std::string textOf(Color);
+[[nodiscard]] std::string textOf(const PictureLength&);
+[[nodiscard]] std::string textOf(const PageSize&);
+[[nodiscard]] std::string textOf(const Isolines&);
+[[nodiscard]] std::string textOf(const std::array<LineStyle, lineTypeCount>&);
+[[nodiscard]] std::string textOf(const std::vector<FunctionSettings>&);
+template <class T>
+[[nodiscard]] std::string textOf(const std::optional<T>& value) {
+    return value ? textOf(*value) : std::string{};
+}
+
+}  // namespace inkedge::settings
