@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <inkedge/error.h>
+#include <inkedge/version.h>
 
 #include "cli/signals.h"
 #include "cli/streams.h"
@@ -74,7 +75,7 @@ int main(int argc, char** argv) {
     inkedge::cli::holdStandardStreams();
     inkedge::cli::handleSignals();
     CLI::App app{"Clean line drawings of 3D models, without a screen.", "inkedge"};
-    app.set_version_flag("--version", "inkedge " INKEDGE_VERSION);
+    app.set_version_flag("--version", fmt::format("inkedge {}", inkedge::version()));
     app.require_subcommand(1);
     try {
         return run(app, argc, argv);

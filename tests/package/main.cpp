@@ -4,11 +4,7 @@
 #include <cstdio>
 #include <exception>
 
-#include <inkedge/camera.h>
-#include <inkedge/renderer.h>
-#include <inkedge/scene.h>
-#include <inkedge/setting_table.h>
-#include <inkedge/write.h>
+#include <inkedge/inkedge.h>
 
 namespace {
 
@@ -29,6 +25,10 @@ int main(int argc, char** argv) {
     if (argc != 5) {
         std::fprintf(stderr, "expected MODEL OUT.png OUT.exr OUT.svg, found %d arguments\n", argc - 1);
         return 2;
+    }
+    if (inkedge::version() != EXPECTED_VERSION) {
+        std::fprintf(stderr, "expected version %s, found %s\n", EXPECTED_VERSION, inkedge::version().data());
+        return 1;
     }
     try {
         inkedge::Settings settings;
