@@ -44,7 +44,8 @@ foreach(header IN LISTS headers)
   endif()
 endforeach()
 if(NOT libraries OR NOT headers)
-  message(FATAL_ERROR "expected libinkedge.so.0.MINOR and headers under ${WORK}/prefix, found '${libraries}', '${headers}'")
+  message(FATAL_ERROR "expected libinkedge.so.0.MINOR and headers under ${WORK}/prefix, found '${libraries}', "
+                      "'${headers}'")
 endif()
 
 run(${WORK}/build/draw ${MODEL} ${WORK}/drawn.png ${WORK}/drawn.exr ${WORK}/drawn.svg)

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <glm/trigonometric.hpp>
 
-#include <inkedge/settings.h>
+#include <inkedge/setting_table.h>
 #include "reference/reference.h"
 
 #include "gl/gl_test.h"
