@@ -43,6 +43,25 @@ void expectUsable(const Camera& camera) {
     }
 }
 
+void expectLoaded(const Scene& scene, const RenderSettings& settings) {
+    if (scene.source().format.empty()) return;
+    Settings all;
+    static_cast<RenderSettings&>(all) = settings;
+    const LoadSettings needed = loadSettings(all);
+    const LoadSettings& loaded = scene.loadedWith();
+    const auto expect = [](bool isNeeded, bool isLoaded, std::string_view what) {
+        if (!isNeeded || isLoaded) return;
+        throw Error{
+            Error::Kind::Usage,
+            fmt::format("scene: expected one loaded with {}, which functions or isolines read, found one loaded "
+                        "without; load it with loadScene(file, loadSettings(settings))",
+                        what)};
+    };
+    expect(needed.textureCoordinates, loaded.textureCoordinates, "its texture coordinates");
+    expect(needed.paint, loaded.paint, "its colours");
+    expect(needed.curvature, loaded.curvature, "its curvature");
+}
+
 void expectMemory(const RenderSettings& settings) { expectMemory(settings.picture.size, bytesPerPixel(settings)); }
 
 }  // namespace inkedge

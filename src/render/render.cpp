@@ -374,6 +374,7 @@ const BackendInfo& Renderer::backend() const noexcept {
 
 Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
     validate(settings);
+    expectLoaded(scene, settings);
     expectUsable(camera);
     Lines found;
     std::vector<StageTime> before;
@@ -412,6 +413,7 @@ Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSett
 
 Maps Renderer::render(const Scene& scene, const Camera& camera, const RenderSettings& asked) {
     validate(asked);
+    expectLoaded(scene, asked);
     expectUsable(camera);
     expectMemory(asked);
     const RenderSettings settings = completed(asked, scene);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
 
 #include <inkedge/inkedge.h>
 
@@ -42,6 +43,17 @@ int main(int argc, char** argv) {
         const inkedge::Maps maps = renderer.render(scene, camera, settings);
 
         inkedge::writeMaps(maps, {}, argv[2]);
+
+        inkedge::Settings colored = settings;
+        colored.detector.functions = {inkedge::surfaceFunction("base-color")};
+        bool refused = false;
+        try {
+            (void)renderer.render(scene, camera, colored);
+        } catch (const inkedge::Error& error) {
+            refused = error.kind() == inkedge::Error::Kind::Usage;
+        }
+        if (!refused) throw std::runtime_error{"expected a scene without colours to be refused, found it drawn"};
+        (void)renderer.render(inkedge::loadScene(argv[1], inkedge::loadSettings(colored)), camera, colored);
         inkedge::writeMaps(maps, settings.maps, argv[3]);
 
         settings.detector.detector = inkedge::Detector::Planes;
