@@ -292,7 +292,7 @@ int render(const RenderArguments& arguments) {
 void addRender(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<RenderArguments>();
     CLI::App* verb = app.add_subcommand("render", "Draw the outlines of a model.");
-    verb->add_option("MODEL", arguments->model, "glTF 2.0 file, .glb or .gltf")->required();
+    verb->add_option("MODEL", arguments->model, "glTF 2.0, OBJ, STL or PLY file")->required();
     verb->add_option("-o,--output", arguments->output,
                      "picture to write, .png .tif .exr, or lines, .svg .json, or - for PNG on stdout; {model}, {view} "
                      "and {map} are filled in")
