@@ -55,24 +55,19 @@ void PolygonCutter::cutPolygon(std::span<const glm::dvec3> corners) {
         previous_[i] = i == 0 ? count - 1 : i - 1;
         next_[i] = i + 1 == count ? 0 : i + 1;
     }
-    hollow_.clear();
+    std::vector<std::uint32_t> hollow;
     for (std::uint32_t i = 0; i < count; ++i)
-        if (area(i) <= 0.0) hollow_.push_back(i);
+        if (area(i) <= 0.0) hollow.push_back(i);
+    hollow_.build(flat_, std::move(hollow));
+    candidates_.clear();
+    for (std::uint32_t i = 0; i < count; ++i) candidates_.insert(candidates_.end(), i);
+    waiting_.clear();
 
     std::uint32_t corner = 0;
-    std::uint32_t misses = 0;
-    for (std::uint32_t left = count; left > 3;) {
-        const bool none = misses == left;
-        if (none) corner = leastBadEar(corner);
-        if (none || isEar(corner)) {
-            cutOff(corner);
-            corner = next_[next_[corner]];  // not the neighbour: that would make a fan of slivers
-            misses = 0;
-            --left;
-        } else {
-            corner = next_[corner];
-            ++misses;
-        }
+    for (std::uint32_t left = count; left > 3; --left) {
+        corner = nextEar(corner);
+        cutOff(corner);
+        corner = next_[next_[corner]];  // not the neighbour: that would make a fan of slivers
     }
     triangles_.push_back({previous_[corner], corner, next_[corner]});
 }
@@ -92,26 +87,35 @@ double PolygonCutter::area(std::uint32_t corner) const {
     return cross(flat_[previous_[corner]], flat_[corner], flat_[next_[corner]]);
 }
 
+// The first ear from a corner on. A corner that is none is looked at again when its triangle has changed, or when what
+// lay in it is gone.
+std::uint32_t PolygonCutter::nextEar(std::uint32_t corner) {
+    while (!candidates_.empty()) {
+        auto found = candidates_.lower_bound(corner);
+        if (found == candidates_.end()) found = candidates_.begin();
+        const std::uint32_t candidate = *found;
+        if (isEar(candidate)) return candidate;
+        candidates_.erase(found);
+    }
+    return leastBadEar(corner);
+}
+
 bool PolygonCutter::isEar(std::uint32_t corner) {
     spend(1);
     if (area(corner) <= 0.0) return false;
-    const glm::dvec2 a = flat_[previous_[corner]];
-    const glm::dvec2 b = flat_[corner];
-    const glm::dvec2 c = flat_[next_[corner]];
-    spend(hollow_.size());
-    for (const std::uint32_t other : hollow_) {
-        const glm::dvec2 p = flat_[other];
-        if (gone_[other] || p == a || p == b || p == c) continue;
-        if (cross(a, b, p) >= 0.0 && cross(b, c, p) >= 0.0 && cross(c, a, p) >= 0.0) return false;
-    }
-    return true;
+    std::uint64_t steps = 0;
+    const std::uint32_t other = hollow_.within(flat_[previous_[corner]], flat_[corner], flat_[next_[corner]], steps);
+    spend(steps);
+    if (other != CornerTree::none) waiting_.emplace(other, corner);
+    return other == CornerTree::none;
 }
 
 // Where there is no ear: a corner on a line, whose triangle covers nothing, or else a convex one.
-std::uint32_t PolygonCutter::leastBadEar(std::uint32_t corner) const {
+std::uint32_t PolygonCutter::leastBadEar(std::uint32_t corner) {
     const std::uint32_t first = corner;
     std::uint32_t convex = corner;
     do {
+        spend(1);
         const double size = area(corner);
         if (size == 0.0) return corner;
         if (size > 0.0) convex = corner;
@@ -127,6 +131,13 @@ void PolygonCutter::cutOff(std::uint32_t ear) {
     next_[before] = after;
     previous_[after] = before;
     gone_[ear] = true;
+    hollow_.remove(ear);
+    candidates_.erase(ear);
+    candidates_.insert({before, after});
+    const auto [first, last] = waiting_.equal_range(ear);
+    for (auto it = first; it != last; ++it)
+        if (!gone_[it->second]) candidates_.insert(it->second);
+    waiting_.erase(first, last);
 }
 
 void PolygonCutter::spend(std::uint64_t steps) {

@@ -2,11 +2,15 @@
 
 #include <array>
 #include <cstdint>
+#include <set>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+
+#include "formats/polygons/corner_tree.h"
 
 namespace inkedge::load {
 
@@ -22,7 +26,7 @@ public:
 
     /// @param corners  at least three
     /// @return         valid until the next call
-    /// @throws Error   (Kind::Input) if the file's polygons together take over about a second
+    /// @throws Error   (Kind::Input) if the file's polygons together take over some seconds
     [[nodiscard]] std::span<const Triangle> cut(std::span<const glm::dvec3> corners);
 
 private:
@@ -33,13 +37,16 @@ private:
     void spend(std::uint64_t steps);
     [[nodiscard]] double area(std::uint32_t corner) const;
     [[nodiscard]] bool isEar(std::uint32_t corner);
-    [[nodiscard]] std::uint32_t leastBadEar(std::uint32_t corner) const;
+    [[nodiscard]] std::uint32_t leastBadEar(std::uint32_t corner);
+    [[nodiscard]] std::uint32_t nextEar(std::uint32_t corner);
 
     std::vector<Triangle> triangles_;
     std::vector<glm::dvec2> flat_;  // the corners, seen so that the polygon runs anticlockwise
     std::vector<std::uint32_t> previous_;
     std::vector<std::uint32_t> next_;
-    std::vector<std::uint32_t> hollow_;  // corners that may lie in an ear: not convex when the polygon was whole
+    CornerTree hollow_;                   // corners that may lie in an ear: not convex when the polygon was whole
+    std::set<std::uint32_t> candidates_;  // corners that may be ears
+    std::unordered_multimap<std::uint32_t, std::uint32_t> waiting_;  // by what lay in their triangle
     std::vector<bool> gone_;
     std::uint64_t stepsLeft_ = 200'000'000;
 };

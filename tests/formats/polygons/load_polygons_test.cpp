@@ -401,13 +401,12 @@ TEST(PolygonCutter, takesTimeInProportionToConvexPolygons) {
     EXPECT_EQ(load::PolygonCutter{}.cut(polygon).size(), count - 2);
 }
 
-TEST(PolygonCutter, refusesPolygonsThatWouldTakeForEver) {
+TEST(PolygonCutter, cutsACombOfManyTeeth) {
     std::vector<glm::dvec3> comb;
     constexpr int teeth = 60'000;
     for (int i = 0; i < teeth; ++i) comb.insert(comb.end(), {{2 * i, 9, 0}, {2 * i + 1, i % 3, 0}});
     for (int i = teeth; i-- > 0;) comb.insert(comb.end(), {{2 * i + 1, i % 3 - 1, 0}, {2 * i, 8, 0}});
-    expectError(Error::Kind::Input, HasSubstr("found very complex ones"),
-                [&] { static_cast<void>(load::PolygonCutter{}.cut(comb)); });
+    EXPECT_EQ(load::PolygonCutter{}.cut(comb).size(), comb.size() - 2);
 }
 
 // ---- what is refused
