@@ -19,8 +19,7 @@ class InstanceCurves {
 public:
     InstanceCurves(const Scene& scene, std::uint32_t instance, const InstanceEdges& edges, const Screen& screen,
                    const CurveChoice& choice, std::vector<Segment>& to)
-        : scene_{scene},
-          instance_{instance},
+        : instance_{instance},
           mesh_{scene.meshes()[scene.instances()[instance].mesh]},
           topology_{topologyOf(scene, scene.instances()[instance].mesh)},
           search_{edges.search},
@@ -374,7 +373,6 @@ private:
         return glm::dot(gradient, view(corners[0])) * outward < 0.0;
     }
 
-    const Scene& scene_;
     std::uint32_t instance_;
     const Mesh& mesh_;
     const MeshTopology& topology_;
