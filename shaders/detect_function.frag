@@ -1,8 +1,8 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 
-// Edges of a surface function's values, 4 x 4 pixels an invocation, as in detect_edges.frag. CPU definition: reference.h,
-// functionMagnitude(); measure_function.frag is the same for one pixel.
+// Edges of a surface function's values, 4 x 4 pixels an invocation, as in detect_edges.frag. CPU definition:
+// reference.h, functionMagnitude(); measure_function.frag is the same for one pixel.
 #include "shared/function_edges.glsl"
 
 layout(location = 0) uniform float threshold;
@@ -27,8 +27,8 @@ void widenRange(Sample s) {
     highest = max(highest, s.value);
 }
 
-// Within half a period no difference begins anew, and the marks are right. Software OpenGL skips no branch, but its loops
-// end early: hence their counts.
+// Within half a period no difference begins anew, and the marks are right. Software OpenGL skips no branch, but its
+// loops end early: hence their counts.
 uint wrappedMarks(uint marks) {
     bool wraps = largestOf(highest - lowest) > 0.5 * period;
     ivec2 first = SIDE * ivec2(gl_FragCoord.xy);

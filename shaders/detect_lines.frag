@@ -1,8 +1,9 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 
-// Lines without thresholds: between two neighbouring pixels runs a line if the faces that they see do not go on into each
-// other. CPU definition: reference.h, detectLines(). One invocation decides 4 x 4 pixels, which share what they fetch.
+// Lines without thresholds: between two neighbouring pixels runs a line if the faces that they see do not go on into
+// each other. CPU definition: reference.h, detectLines(). One invocation decides 4 x 4 pixels, which share what they
+// fetch.
 //
 //   p . | q    The planes of p and q, extended over the step between them, either meet on it (the surface goes on), or
 //   ----+--    leave a residual on both sides (it jumps).

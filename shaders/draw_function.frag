@@ -1,7 +1,8 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 
-// A surface function's values, one of shaders/functions; the build puts its text behind this one, the renderer a user's.
+// A surface function's values, one of shaders/functions; the build puts its text behind this one, the renderer a
+// user's.
 layout(location = 0) in vec3 surfaceNormal;
 layout(location = 1) in vec3 viewPosition;
 layout(location = 2) in vec3 objectPosition;

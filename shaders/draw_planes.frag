@@ -1,8 +1,8 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 
-// The plane and the patch that each pixel sees. On a plane w = 1/z is linear in the picture (orthographic: w = -z is), so
-// its derivatives are those of the triangle and describe its whole plane.
+// The plane and the patch that each pixel sees. On a plane w = 1/z is linear in the picture (orthographic: w = -z is),
+// so its derivatives are those of the triangle and describe its whole plane.
 layout(location = 0) in float eyeDepth;
 layout(location = 1) flat in float patchNumber;
 layout(location = 2) flat in uvec2 triangles;

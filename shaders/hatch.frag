@@ -1,10 +1,11 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 
-// Hatch marks: edges of the faceted normal map, after Hertzmann 1999, Figure 2(b). CPU definition: reference.h, hatch().
+// Hatch marks: edges of the faceted normal map, after Hertzmann 1999, Figure 2(b). CPU definition: reference.h,
+// hatch().
 //
-// Between two facets the picture shows a straight mark where their planes meet. How dark it is depends on how much they bend
-// there, and on how much light falls on them.
+// Between two facets the picture shows a straight mark where their planes meet. How dark it is depends on how much they
+// bend there, and on how much light falls on them.
 layout(binding = 0) uniform sampler2D planes;  // as draw_planes.frag writes them
 
 layout(location = 3) uniform float bend;       // radians
@@ -28,8 +29,8 @@ vec4 planeAt(ivec2 pixel) { return texelFetch(planes, clamp(pixel, ivec2(0), tex
 
 vec3 normalAt(ivec2 pixel) { return normalOf(planeAt(pixel), vec2(pixel) + 0.5 - centre); }
 
-// Whether two neighbours beside a pair see its two facets and no third: facets that meet in a point only have others beside
-// them.
+// Whether two neighbours beside a pair see its two facets and no third: facets that meet in a point only have others
+// beside them.
 bool goesOn(ivec2 a, ivec2 b, vec3 na, vec3 nb, float bendOfPair) {
     vec3 n = normalAt(a);
     vec3 m = normalAt(b);

@@ -1,7 +1,7 @@
 #version 450 core
 
-// Loose strokes after Curtis 1998 (reference 5 of Hertzmann 1999): the drawing, displaced by smooth noise, several times
-// over; each stroke presses now more, now less, on paper with a grain. CPU definition: reference.h, pencil().
+// Loose strokes after Curtis 1998 (reference 5 of Hertzmann 1999): the drawing, displaced by smooth noise, several
+// times over; each stroke presses now more, now less, on paper with a grain. CPU definition: reference.h, pencil().
 layout(binding = 0) uniform sampler2D drawing;  // RGBA8, not premultiplied
 
 layout(location = 0) uniform ivec2 corner;  // of the tile in the picture

@@ -1,8 +1,8 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 
-// What a brush feels: normals and depth, in units in which a step of 1 takes half of the ink. CPU definition: reference.h,
-// sumi().
+// What a brush feels: normals and depth, in units in which a step of 1 takes half of the ink. CPU definition:
+// reference.h, sumi().
 #include "shared/depth.glsl"
 
 layout(binding = 0) uniform sampler2D surfaces;  // rgb: normal, a: eye-space depth; background: normal 0

@@ -1,7 +1,7 @@
 #version 450 core
 
-// Gradients of the blurred channels by the Sobel kernels (Hertzmann 1999, equation 5): how much ink each pixel takes, and
-// the structure tensor, whose lesser axis runs along the edge. CPU definition: reference.h, sumi().
+// Gradients of the blurred channels by the Sobel kernels (Hertzmann 1999, equation 5): how much ink each pixel takes,
+// and the structure tensor, whose lesser axis runs along the edge. CPU definition: reference.h, sumi().
 layout(binding = 0) uniform sampler2D channels;
 
 layout(location = 0) uniform float gain;  // makes a step of 1 a magnitude of 1

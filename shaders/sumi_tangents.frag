@@ -1,6 +1,7 @@
 #version 450 core
 
-// Which way the edges run: across the greater axis of the blurred structure tensor. CPU definition: reference.h, sumi().
+// Which way the edges run: across the greater axis of the blurred structure tensor. CPU definition: reference.h,
+// sumi().
 layout(binding = 0) uniform sampler2D blurred;  // as sumi_gradients.frag writes it, blurred
 layout(binding = 1) uniform sampler2D tensor;   // the same, not blurred
 

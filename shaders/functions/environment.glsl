@@ -1,5 +1,5 @@
-// What a mirror would show: a smooth map looked up by the reflection of the view. option[0]: 0 lets the map turn with the
-// camera, 1 lets it stand in the world.
+// What a mirror would show: a smooth map looked up by the reflection of the view. option[0]: 0 lets the map turn with
+// the camera, 1 lets it stand in the world.
 const float PI = 3.14159265358979;
 
 vec4 surface(Surface s) {

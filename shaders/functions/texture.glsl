@@ -1,7 +1,7 @@
 // A smooth picture laid on the surface. option[0]: how often it is repeated along each coordinate's unit.
 //
-// Where a texture is repeated its seams must not become lines. The ramp's differences are taken modulo 1; a file's picture
-// is laid mirrored beside itself, so that copies join wherever a coordinate jumps by a whole number.
+// Where a texture is repeated its seams must not become lines. The ramp's differences are taken modulo 1; a file's
+// picture is laid mirrored beside itself, so that copies join wherever a coordinate jumps by a whole number.
 vec4 surface(Surface s) {
     vec2 place = fract(s.coordinates * option[0]);
     if (!hasPicture) return vec4(place, 0.0, 0.0);

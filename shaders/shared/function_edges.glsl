@@ -21,7 +21,8 @@ struct Sample {
 
 bool isThere(vec4 texel) { return texel.a < 1e29; }
 
-// Stands where there is no value: that of a corner of the block of 4 x 4 pixels, so that large values leave no rounding.
+// Stands where there is no value: that of a corner of the block of 4 x 4 pixels, so that large values leave no
+// rounding.
 VALUE datum = VALUE(0.0);
 
 void setDatum(vec4 a, vec4 b, vec4 c, vec4 d) {

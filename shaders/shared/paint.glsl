@@ -1,5 +1,5 @@
-// What materials are painted with. Pictures stand in one buffer, each with its smaller copies behind it, so that a draw may
-// meet any number of them.
+// What materials are painted with. Pictures stand in one buffer, each with its smaller copies behind it, so that a draw
+// may meet any number of them.
 struct Paint {
     vec4 factor;   // linear
     uint first;    // of its texels; the number of its levels is 0 where it has no picture

@@ -3,7 +3,8 @@ layout(location = 0) uniform float focalLength;  // pixels (orthographic: pixels
 layout(location = 1) uniform bool orthographic;
 layout(location = 2) uniform vec2 centre;        // of the whole picture, pixels from the tile's corner
 
-// The face normal, turned to the eye, up to a positive factor; n.xy in pixels, as the picture's axes run, and turned about.
+// The face normal, turned to the eye, up to a positive factor; n.xy in pixels, as the picture's axes run, and turned
+// about.
 vec3 normalOf(vec4 plane, vec2 fromCentre) {
     return orthographic ? vec3(plane.yz * focalLength, 1.0)
                         : vec3(plane.yz * focalLength, plane.x - dot(plane.yz, fromCentre));

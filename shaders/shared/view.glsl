@@ -1,7 +1,7 @@
 // Brings a vertex from the clip space of the whole picture to that of the part of it which the viewport shows, so that
-// every tile of a picture draws it at the same place. Rasterisers round to a grid of 1/256 pixel; floats say where a vertex
-// lies only to within a rounding that differs from tile to tile. A vertex that lies as near as that to the middle between
-// two places of the grid is moved away from there: then all tiles round it to the same one.
+// every tile of a picture draws it at the same place. Rasterisers round to a grid of 1/256 pixel; floats say where a
+// vertex lies only to within a rounding that differs from tile to tile. A vertex that lies as near as that to the
+// middle between two places of the grid is moved away from there: then all tiles round it to the same one.
 layout(location = 4) uniform vec2 halfPicture;  // steps of the grid
 layout(location = 5) uniform vec2 viewCentre;   // from the picture's, steps
 layout(location = 6) uniform vec2 halfView;     // steps

@@ -9,8 +9,9 @@ namespace inkedge {
 inline constexpr std::size_t elementsWorthAThread = 100'000;
 
 /// Calls work(begin, end) for ranges that together cover 0..count, each on a thread of its own, as many as there are
-/// cores for this process but 8 at most; for fewer than twice elementsWorthAThread it is one call on this thread. The caller sees to it
-/// that the ranges do not meet in what they write, and that the outcome does not depend on where they lie.
+/// cores for this process but 8 at most; for fewer than twice elementsWorthAThread it is one call on this thread. The
+/// caller sees to it that the ranges do not meet in what they write, and that the outcome does not depend on where they
+/// lie.
 /// @throws  what the first range that failed has thrown
 void inRanges(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& work);
 

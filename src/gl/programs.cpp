@@ -10,8 +10,8 @@
 
 #include <inkedge/error.h>
 
-#include "base/read_file.h"
 #include "base/message.h"
+#include "base/read_file.h"
 
 namespace inkedge::gl {
 namespace {
@@ -88,8 +88,8 @@ ProgramName build(const Api& api, const ProgramText& text) {
     return std::move(program);
 }
 
-// The first error that a driver has of a user's text: "0:7(12): error: ..." or "0(7) : error ...". The frame around it has
-// none, and drivers forget which file an expression stands in: every line is the user's.
+// The first error that a driver has of a user's text: "0:7(12): error: ..." or "0(7) : error ...". The frame around it
+// has none, and drivers forget which file an expression stands in: every line is the user's.
 [[noreturn]] void refuseFunction(const std::filesystem::path& file, std::string_view log) {
     const std::string name = load::printable(file.string());
     for (std::size_t at = 0; at < log.size();) {

@@ -12,8 +12,8 @@
 
 namespace inkedge::gl {
 
-/// A scene in graphics memory: one vertex array for all meshes, one indirect draw command for all instances of a mesh that
-/// are drawn alike.
+/// A scene in graphics memory: one vertex array for all meshes, one indirect draw command for all instances of a mesh
+/// that are drawn alike.
 class UploadedScene {
 public:
     /// @throws Error  (Kind::Runtime) if the context is out of memory or lost

@@ -8,8 +8,9 @@
 
 namespace inkedge {
 
-/// A texture that strokes are drawn with: its height lies across a stroke, its width along its line, again and again, in
-/// its own aspect where the stroke has its pen's width; around a closed line a whole number of times, stretched a little.
+/// A texture that strokes are drawn with: its height lies across a stroke, its width along its line, again and again,
+/// in its own aspect where the stroke has its pen's width; around a closed line a whole number of times, stretched a
+/// little.
 struct Brush {
     Image<std::uint8_t> ink;  ///< one channel, 0 none to 255 full; at least one pixel
 };
@@ -28,8 +29,8 @@ public:
     /// @param across  -0.5 to 0.5 from one side of the stroke to the other; beyond, the side's ink
     [[nodiscard]] float inkAt(float along, float across) const noexcept;
 
-    /// By what to multiply the way along a closed line so that a whole number of textures, the nearest but one at least,
-    /// goes around it: its end then meets its start.
+    /// By what to multiply the way along a closed line so that a whole number of textures, the nearest but one at
+    /// least, goes around it: its end then meets its start.
     /// @param around  pixels of way around it; 0, an open line: 1
     [[nodiscard]] float stretchAround(float around) const noexcept;
 

@@ -26,8 +26,8 @@ struct Stroke {
 };
 
 /// Draws strokes with exact coverage at any width: a pixel's coverage is the share of its square that the stroke's band
-/// covers; at caps, the band along the cap's tangent; where its width varies, the band as wide as it is beside the pixel's
-/// centre. Strokes of one colour join without a seam; of two colours the
+/// covers; at caps, the band along the cap's tangent; where its width varies, the band as wide as it is beside the
+/// pixel's centre. Strokes of one colour join without a seam; of two colours the
 /// line type that comes first covers, and what is seen covers what is hidden.
 /// @param brush  laid along each line, none: full ink. A pixel takes the brush's ink where its line is nearest to it;
 ///               where lines of one colour meet, the larger ink.

@@ -58,7 +58,8 @@ double lengthOf(const std::vector<StrokePoint>& points) {
     return length;
 }
 
-// Free ends run out to nothing over a length; a line of two that is shorter than twice that has its whole width nowhere.
+// Free ends run out to nothing over a length; a line of two that is shorter than twice that has its whole width
+// nowhere.
 std::vector<StrokePoint> tapered(const std::vector<StrokePoint>& points, double taper, bool begins, bool ends) {
     const double length = lengthOf(points);
     if (begins != ends && length > 0.0) taper = std::min(taper, length);  // at its other end it keeps its width

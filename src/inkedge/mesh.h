@@ -39,8 +39,8 @@ struct Mesh {
     std::vector<glm::vec2> textureCoordinates;
     std::vector<VertexPaint>
         paint;  ///< one a position; empty: all as by default, or not asked for (LoadSettings::paint)
-    /// Mean curvature, one a position, one over mesh space's unit, over 0 where the surface bulges; made by the scene if
-    /// LoadSettings::curvature asks for it, else empty.
+    /// Mean curvature, one a position, one over mesh space's unit, over 0 where the surface bulges; made by the scene
+    /// if LoadSettings::curvature asks for it, else empty.
     std::vector<float> curvatures;
 };
 

@@ -28,8 +28,8 @@ enum class ContextTime {
 class INKEDGE_API Renderer {
 public:
     /// @throws Error  (Kind::Context) if no context can be had; the message says why for each backend tried;
-    ///                (Kind::Usage) if the wish names a device that is not there. With ContextTime::WhenNeeded the call that
-    ///                needs the context throws, not the constructor.
+    ///                (Kind::Usage) if the wish names a device that is not there. With ContextTime::WhenNeeded the call
+    ///                that needs the context throws, not the constructor.
     explicit Renderer(const BackendSettings& = {}, ContextTime = ContextTime::AtOnce);
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
@@ -45,13 +45,14 @@ public:
     ///                out of memory, or is lost: then make a new Renderer
     [[nodiscard]] Maps render(const Scene&, const Camera&, const RenderSettings& = {});
 
-    /// The lines of one view as polylines in the picture and in the world. From object space, unless settings.lines.from
-    /// says image: visible ones, and hidden ones if settings.lines.hidden keeps them. What a scene needs for it (edge tables,
-    /// bounding volume hierarchies) is kept for the next call. From image: what the planes detector finds between pixels.
-    /// Of settings.picture, size, lines and, from image, lineStyles, supersampling and tileSize are looked at.
-    /// @throws Error  (Kind::Usage) if validate() refuses a setting, if the camera is unusable, or lines from image are asked of the classic
-    ///                detector, or of a contour finder what it cannot do; (Kind::Runtime) if Embree is not there or memory
-    ///                runs out
+    /// The lines of one view as polylines in the picture and in the world. From object space, unless
+    /// settings.lines.from says image: visible ones, and hidden ones if settings.lines.hidden keeps them. What a scene
+    /// needs for it (edge tables, bounding volume hierarchies) is kept for the next call. From image: what the planes
+    /// detector finds between pixels. Of settings.picture, size, lines and, from image, lineStyles, supersampling and
+    /// tileSize are looked at.
+    /// @throws Error  (Kind::Usage) if validate() refuses a setting, if the camera is unusable, or lines from image are
+    ///                asked of the classic detector, or of a contour finder what it cannot do; (Kind::Runtime) if
+    ///                Embree is not there or memory runs out
     [[nodiscard]] Lines lines(const Scene&, const Camera&, const RenderSettings& = {});
 
     /// Empty while there is no context.

@@ -182,8 +182,8 @@ struct LineSettings {
     HiddenLines hidden = HiddenLines::None;
     double simplify = 0.25;  ///< pixels that polylines in files may stray from those found; 0: every point is kept
     StrokeWidth strokeWidth = StrokeWidth::Constant;
-    /// Pixels over which free ends of lines run out to nothing: those where no drawn line goes on, whatever its type, or
-    /// meets them, as in a solid's corners. A line that runs behind another surface ends freely.
+    /// Pixels over which free ends of lines run out to nothing: those where no drawn line goes on, whatever its type,
+    /// or meets them, as in a solid's corners. A line that runs behind another surface ends freely.
     double strokeTaper = 0.0;
     std::filesystem::path brush = {};  ///< a PNG, dark is ink, laid along lines from object space; empty: plain ink
     double fitCurves = 0.0;     ///< pixels that cubic Bezier curves may stray from the lines; 0: polylines; SVG only

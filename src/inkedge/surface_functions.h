@@ -71,8 +71,8 @@ struct FunctionDescription {
 /// @throws Error  (Kind::Usage) if there is none; the message lists all names
 [[nodiscard]] INKEDGE_API const FunctionDescription& functionDescription(std::string_view name);
 
-/// A function from text: NAME[:key=value,...], the keys being kernel, threshold, file and those of its row. A first part
-/// without = is the file.
+/// A function from text: NAME[:key=value,...], the keys being kernel, threshold, file and those of its row. A first
+/// part without = is the file.
 /// @throws Error  (Kind::Usage) if it is none; the message lists what is allowed
 [[nodiscard]] INKEDGE_API FunctionSettings surfaceFunction(std::string_view text);
 

@@ -21,8 +21,8 @@ public:
 
     /// The lines that a camera sees and, if settings.lines.hidden asks for them, those hidden from it: section 3 of
     /// Hertzmann 1999.
-    /// @param buffers  what the camera sees, of settings.picture.size: hidden lines are told by it, and by rays only where it
-    ///                 leaves a doubt; null: by rays alone
+    /// @param buffers  what the camera sees, of settings.picture.size: hidden lines are told by it, and by rays only
+    ///                 where it leaves a doubt; null: by rays alone
     [[nodiscard]] Lines find(const Camera&, const RenderSettings&, const ViewBuffers* buffers = nullptr) const;
 
 private:

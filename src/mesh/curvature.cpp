@@ -25,8 +25,8 @@ double bend(const Mesh& mesh, const MeshTopology& topology, const std::vector<gl
     return std::atan2(glm::dot(glm::cross(one, other), along) / length, glm::dot(one, other));
 }
 
-// The corners around a point that hang together across edges that are no creases have one curvature: a set of them by its
-// first.
+// The corners around a point that hang together across edges that are no creases have one curvature: a set of them by
+// its first.
 std::vector<std::uint32_t> findFans(const MeshTopology& topology) {
     const auto corners = static_cast<std::uint32_t>(topology.points.size());
     UnionFind fans{corners};

@@ -28,8 +28,9 @@ Bounds boundsOf(std::span<const glm::vec3> positions) {
     return {low, glm::length(glm::dvec3{high} - glm::dvec3{low})};
 }
 
-// Cells are so much wider than the tolerance that what is near a point mostly lies in its own, and so much narrower than
-// a mesh's edges that they mostly hold one point. An axis has at most 1 / (cellWidth * weldTolerance) = 31,250 of them.
+// Cells are so much wider than the tolerance that what is near a point mostly lies in its own, and so much narrower
+// than a mesh's edges that they mostly hold one point. An axis has at most 1 / (cellWidth * weldTolerance) = 31,250 of
+// them.
 class CellGrid {
 public:
     CellGrid(std::span<const glm::vec3> positions, const Bounds& bounds, double tolerance)

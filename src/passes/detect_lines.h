@@ -16,8 +16,8 @@ namespace inkedge {
 /// @param planes  as PlaneBuffers::planes, of this tile
 /// @param unit    scene units in a unit length of the planes
 /// @param creaseAngle  degrees
-/// @return        PairMark bits (raster/pair_mark.h), one byte a pixel, row 0 at the top: the low four bits for the pixel and the
-///                one to its right, the high four for the pixel and the one below
+/// @return        PairMark bits (raster/pair_mark.h), one byte a pixel, row 0 at the top: the low four bits for the
+///                pixel and the one to its right, the high four for the pixel and the one below
 [[nodiscard]] Image<std::uint8_t> detectLines(gl::Gpu&, const gl::Texture& planes, const Tile&, const Camera&,
                                               double unit, double creaseAngle);
 

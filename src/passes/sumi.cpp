@@ -64,8 +64,8 @@ gl::Texture feel(gl::Gpu& gpu, const gl::Texture& surface, const Camera& camera,
     return blurred(gpu, pass(gpu, program, {&surface}, GL_RGBA32F), brushSigma(settings));
 }
 
-// A blurred step's steepest slope is its height over sigma times this root; a Sobel kernel blurs by a variance of 1/2 more,
-// and weighs 8.
+// A blurred step's steepest slope is its height over sigma times this root; a Sobel kernel blurs by a variance of 1/2
+// more, and weighs 8.
 float gainFor(double sigma) {
     return static_cast<float>(std::sqrt((sigma * sigma + 0.5) * 2.0 * std::numbers::pi) / 8.0);
 }

@@ -27,9 +27,9 @@ struct Tile {
     [[nodiscard]] Rectangle keptInDrawn() const noexcept { return {kept.x - drawn.x, kept.y - drawn.y, kept.size}; }
 };
 
-/// Samples around what a tile keeps, but at the picture's edge: more than the reach of any detector (Farid's kernels: 2;
-/// the filter of pinholes and the cells of the ink: 3). Every tile begins at a multiple of it, so that drivers work on
-/// the same blocks of samples as in one piece.
+/// Samples around what a tile keeps, but at the picture's edge: more than the reach of any detector (Farid's kernels:
+/// 2; the filter of pinholes and the cells of the ink: 3). Every tile begins at a multiple of it, so that drivers work
+/// on the same blocks of samples as in one piece.
 inline constexpr int tileMargin = 64;
 
 /// The tiles of a picture, row by row; one if no side is over mostSide. All draw parts of one size, so that one set of

@@ -81,20 +81,21 @@ struct Edges {
 [[nodiscard]] Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength, bool orthographic,
                                               double creaseAngle);
 
-/// A surface function's values at pixels' centres: Hertzmann 1999, section 2.1.3. Of functions that read pictures or users'
-/// shaders there is no definition here. The definitions stand in src/reference/functions.cpp; GPU twins: shaders/functions.
+/// A surface function's values at pixels' centres: Hertzmann 1999, section 2.1.3. Of functions that read pictures or
+/// users' shaders there is no definition here. The definitions stand in src/reference/functions.cpp; GPU twins:
+/// shaders/functions.
 /// @return        4 channels; background: the row's value, or 1e30 in the last channel where it has none
 /// @throws Error  (Kind::Usage) if the function reads a file or its materials have pictures
 [[nodiscard]] Image<double> drawFunction(const Scene&, const Camera&, const FunctionSettings&, Size);
 
-/// Equation 6 on a function's values, the largest of its channels. Differences are taken from the pixel's own value, modulo
-/// wrapPeriod(); background without a value differs from nothing and has no magnitude. GPU twins: detect_function.frag,
-/// measure_function.frag.
+/// Equation 6 on a function's values, the largest of its channels. Differences are taken from the pixel's own value,
+/// modulo wrapPeriod(); background without a value differs from nothing and has no magnitude. GPU twins:
+/// detect_function.frag, measure_function.frag.
 /// @param values  4 channels, as drawFunction() returns them
 [[nodiscard]] Image<double> functionMagnitude(const Image<double>& values, const FunctionSettings&);
 
-/// How dark profiles and internal edges are, 0 to 1: the square of the larger of min((g_max - g_min) / k_p, 1), over the
-/// 3 x 3 pixels around, and min(|l| / k_l, 1), with
+/// How dark profiles and internal edges are, 0 to 1: the square of the larger of min((g_max - g_min) / k_p, 1), over
+/// the 3 x 3 pixels around, and min(|l| / k_l, 1), with
 ///
 ///     A B C    g = (|A + 2 B + C - F - 2 G - H| + |C + 2 E + H - A - 2 D - F|) / 8
 ///     D X E    l = (8 X - A - B - C - D - E - F - G - H) / 3
@@ -111,9 +112,9 @@ struct Edges {
 /// How much hatch marks cover of each sample, 0 to 1: Hertzmann 1999, Figure 2(b). Where two facets meet between
 /// neighbours (a step or two from the sample, along a row or a column) runs the straight mark on which their planes are
 /// equally near. With a the angle that they bend by, l the light that falls on them, from the upper left, and
-/// t = bend max(1 - shade + 3 shade l^1.5, 0.1), its tone is a step from 0 at a = 0.7 t to 1 at 1.3 t, smooth as 3 x^2 -
-/// 2 x^3; it covers min(1/2 + width/2 - d, width) of a sample that lies d samples away. Facets that meet in one point only,
-/// and surfaces of which one lies in front of the other, have no mark. GPU twin: hatch.frag.
+/// t = bend max(1 - shade + 3 shade l^1.5, 0.1), its tone is a step from 0 at a = 0.7 t to 1 at 1.3 t, smooth as 3 x^2
+/// - 2 x^3; it covers min(1/2 + width/2 - d, width) of a sample that lies d samples away. Facets that meet in one point
+/// only, and surfaces of which one lies in front of the other, have no mark. GPU twin: hatch.frag.
 /// @param planes       as for detectLines()
 /// @param focalLength  likewise
 /// @param bend         degrees
@@ -121,22 +122,22 @@ struct Edges {
 [[nodiscard]] Image<double> hatch(const Image<float>& planes, double focalLength, bool orthographic, double bend,
                                   double shade, double width);
 
-/// How much ink a soft brush leaves, 0 to 1: after Hertzmann 1999, Figure 2(c). The channels are the normal's, of which a
-/// step of 1/2, and the depth's from near to far, of which a step of 0.06 takes half of the ink; depth is first rounded down
-/// to one of sumiStreaks steps, if there are any. They are blurred by a Gaussian of a quarter of the brush's width, and m is
-/// the largest gradient magnitude of any (equations 5 and 6), in units in which a step of 1 has 1: the ink is
-/// m^1.5 / (1 + m^1.5). It is smeared along the edges, sumiLength pixels each way, in steps of a pixel: the mean by a
-/// Gaussian of half that length along the lines across the greater axis of the structure tensor, which is blurred by a
-/// Gaussian of half the width; where that is even, ink stays where it is. GPU twins: sumi_channels.frag, blur.frag, sumi_gradients.frag, sumi_tangents.frag,
-/// sumi_brush.frag.
+/// How much ink a soft brush leaves, 0 to 1: after Hertzmann 1999, Figure 2(c). The channels are the normal's, of which
+/// a step of 1/2, and the depth's from near to far, of which a step of 0.06 takes half of the ink; depth is first
+/// rounded down to one of sumiStreaks steps, if there are any. They are blurred by a Gaussian of a quarter of the
+/// brush's width, and m is the largest gradient magnitude of any (equations 5 and 6), in units in which a step of 1 has
+/// 1: the ink is m^1.5 / (1 + m^1.5). It is smeared along the edges, sumiLength pixels each way, in steps of a pixel:
+/// the mean by a Gaussian of half that length along the lines across the greater axis of the structure tensor, which is
+/// blurred by a Gaussian of half the width; where that is even, ink stays where it is. GPU twins: sumi_channels.frag,
+/// blur.frag, sumi_gradients.frag, sumi_tangents.frag, sumi_brush.frag.
 /// @param depth   eye-space depth, scene units
 /// @param normal  3 channels; background: 0
 [[nodiscard]] Image<double> sumi(const Image<double>& depth, const Image<double>& normal, const Camera&,
                                  const StyleSettings&);
 
-/// A drawing in loose strokes, after Curtis 1998 (reference 5 of Hertzmann 1999): looked up pencilStrokes times at places
-/// that smooth noise displaces, each laid over the last. Noise stands still in the picture, so that equal lines stray
-/// equally in all pictures of one seed. GPU twin: pencil.frag.
+/// A drawing in loose strokes, after Curtis 1998 (reference 5 of Hertzmann 1999): looked up pencilStrokes times at
+/// places that smooth noise displaces, each laid over the last. Noise stands still in the picture, so that equal lines
+/// stray equally in all pictures of one seed. GPU twin: pencil.frag.
 /// @param drawing  4 channels, 0 to 255, not premultiplied, on nothing
 /// @return         4 channels, 0 to 1, not premultiplied
 [[nodiscard]] Image<double> pencil(const Image<std::uint8_t>& drawing, const StyleSettings&);

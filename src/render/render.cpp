@@ -7,7 +7,6 @@
 #include <inkedge/renderer.h>
 #include <inkedge/setting_table.h>
 
-#include "render/expect_usable.h"
 #include "gl/context.h"
 #include "gl/function_inputs.h"
 #include "gl/gpu.h"
@@ -16,9 +15,7 @@
 #include "gl/upload.h"
 #include "ink/brush.h"
 #include "ink/paint_strokes.h"
-#include "trace/screen_triangles.h"
 #include "ink/strokes_of.h"
-#include "trace/trace_lines.h"
 #include "lines/join_pieces.h"
 #include "lines/object_lines.h"
 #include "passes/composite.h"
@@ -35,7 +32,10 @@
 #include "passes/read_maps.h"
 #include "passes/sumi.h"
 #include "raster/tiles.h"
+#include "render/expect_usable.h"
 #include "scene/typical_bend.h"
+#include "trace/screen_triangles.h"
+#include "trace/trace_lines.h"
 
 namespace inkedge {
 namespace {
@@ -77,7 +77,9 @@ bool needsPlaneLines(const RenderSettings& settings) {
            (findsPlaneLines(settings) && wants(settings, Map::Edges));
 }
 
-bool needsPlanes(const RenderSettings& settings) { return needsPlaneLines(settings) || settings.style.style == Style::Hatch; }
+bool needsPlanes(const RenderSettings& settings) {
+    return needsPlaneLines(settings) || settings.style.style == Style::Hatch;
+}
 
 bool needsSurface(const RenderSettings& settings) {
     return sourceOf(settings) == Source::Classic || (findsClassicEdges(settings) && wants(settings, Map::Edges)) ||

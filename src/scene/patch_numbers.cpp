@@ -6,10 +6,10 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "base/union_find.h"
+#include "mesh/topology.h"
 #include "scene/coplanar_layers.h"
 #include "scene/seams.h"
-#include "mesh/topology.h"
-#include "base/union_find.h"
 
 namespace inkedge {
 

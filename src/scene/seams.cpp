@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "scene/box_tree.h"
 #include "mesh/topology.h"
+#include "scene/box_tree.h"
 #include "scene/world_triangles.h"
 
 namespace inkedge {

@@ -187,8 +187,8 @@ private:
     }
 
     // Faces of one patch may bend by more than the crease angle in several smooth steps, or fall off by more than their
-    // planes say where narrow ones lie between them: that is no line. Where the way ends on another triangle than the one
-    // seen there, the patch runs into itself.
+    // planes say where narrow ones lie between them: that is no line. Where the way ends on another triangle than the
+    // one seen there, the patch runs into itself.
     [[nodiscard]] bool goesOnSmoothly(const Walk& way, Sample far) const {
         if (way.exit) return false;
         const SceneFace seen = triangle(far);

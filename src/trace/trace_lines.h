@@ -40,8 +40,8 @@ struct TracedLines {
 enum class TraceIds { Drop, Keep };
 enum class TracePlaces { Drop, Keep };
 
-/// Which types of lines become strokes, and which of them have a style of their own. A stroke has the style of the first
-/// of its types that has one, else of its first.
+/// Which types of lines become strokes, and which of them have a style of their own. A stroke has the style of the
+/// first of its types that has one, else of its first.
 struct DrawnTypes {
     LineTypes drawn;
     LineTypes styled;

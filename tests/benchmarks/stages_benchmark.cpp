@@ -22,7 +22,6 @@
 #include "gl/read_back.h"
 #include "gl/upload.h"
 #include "ink/paint_strokes.h"
-#include "trace/trace_lines.h"
 #include "meshes.h"
 #include "passes/composite.h"
 #include "passes/detect_edges.h"
@@ -33,6 +32,7 @@
 #include "passes/function_edges.h"
 #include "passes/placement.h"
 #include "passes/read_maps.h"
+#include "trace/trace_lines.h"
 #ifdef INKEDGE_OPENCV
 #include "opencv_edges.h"
 #endif

@@ -17,8 +17,8 @@
 
 #include <inkedge/settings.h>
 
-#include "cli/run_command.h"
 #include "base/temporary_folder.h"
+#include "cli/run_command.h"
 
 /// "depth,normal,...", as --maps takes it.
 inline std::string everyMap() {

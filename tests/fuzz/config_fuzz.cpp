@@ -1,8 +1,8 @@
 // Bytes as a configuration file. What it sets can be written down and read again.
 #include <inkedge/setting_table.h>
 
-#include "fuzz/promise.h"
 #include "base/temporary_folder.h"
+#include "fuzz/promise.h"
 
 namespace {
 

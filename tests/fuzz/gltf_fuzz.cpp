@@ -1,8 +1,8 @@
 // Bytes as a glTF model, with one file beside it that it may name: data.bin.
 #include <array>
 
-#include "fuzz/load_promise.h"
 #include "base/temporary_folder.h"
+#include "fuzz/load_promise.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace inkedge::fuzz;

@@ -1,8 +1,8 @@
 // Bytes as an OBJ, STL or PLY model: the first byte says which, "0", "1" or "2".
 #include <array>
 
-#include "fuzz/load_promise.h"
 #include "base/temporary_folder.h"
+#include "fuzz/load_promise.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace inkedge::fuzz;

@@ -12,8 +12,8 @@ namespace {
 
 using testing::ElementsAre;
 
-// Four unit squares side by side before a camera that looks along -Z: one that faces it, one that turns its back, one that
-// faces it in a mirror, one that turns its back but has a double-sided material.
+// Four unit squares side by side before a camera that looks along -Z: one that faces it, one that turns its back, one
+// that faces it in a mirror, one that turns its back but has a double-sided material.
 Scene squares(BackFaces backFaces) {
     const glm::dmat4 mirror = scenes::scaling({-1, 1, 1});
     Scene::Data data;

@@ -3,11 +3,11 @@
 
 #include <gmock/gmock.h>
 
+#include "base/expect_error.h"
 #include "gl/gl_test.h"
 #include "gl/shared_object.h"
 #include "gl/stage_clock.h"
 #include "gl/upload.h"
-#include "base/expect_error.h"
 #include "scenes.h"
 
 namespace inkedge {

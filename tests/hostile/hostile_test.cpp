@@ -13,8 +13,8 @@
 #include <png.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/run_command.h"
 #include "base/temporary_folder.h"
+#include "cli/run_command.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool sanitized = true;

@@ -10,11 +10,11 @@
 
 #include <inkedge/error.h>
 
+#include "base/expect_error.h"
+#include "base/temporary_folder.h"
 #include "curves/curves.h"
 #include "ink/ink_measures.h"
 #include "ink/strokes_of.h"
-#include "base/expect_error.h"
-#include "base/temporary_folder.h"
 
 namespace inkedge {
 namespace {

@@ -11,12 +11,12 @@
 
 #include <inkedge/setting_table.h>
 
-#include "curves/curves.h"
-#include "ink/strokes_of.h"
 #include "base/expect_error.h"
-#include "images/read_png.h"
-#include "io/svg_path.h"
 #include "base/temporary_folder.h"
+#include "curves/curves.h"
+#include "images/read_png.h"
+#include "ink/strokes_of.h"
+#include "io/svg_path.h"
 #include "io/well_formed.h"
 
 namespace inkedge {

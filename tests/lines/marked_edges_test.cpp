@@ -112,7 +112,8 @@ TEST(Isolines, OnTheBackOfASolidAreNotSeen) {
     for (const glm::vec3 p : mesh.positions) mesh.textureCoordinates.emplace_back(0.5F * p.y + 0.25F, 0.0F);
     Settings settings = drawing(allLineTypes);
     settings.lines.isolines = {1, 0};  // at y = -0.5: a circle, seen from its level
-    // Half a circle of radius sqrt(3) / 2; facets are shorter than arcs by (pi / 64)^2 / 6, and the eye sees a little less.
+    // Half a circle of radius sqrt(3) / 2; facets are shorter than arcs by (pi / 64)^2 / 6, and the eye sees a little
+    // less.
     const double half = std::numbers::pi * 0.5 * std::numbers::sqrt3;
     const double length = seen(mesh, LineType::Isoparametric, settings);
     EXPECT_GT(length, 0.85 * half);

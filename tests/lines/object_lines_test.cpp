@@ -134,8 +134,8 @@ TEST(ObjectLines, OfASphereAreTheCircleWhereItTurnsAway) {
                 EXPECT_TRUE(lines[0].closed);
                 EXPECT_EQ(lines[0].type, LineType::Outline);
                 const auto [least, most] = radii(lines[0], wish.size);
-                // The mesh's corners lie on the sphere, so inside the circle, by less than a facet's diagonal falls short
-                // of its tangent. Points between corners lie under the sphere by a quarter of that at most.
+                // The mesh's corners lie on the sphere, so inside the circle, by less than a facet's diagonal falls
+                // short of its tangent. Points between corners lie under the sphere by a quarter of that at most.
                 EXPECT_LE(most, expected * (1.0 + 1e-6));  // corners are floats
                 EXPECT_GE(least, expected * (1.0 - facet * facet)) << segments;
                 if (contour != Contour::Smooth || parallel) continue;
@@ -279,8 +279,8 @@ TEST(ObjectLines, EndExactlyWhereABoxStandsBefore) {
 }
 
 TEST(ObjectLines, OfABoxThroughASphereAreAnArcOfTheirCircle) {
-    // The top, y = 1/2, cuts the unit sphere in a circle of radius sqrt(3) / 2. A point p of a unit sphere faces an eye E
-    // if p . E > 1: here where cos(a) > (1 - y_E / 2) / (r z_E).
+    // The top, y = 1/2, cuts the unit sphere in a circle of radius sqrt(3) / 2. A point p of a unit sphere faces an eye
+    // E if p . E > 1: here where cos(a) > (1 - y_E / 2) / (r z_E).
     const Scene scene = sceneOf({{sphere(1.0, 128), glm::dmat4{1.0}}, {box({6, 1, 6}), glm::dmat4{1.0}}});
     const glm::dvec3 eye{0, 3, 6};
     const Camera camera = perspective(eye, {0, 0, 0}, 50.0);

@@ -40,8 +40,8 @@ public:
         }
     }
 
-    // Whether a face is nearer than a point by over a share of its distance. What hides by less is the point's own face,
-    // for positions are floats and lines lie on faces.
+    // Whether a face is nearer than a point by over a share of its distance. What hides by less is the point's own
+    // face, for positions are floats and lines lie on faces.
     [[nodiscard]] bool hides(glm::dvec3 point) const {
         constexpr double own = 2e-5;
         const glm::dvec3 from = camera_.orthographic() ? point - forward_ * glm::dot(point - eye_, forward_) : eye_;
@@ -258,9 +258,9 @@ Measured measureAround(const Scene& scene) {
     return measured;
 }
 
-// The promises of the paper's section 3.4 as this project holds them. Of what is drawn up to 1.5 % may be hidden: gaps of up
-// to 2.5 pixels between seen parts are filled on purpose. Of what is seen next to nothing may miss: parts under a pixel.
-// Of the ends where a line goes on hidden up to 5 % may be off by over a pixel, most by the same gaps.
+// The promises of the paper's section 3.4 as this project holds them. Of what is drawn up to 1.5 % may be hidden: gaps
+// of up to 2.5 pixels between seen parts are filled on purpose. Of what is seen next to nothing may miss: parts under a
+// pixel. Of the ends where a line goes on hidden up to 5 % may be off by over a pixel, most by the same gaps.
 void expectTrue(const char* name, const Scene& scene) {
     const Measured m = measureAround(scene);
     std::printf("%-24s drawn %6d hidden %.3f %%, seen %6d missed %.3f %%, ends %4d wrong %.1f %%\n", name, m.drawn,

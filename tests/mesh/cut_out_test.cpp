@@ -107,8 +107,8 @@ double innerBorder(const Mesh& mesh) {
     return length;
 }
 
-// Between texels that are there or not the outline runs in eight directions, so that it is longer than the shape's by up to
-// 1 / cos(22.5 degrees) - 1. A crack would add its two sides.
+// Between texels that are there or not the outline runs in eight directions, so that it is longer than the shape's by
+// up to 1 / cos(22.5 degrees) - 1. A crack would add its two sides.
 constexpr double staircase = 0.0824;
 
 TEST(CutOutTest, ADiscIsCutOutOfASheetWithoutAGap) {

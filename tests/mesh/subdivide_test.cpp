@@ -437,8 +437,8 @@ double offTorus(glm::dvec3 p) {
     return std::max(std::abs(distance - tubeRadius), std::abs(turn));
 }
 
-// The control mesh is within O(h^2) of the surface that its vertices lie on, and so is its limit: halving h quarters the
-// error. From 3.5 to 4.5 is what terms of higher order leave at these sizes.
+// The control mesh is within O(h^2) of the surface that its vertices lie on, and so is its limit: halving h quarters
+// the error. From 3.5 to 4.5 is what terms of higher order leave at these sizes.
 // A cube whose faces each are the whole texture, with a vertex for each corner of each triangle.
 Mesh texturedCube() {
     const Mesh whole = quadCube();

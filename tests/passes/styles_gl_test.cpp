@@ -200,8 +200,8 @@ TEST_P(Styles, aBrushEqualsItsDefinition) {
         for (const StyleSettings& settings : {sumiWith(6, 24), sumiWith(1, 0), sumiWith(12, 5, 40)}) {
             const Image<std::uint8_t> ink = sumi(gpu(), buffers.surface, camera, settings);
             EXPECT_GT(sumOf(ink), 200.0);
-            // Paths of tangents turn off where one passes between two pixels, within float rounding; a sample's depth may
-            // be within rounding of a step.
+            // Paths of tangents turn off where one passes between two pixels, within float rounding; a sample's depth
+            // may be within rounding of a step.
             EXPECT_LE(farFrom(ink, reference::sumi(depth, normal, camera, settings), 1.6), 60)
                 << settings.sumiWidth << (orthographic ? ", orthographic" : ", perspective");
         }

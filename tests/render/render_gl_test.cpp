@@ -8,8 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "gl/gl_test.h"
 #include "base/expect_error.h"
+#include "gl/gl_test.h"
 #include "scenes.h"
 
 namespace inkedge {

@@ -27,8 +27,8 @@ TEST(TypicalBend, leavesOutCreasesAndFlatFaces) {
 }
 
 TEST(TypicalBend, ofALargeMeshIsThatOfAPart) {
-    // 2 * 512 * 255 * 3 half-edges: every third would be the same one of each triangle. Bands bend less along the sphere
-    // than around it.
+    // 2 * 512 * 255 * 3 half-edges: every third would be the same one of each triangle. Bands bend less along the
+    // sphere than around it.
     EXPECT_NEAR(typicalBend(scenes::sceneOf(scenes::sphere(1.0, 512))), 360.0 / 512.0, 0.1);
 }
 

@@ -1,4 +1,5 @@
-# OpenSubdiv::osdCPU, found by hand: Debian's package names static libraries that it does not bring, and CMake refuses it.
+# OpenSubdiv::osdCPU, found by hand: Debian's package names static libraries that it does not bring, and CMake refuses
+# it.
 find_path(OPENSUBDIV_INCLUDE_DIR opensubdiv/far/topologyRefiner.h)
 find_library(OPENSUBDIV_CPU_LIBRARY osdCPU)
 mark_as_advanced(OPENSUBDIV_INCLUDE_DIR OPENSUBDIV_CPU_LIBRARY)

@@ -8,10 +8,10 @@
 #include <tuple>
 #include <vector>
 
-#include "mesh/cut_out.h"
 #include "formats/gltf/file.h"
 #include "formats/gltf/model.h"
 #include "formats/gltf/shape.h"
+#include "mesh/cut_out.h"
 
 namespace inkedge::gltf {
 

@@ -7,8 +7,8 @@
 
 #include <inkedge/settings.h>
 
-#include "formats/gltf/materials.h"
 #include "base/read_file.h"
+#include "formats/gltf/materials.h"
 
 namespace inkedge::gltf {
 
@@ -32,8 +32,8 @@ struct File {
 ///                required that is not read, or compressed data are damaged
 [[nodiscard]] File readFile(const std::filesystem::path& model, const LoadLimits&);
 
-/// What a uri of the model stands for: a data URI's bytes, or those of a file in the model's folder, whose size is taken
-/// off bytesLeft.
+/// What a uri of the model stands for: a data URI's bytes, or those of a file in the model's folder, whose size is
+/// taken off bytesLeft.
 /// @throws Error  (Kind::Input) as readFile()
 [[nodiscard]] load::Bytes readUri(const std::filesystem::path& model, const std::string& uri, std::uint64_t& bytesLeft);
 

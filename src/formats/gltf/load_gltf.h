@@ -8,16 +8,16 @@ namespace inkedge {
 
 /// Reads a scene of a glTF 2.0 file; .glb is told from .gltf by content. External buffers are read only from the
 /// model's own folder. Every mesh's triangles (lists, strips and fans) become one triangle list; morph targets stand at
-/// their default weights and skins in their default pose unless an animation is set. Materials of alpha mode MASK are cut
-/// out along their outline. Data compressed with KHR_draco_mesh_compression or EXT_meshopt_compression are read where
-/// the build has the libraries for it. Nodes hidden by KHR_node_visibility are left out.
+/// their default weights and skins in their default pose unless an animation is set. Materials of alpha mode MASK are
+/// cut out along their outline. Data compressed with KHR_draco_mesh_compression or EXT_meshopt_compression are read
+/// where the build has the libraries for it. Nodes hidden by KHR_node_visibility are left out.
 ///
 /// Normals are the file's, unit length, (0, 0, 0) where it has none; a mesh without any has no normals at all. Points
 /// and lines are left out with one warning. A file without triangles gives no meshes and no instances.
 ///
 /// @throws Error  (Kind::Input) if the file is missing, unreadable, over the limits, no glTF 2.0, truncated or
-///                inconsistent, or needs an extension that is not read; (Kind::Usage) if it has no scene or animation as
-///                set; the message starts with the path as given
+///                inconsistent, or needs an extension that is not read; (Kind::Usage) if it has no scene or animation
+///                as set; the message starts with the path as given
 /// Thread-safe.
 [[nodiscard]] Scene::Data loadGltf(const std::filesystem::path& file, const LoadSettings& settings = {});
 

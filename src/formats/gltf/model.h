@@ -19,9 +19,9 @@
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #include <tiny_gltf.h>
 
+#include "base/message.h"
 #include "formats/gltf/accessor.h"
 #include "formats/gltf/file.h"
-#include "base/message.h"
 
 /// tinygltf's model, which nobody has checked, read with checks.
 namespace inkedge::gltf {

@@ -21,8 +21,8 @@ struct Nodes {
 };
 
 /// Checks that the nodes form trees and places them. Follows children without recursion, as chains may be long.
-/// @throws Error  (Kind::Input) if a node has two parents, is among its own descendants, has no finite affine transform,
-///                or there are more of them, or they hang deeper, than the limits allow
+/// @throws Error  (Kind::Input) if a node has two parents, is among its own descendants, has no finite affine
+///                transform, or there are more of them, or they hang deeper, than the limits allow
 [[nodiscard]] Nodes placeNodes(const tinygltf::Model&, const LoadLimits&);
 
 /// A node of the scene that is drawn.

@@ -6,9 +6,9 @@
 
 #include <inkedge/scene.h>
 
+#include "base/read_file.h"
 #include "formats/gltf/file.h"
 #include "formats/gltf/model.h"
-#include "base/read_file.h"
 
 /// What glTF's materials and vertices say of colours and pictures.
 namespace inkedge::gltf {

@@ -25,8 +25,8 @@ struct BorderPart {
     bool marked = false;         ///< whether the file marks it, on either face
 };
 
-/// The borders of all instances, parted where other borders run along them: parts that touch each other are one surface,
-/// and its seam is no border. What two borders share is named by the first of them only.
+/// The borders of all instances, parted where other borders run along them: parts that touch each other are one
+/// surface, and its seam is no border. What two borders share is named by the first of them only.
 /// Ordered by instance and half-edge. O(b log b + pairs of borders that are near each other).
 [[nodiscard]] std::vector<BorderPart> findBorderParts(const Scene&, std::span<const MeshEdges> meshes);
 

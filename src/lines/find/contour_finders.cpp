@@ -118,8 +118,8 @@ FoundContours ContourSearch::find(const MeshEye& eye, ContourFinder finder, Cont
     return found;
 }
 
-// n . C > n . p in floats, which is right where it differs from equality by more than its rounding can come to: the other
-// faces, one in a million or so, are looked at again in doubles.
+// n . C > n . p in floats, which is right where it differs from equality by more than its rounding can come to: the
+// other faces, one in a million or so, are looked at again in doubles.
 std::vector<std::uint8_t> ContourSearch::findFacing(const MeshEye& eye) const {
     constexpr std::size_t blockSize = 512;
     const glm::vec3 to{eye.orthographic ? -eye.direction : eye.place};

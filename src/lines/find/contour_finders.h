@@ -39,8 +39,8 @@ struct ContourMemory {
     std::size_t sample = 0;           ///< where the next samples begin
 };
 
-/// Finds the contour edges of one mesh: those between a front-facing and a back-facing face (Hertzmann 1999, section 3.2).
-/// Safe to use from several threads, each with a memory of its own.
+/// Finds the contour edges of one mesh: those between a front-facing and a back-facing face (Hertzmann 1999, section
+/// 3.2). Safe to use from several threads, each with a memory of its own.
 class ContourSearch {
 public:
     /// @param edges  of the mesh; all three must outlive this
@@ -51,13 +51,13 @@ public:
 
     /// Every: a facing byte a face and an exclusive or an edge. O(n).
     ///
-    /// Gauss: the edges that GaussMap keeps near the view's great circle, the same as those of Every. Orthographic views
-    /// only. The map is made for the first such view.
+    /// Gauss: the edges that GaussMap keeps near the view's great circle, the same as those of Every. Orthographic
+    /// views only. The map is made for the first such view.
     ///
-    /// Random: the randomized search of Markosian et al. 1997. It tests some edges, the likelier the more they bend, and
-    /// those of the last view, or what lies beside them towards the contour, and follows each contour found over its end
-    /// points. Contours that no test hits are missed, small ones most likely. About O(sqrt(n)); meshes of few edges are
-    /// searched whole. The outcome depends on the mesh, the eye and the memory only.
+    /// Random: the randomized search of Markosian et al. 1997. It tests some edges, the likelier the more they bend,
+    /// and those of the last view, or what lies beside them towards the contour, and follows each contour found over
+    /// its end points. Contours that no test hits are missed, small ones most likely. About O(sqrt(n)); meshes of few
+    /// edges are searched whole. The outcome depends on the mesh, the eye and the memory only.
     /// @throws Error  (Kind::Usage) for Gauss with a perspective eye
     [[nodiscard]] FoundContours find(const MeshEye&, ContourFinder, ContourMemory&) const;
 

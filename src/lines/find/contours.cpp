@@ -267,8 +267,8 @@ private:
         });
     }
 
-    // A triangle as smooth contours see it: its corners, n . (x - C) at each, and the names of the edges from each to the
-    // next.
+    // A triangle as smooth contours see it: its corners, n . (x - C) at each, and the names of the edges from each to
+    // the next.
     struct Facet {
         std::uint32_t face;  // that it is, or lies on
         glm::dvec3 corners[3];

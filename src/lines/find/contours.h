@@ -36,17 +36,18 @@ struct InstanceEdges {
 
 /// The contours, boundaries, creases, marked edges and isoparametric lines of one instance that a camera may see.
 ///
-/// A mesh contour is an edge between a front-facing and a back-facing face (Hertzmann 1999, section 3.2). A smooth contour crosses faces where n . (x - C), interpolated between
-/// their corners, is zero (equations 2 to 4), zeros counted as plus. With Contour::Auto a patch has smooth contours if its
-/// mesh contour has edges of under smoothEdge pixels in the mean: there they are within a pixel or so of the mesh's,
-/// without its zigzag; larger faces are seen for what they are.
+/// A mesh contour is an edge between a front-facing and a back-facing face (Hertzmann 1999, section 3.2). A smooth
+/// contour crosses faces where n . (x - C), interpolated between their corners, is zero (equations 2 to 4), zeros
+/// counted as plus. With Contour::Auto a patch has smooth contours if its mesh contour has edges of under smoothEdge
+/// pixels in the mean: there they are within a pixel or so of the mesh's, without its zigzag; larger faces are seen for
+/// what they are.
 ///
-/// With a refinement every patch has smooth contours, and they are those of the limit surface, found on the triangles of
-/// refineNear(); all else stays on the mesh as it is.
+/// With a refinement every patch has smooth contours, and they are those of the limit surface, found on the triangles
+/// of refineNear(); all else stays on the mesh as it is.
 ///
 /// Of closed, consistently wound parts the contours that the part itself hides are left out, or marked as hidden if
-/// those are wanted: concave edges, and smooth contours where the surface turns towards the eye; also what lies within or
-/// between back-facing faces.
+/// those are wanted: concave edges, and smooth contours where the surface turns towards the eye; also what lies within
+/// or between back-facing faces.
 /// @param memory  of the instance, for ContourFinder::Random
 void collectInstanceCurves(const Scene&, std::uint32_t instance, const InstanceEdges&, ContourMemory& memory,
                            const Screen&, const CurveChoice&, std::vector<Segment>& to);

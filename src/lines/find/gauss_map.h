@@ -10,11 +10,12 @@
 
 namespace inkedge::lines {
 
-/// The edges of a mesh as arcs between their two faces' normals on the unit sphere. In an orthographic view an edge is a
-/// contour if its arc crosses the great circle at right angles to the view direction (Hertzmann 1999, section 3.2).
+/// The edges of a mesh as arcs between their two faces' normals on the unit sphere. In an orthographic view an edge is
+/// a contour if its arc crosses the great circle at right angles to the view direction (Hertzmann 1999, section 3.2).
 ///
-/// The sphere is a cube whose sides are quadtrees, seen from its centre. An arc lies in the smallest cell, widened by half
-/// its size on all sides, that holds it: so no arc is kept large only because it lies across a border between cells.
+/// The sphere is a cube whose sides are quadtrees, seen from its centre. An arc lies in the smallest cell, widened by
+/// half its size on all sides, that holds it: so no arc is kept large only because it lies across a border between
+/// cells.
 class GaussMap {
 public:
     /// O(n log n). Edges between faces of one normal are left out: they are no contours.

@@ -11,8 +11,8 @@ namespace inkedge::lines {
 
 /// The edges of a mesh by what lines they may be, as arrays. Half-edges are those of MeshTopology.
 ///
-/// Faces that repeat another and those collapsed to a line take no part. A face too thin to have a normal counts as a part
-/// of the one beside its longest shared edge.
+/// Faces that repeat another and those collapsed to a line take no part. A face too thin to have a normal counts as a
+/// part of the one beside its longest shared edge.
 struct MeshEdges {
     /// Edges that two faces share: where one face is front-facing and the other is not, the edge is a silhouette.
     struct Shared {

@@ -6,8 +6,8 @@
 
 #include "lines/chains.h"
 #include "lines/screen.h"
-#include "lines/segment.h"
 #include "lines/see/surface_parts.h"
+#include "lines/segment.h"
 
 namespace inkedge::lines {
 

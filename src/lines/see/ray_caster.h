@@ -7,8 +7,8 @@
 #include <inkedge/scene.h>
 
 #include "lines/screen.h"
-#include "lines/segment.h"
 #include "lines/see/surface_parts.h"
+#include "lines/segment.h"
 
 namespace inkedge::lines {
 

@@ -27,8 +27,8 @@ struct ViewBuffers {
 enum class Guess { Seen, Hidden, Unsure };
 
 /// Looks at a place's pixel and at those 0.75 pixels to either side of the line. A pixel does not hide the place if it
-/// shows the background or one of the line's own faces, or if the plane that it shows, at the pixel and at the place, is
-/// not nearer by over 0.1 pixels across and the slack. Places are seen if no pixel hides them, hidden if all do.
+/// shows the background or one of the line's own faces, or if the plane that it shows, at the pixel and at the place,
+/// is not nearer by over 0.1 pixels across and the slack. Places are seen if no pixel hides them, hidden if all do.
 /// @param across  unit, across the line in the picture
 /// @param slack   pixels across: how much nearer what hides the place must be
 [[nodiscard]] Guess guessVisibility(const ViewBuffers&, const Screen&, const ScreenPoint&, glm::dvec2 across,

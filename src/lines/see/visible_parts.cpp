@@ -138,8 +138,8 @@ private:
         joinAlike();
     }
 
-    // A chain may also turn behind its own faces, at a joint and without a crossing: where a part's last bit is not as its
-    // samples are, it ends before.
+    // A chain may also turn behind its own faces, at a joint and without a crossing: where a part's last bit is not as
+    // its samples are, it ends before.
     void settleEnds() {
         std::vector<Part> settled;
         for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -159,8 +159,8 @@ private:
         joinAlike();
     }
 
-    // How far from its end, towards another length, a part is not as it ought to be: the end itself where it is, or is too
-    // short to tell.
+    // How far from its end, towards another length, a part is not as it ought to be: the end itself where it is, or is
+    // too short to tell.
     [[nodiscard]] double strayFrom(double end, double other, Seen seen) const {
         const double step = other > end ? lookBack : -lookBack;
         const int most = static_cast<int>(std::min(0.5 * std::abs(other - end), 0.5 * step_ + lookBack) / lookBack);

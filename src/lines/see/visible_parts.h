@@ -19,7 +19,8 @@ enum class Seen : std::uint8_t {
 };
 
 /// A part of a chain that looks the same throughout. Places count segments: 2.25 is a quarter along the third in the
-/// picture. In a closed chain the last part may go on over the chain's start: it then ends beyond the number of segments.
+/// picture. In a closed chain the last part may go on over the chain's start: it then ends beyond the number of
+/// segments.
 struct Part {
     double begin;
     double end;
@@ -36,9 +37,9 @@ inline constexpr double bufferStep = 1.0;  ///< where a look into a buffer says 
 
 /// Parts a chain where what is seen changes: at crossings, at its joints, and where two samples between these
 /// disagree. Pieces between crossings are sampled at least every step pixels and bisected where samples disagree; where
-/// a part ends at a crossing it is looked at again half a pixel from there, and on back to where it is what it was taken
-/// for. Hidden parts shorter than longestGap between seen ones count as seen, and seen ones shorter than leastPart as
-/// hidden, first those beside what stays hidden: both are the mesh's facets, not the shape's.
+/// a part ends at a crossing it is looked at again half a pixel from there, and on back to where it is what it was
+/// taken for. Hidden parts shorter than longestGap between seen ones count as seen, and seen ones shorter than
+/// leastPart as hidden, first those beside what stays hidden: both are the mesh's facets, not the shape's.
 [[nodiscard]] std::vector<Part> partChain(const Chain&, std::span<const ScreenSegment>,
                                           std::span<const Crossing> crossings,
                                           std::span<const std::uint32_t> firstCrossings, const Judge&,

@@ -18,10 +18,10 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
-#include "formats/gltf/encode_exponential.h"
 #include "base/expect_error.h"
 #include "base/temporary_folder.h"
 #include "formats/gltf/draco.h"
+#include "formats/gltf/encode_exponential.h"
 #include "formats/gltf/meshopt.h"
 
 namespace inkedge {

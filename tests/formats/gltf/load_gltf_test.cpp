@@ -749,7 +749,8 @@ std::vector<Fault> faults() {
         {"accessorOffsetThatOverflows", accessor(0, "byteOffset", huge), positionsOf + "expected 3 elements"},
         {"accessorCountThatOverflows", accessor(0, "count", huge),
          "primitive 0: expected at most 16777888 vertices and indices from so small a file, found more"},
-        {"accessorCountBelowZero", accessor(0, "count", -1), "accessor 0: count: expected a number of at least 0, found -1"},
+        {"accessorCountBelowZero", accessor(0, "count", -1),
+         "accessor 0: count: expected a number of at least 0, found -1"},
         {"zerosWithoutEnd",
          [](Model& model) {
              model.json["accessors"][0].erase("bufferView");
@@ -791,7 +792,8 @@ std::vector<Fault> faults() {
          "NORMAL: expected as many elements as POSITION has, 3, found 1"},
         {"sparseIndexBeyondTheElements", sparse(1, 3, 0), positionsOf + "expected sparse indices below 3, found 3"},
         {"sparseIndicesBeyondTheirView", sparse(2, 0, 0), positionsOf + "expected 2 elements of 1 bytes"},
-        {"sparseCountBelowZero", sparse(-1, 0, 0), "accessor 0: sparse: count: expected a number of at least 0, found -1"},
+        {"sparseCountBelowZero", sparse(-1, 0, 0),
+         "accessor 0: sparse: count: expected a number of at least 0, found -1"},
         {"sparseOffsetBelowZero", sparse(1, 0, -1),
          "accessor 0: sparse: indices: byteOffset: expected a number of at least 0, found -1"},
         {"positionThatIsNoNumber",
