@@ -203,8 +203,8 @@ TEST_P(EverySetting, IsNamedWithTheValueThatIsWrong) {
     };
     const std::string& wrong = example_.wrong;
     if (wrong.empty()) {
-        Settings settings;
-        EXPECT_NO_THROW(set(settings, name(), "*, any text: it may be right", "a test"));
+        inkedge::Settings settings;
+        EXPECT_NO_THROW(inkedge::set(settings, name(), "*, any text: it may be right", "a test"));
         return;
     }
     expectFailure(render(roof(), {flag() + "=" + wrong}), 2, message(flag()));

@@ -69,9 +69,9 @@ void readLineString(const tinygltf::Model& model, const tinygltf::Value& line, s
 std::vector<Edge> readLineStrings(const tinygltf::Model& model, const tinygltf::Value& lines, std::size_t vertexCount) {
     if (!lines.IsArray()) refuse("lineStrings: expected an array, found something else");
     std::vector<Edge> edges;
-    for (std::size_t i = 0; i < lines.ArrayLen(); ++i)
-        within(label("line string", i),
-               [&] { readLineString(model, lines.Get(static_cast<int>(i)), vertexCount, edges); });
+    const auto& strings = lines.Get<tinygltf::Value::Array>();
+    for (std::size_t i = 0; i < strings.size(); ++i)
+        within(label("line string", i), [&] { readLineString(model, strings[i], vertexCount, edges); });
     std::ranges::sort(edges, {}, &Edge::vertices);
     const auto same = [](const Edge& a, const Edge& b) { return a.vertices == b.vertices; };
     edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());

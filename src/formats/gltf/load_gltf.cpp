@@ -77,9 +77,9 @@ public:
         for (const gltf::Material& material : file_.materials)
             data_.materials.push_back({material.name, material.doubleSided});
         if (settings_.paint) readPaints();
-        for (const auto& [node, visible] : gltf::nodesOfScene(model_, nodes_, settings_.scene)) {
-            addNode(node);
-            within(nodeLabel(model_, node), [&, node = node, visible = visible] {
+        for (const auto& [number, shown] : gltf::nodesOfScene(model_, nodes_, settings_.scene)) {
+            addNode(number);
+            within(nodeLabel(model_, number), [&, node = number, visible = shown] {
                 if (model_.nodes[node].camera != -1) placeCamera(node);
                 if (model_.nodes[node].mesh != -1 && visible) placeMesh(node);
             });

@@ -63,9 +63,10 @@ private:
         keys_.reserve(count);
         for (std::uint32_t t = 0; t < count; ++t) {
             if (topology_.originals[t] != t || tree_.normals[t] == glm::dvec3{0.0}) continue;
-            const auto [a, b, c] = corners(t);
-            const auto cell = [&, &a = a, &b = b, &c = c](int axis) {
-                const double middle = (double{a[axis]} + double{b[axis]} + double{c[axis]}) / 3.0 - double{low[axis]};
+            const auto corner = corners(t);
+            const auto cell = [&](int axis) {
+                const double sum = double{corner[0][axis]} + double{corner[1][axis]} + double{corner[2][axis]};
+                const double middle = sum / 3.0 - double{low[axis]};
                 return spread(static_cast<std::uint64_t>(std::clamp(middle * cells, 0.0, 2097151.0)));
             };
             keys_.push_back({cell(0) << 2U | cell(1) << 1U | cell(2), t});
