@@ -155,17 +155,17 @@ TEST_F(RenderLines, HiddenOnesOfACubeAreItsThreeEdgesBehind) {
     expectSuccess(draw("cube.glb", "cube.json", {"--hidden", "dashed"}));
     const json all = lines("cube.json");
     const json& eye = all.at("camera").at("eye");
-    std::map<int, double> lengths;  // by axis
+    std::map<std::size_t, double> lengths;  // by axis
     for (const json& line : all.at("lines")) {
         const json& points = line.at("points");
         for (std::size_t i = 1; i < points.size() && !line.at("visible"); ++i) {
             int along = -1;
-            for (int axis = 0; axis < 3; ++axis) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
                 const double from = points.at(i - 1).at(axis);
                 const double to = points.at(i).at(axis);
                 if (from != to) {
                     EXPECT_EQ(along, -1) << "not along an axis: " << line;
-                    along = axis;
+                    along = static_cast<int>(axis);
                     lengths[axis] += std::abs(to - from);
                 } else {
                     EXPECT_NEAR(to, eye.at(axis) > 0.0 ? -0.5 : 0.5, 1e-6) << line;
