@@ -419,7 +419,7 @@ protected:
 // The model has 18 MB; its scene needs ten times that.
 TEST_F(Memory, TooLittleForTheModel) {
     const std::string model = bigModel(700);
-    for (const rlim_t count : {40, 60, 80, 100}) {
+    for (const rlim_t count : std::initializer_list<rlim_t>{40, 60, 80, 100}) {
         const Outcome outcome = runWith(megabytes(count), {"render", model, "-o", "a.png", "--size", "64x64"});
         EXPECT_THAT(outcome.exitCode, AnyOf(Eq(1), Eq(3))) << count << " MB";
         expectFailure(outcome, outcome.exitCode, HasSubstr("memory"));
