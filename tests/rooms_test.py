@@ -8,7 +8,8 @@ import pathlib
 import re
 import sys
 
-PLAIN = ["bounds", "edge_kinds", "error", "export", "image", "lines", "maps", "stage_time", "version"]  # data, which all may see
+# Data, which all may see.
+PLAIN = ["bounds", "edge_kinds", "error", "export", "image", "lines", "maps", "stage_time", "version"]
 OWNERS = {  # of the other public headers
     "base": ["write_file"],
     "images": ["encode_png"],
@@ -19,7 +20,6 @@ OWNERS = {  # of the other public headers
     "gl": ["backends"],
     "render": ["renderer"],
     "io": ["compare", "write"],
-    "job": ["job"],
 }
 LIBRARIES = {  # start of a header's name: what stands for it after LIBRARIES
     "CLI/": "CLI11",
@@ -32,7 +32,13 @@ LIBRARIES = {  # start of a header's name: what stands for it after LIBRARIES
     "opensubdiv/": "OpenSubdiv",
     "png.h": "PNG",
 }
-SEEN_BY = {"tiny_gltf.h": ("formats",), "EGL/": ("gl",), "GL/": ("gl",), "KHR/": ("gl",), "glad/": ("gl",)}  # no target
+SEEN_BY = {  # has no target to name
+    "tiny_gltf.h": ("formats",),
+    "EGL/": ("gl",),
+    "GL/": ("gl",),
+    "KHR/": ("gl",),
+    "glad/": ("gl",),
+}
 GENERATED = ("glad", "shader_texts")  # they stand after USES
 
 
@@ -123,7 +129,10 @@ def main(source):
     folders = sorted(path.parent for path in source.glob("*/CMakeLists.txt"))
     rooms = {folder.name: declared(folder) for folder in folders}
     checked = [folder for folder in folders if folder.name != "cli"]  # a program: it sees the library's public headers
-    faults = [fault for folder in checked for fault in [*faults_of(folder, rooms, rooms.keys()), *unused(folder, rooms)]]
+    faults = []
+    for folder in checked:
+        faults += faults_of(folder, rooms, rooms.keys())
+        faults += unused(folder, rooms)
     faults += cycles(rooms)
     print("\n".join(faults))
     if len(rooms) < 10:
