@@ -45,9 +45,8 @@ Scene::Data loadByFormat(const fs::path& file, const LoadSettings& settings) {
     if (const std::optional<PolygonFormat> format = polygonFormat(extension))
         return loadPolygons(file, *format, settings.limits,
                             settings.textureCoordinates ? load::Coordinates::Read : load::Coordinates::Skip);
-    load::refuse(fmt::format("{}: expected a model by its extension, {}, found {} with {}",
-                             load::printable(file.string()), ".glb, .gltf, .obj, .stl or .ply",
-                             load::kindOf(load::textOf(start)),
+    load::refuse(fmt::format("{}: expected a model by its extension, .glb, .gltf, .obj, .stl or .ply, found {} with {}",
+                             load::printable(file.string()), load::kindOf(load::textOf(start)),
                              extension.empty() ? "none" : load::printable(extension)));
 }
 

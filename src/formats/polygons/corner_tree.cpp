@@ -6,11 +6,6 @@
 #include <glm/common.hpp>
 
 namespace inkedge::load {
-namespace {
-
-double cross(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
-
-}  // namespace
 
 void CornerTree::build(std::span<const glm::dvec2> points, std::vector<std::uint32_t> chosen) {
     points_ = points;
@@ -89,7 +84,7 @@ std::uint32_t CornerTree::within(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, std::
             const glm::dvec2 p = points_[order_[i]];
             ++steps;
             if (p == a || p == b || p == c) continue;
-            if (cross(a, b, p) >= 0.0 && cross(b, c, p) >= 0.0 && cross(c, a, p) >= 0.0) return order_[i];
+            if (twiceArea(a, b, p) >= 0.0 && twiceArea(b, c, p) >= 0.0 && twiceArea(c, a, p) >= 0.0) return order_[i];
         }
     }
     return none;

@@ -7,9 +7,6 @@
 namespace inkedge::load {
 namespace {
 
-// Twice the signed area.
-double cross(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
-
 // Newell's sum: the polygon's normal, twice its area long.
 glm::dvec3 normalOf(std::span<const glm::dvec3> corners) {
     glm::dvec3 sum{0.0};
@@ -84,7 +81,7 @@ void PolygonCutter::flatten(std::span<const glm::dvec3> corners) {
 }
 
 double PolygonCutter::area(std::uint32_t corner) const {
-    return cross(flat_[previous_[corner]], flat_[corner], flat_[next_[corner]]);
+    return twiceArea(flat_[previous_[corner]], flat_[corner], flat_[next_[corner]]);
 }
 
 // The first ear from a corner on. A corner that is none is looked at again when its triangle has changed, or when what
