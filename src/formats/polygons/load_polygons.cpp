@@ -109,7 +109,7 @@ private:
         file_.finePositions = {};
         low_ = glm::dvec3{std::numeric_limits<double>::max()};
         high_ = glm::dvec3{std::numeric_limits<double>::lowest()};
-        // From memory: g++ 12 takes the doubles themselves for the floats that it has just made of them.
+        // Of the floats, as they are kept: the origin must be what a file of floats gives.
         for (const glm::vec3& p : file_.positions) {
             low_ = glm::min(low_, glm::dvec3{p});
             high_ = glm::max(high_, glm::dvec3{p});
