@@ -12,7 +12,8 @@ layout(location = 5) in vec2 paintCoordinates;
 layout(location = 6) in float surfaceCurvature;
 layout(location = 7) flat in uvec2 triangles;
 
-layout(location = 0) out vec4 values;  // RGBA32F; its last channel is 1e30 on the background of functions that have none
+// RGBA32F; its last channel is 1e30 on the background of functions that have none
+layout(location = 0) out vec4 values;
 
 #include "shared/depth.glsl"
 #include "shared/lights.glsl"

@@ -44,7 +44,8 @@ vec4 filtered(Paint paint, int level, vec2 coordinates) {
     ivec2 corner = ivec2(floor(place));
     vec2 share = place - vec2(corner);
     vec4 upper = mix(texelAt(paint, first, size, corner), texelAt(paint, first, size, corner + ivec2(1, 0)), share.x);
-    vec4 lower = mix(texelAt(paint, first, size, corner + ivec2(0, 1)), texelAt(paint, first, size, corner + 1), share.x);
+    vec4 lower =
+        mix(texelAt(paint, first, size, corner + ivec2(0, 1)), texelAt(paint, first, size, corner + 1), share.x);
     return mix(upper, lower, share.y);
 }
 

@@ -148,7 +148,8 @@ enum class Contour {
 /// How the contour edges of a mesh are searched for, section 3.2.
 enum class ContourFinder {
     Every,  ///< every edge is looked at
-    Random,  ///< some edges, and what hangs together with those found: quick on large meshes, and may miss small contours
+    /// Some edges, and what hangs together with those found: quick on large meshes, and may miss small contours.
+    Random,
     Gauss,  ///< a map of the edges' normals, made once, tells those near the contour; orthographic views only
 };
 /// How seen lines are told from hidden ones, section 3.4.
