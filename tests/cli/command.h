@@ -65,7 +65,7 @@ protected:
     Outcome render(const std::string& model, const Arguments& more = {}, const Environment& environment = {}) const {
         Arguments arguments{"render", model, "-o", "picture.png", "--metadata", "metadata.json"};
         for (const auto& [flag, value] : {std::pair{"--size", "48x48"}, std::pair{"--detector", "classic"}}) {
-            const auto given = [&](const std::string& argument) { return argument.starts_with(flag); };
+            const auto given = [start = flag](const std::string& argument) { return argument.starts_with(start); };
             if (std::ranges::none_of(more, given)) arguments.insert(arguments.end(), {flag, value});
         }
         arguments.insert(arguments.end(), more.begin(), more.end());

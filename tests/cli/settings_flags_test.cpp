@@ -140,8 +140,8 @@ const std::map<std::string_view, Example>& examples() {
 
 TEST(SettingsFlags, NoExampleIsLeftOverFromASettingThatIsGone) {
     for (const auto& [name, example] : examples()) {
-        EXPECT_TRUE(std::ranges::any_of(inkedge::settingTable(), [&](const auto& row) { return row.name == name; }))
-            << name;
+        EXPECT_THAT(inkedge::settingTable(),
+                    testing::Contains(testing::Field(&inkedge::SettingDescription::name, name)));
     }
 }
 
