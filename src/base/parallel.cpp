@@ -16,21 +16,20 @@ namespace {
 
 constexpr std::size_t mostThreads = 8;  // beyond, memory is the limit
 
-// Those that this process may use, which may be fewer than the machine has.
-std::size_t cores() {
+std::size_t threadsFor(std::size_t count) {
+    if (count < 2 * elementsWorthAThread) return 1;
+    return std::clamp<std::size_t>(count / elementsWorthAThread, 1, std::min(usableCores(), mostThreads));
+}
+
+}  // namespace
+
+std::size_t usableCores() {
 #ifdef __linux__
     cpu_set_t allowed;
     if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) return static_cast<std::size_t>(CPU_COUNT(&allowed));
 #endif
     return std::max(1U, std::thread::hardware_concurrency());
 }
-
-std::size_t threadsFor(std::size_t count) {
-    if (count < 2 * elementsWorthAThread) return 1;
-    return std::clamp<std::size_t>(count / elementsWorthAThread, 1, std::min(cores(), mostThreads));
-}
-
-}  // namespace
 
 void inRanges(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& work) {
     const std::size_t threads = threadsFor(count);
@@ -61,7 +60,6 @@ void inRanges(std::size_t count, const std::function<void(std::size_t begin, std
 
 void onEach(std::size_t count, const std::function<void(std::size_t i)>& work) {
     constexpr std::size_t piecesWorthAThread = 8;
-    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
     std::atomic<std::size_t> next = 0;
     std::exception_ptr failure;
     std::atomic_flag failed;
@@ -75,7 +73,7 @@ void onEach(std::size_t count, const std::function<void(std::size_t i)>& work) {
     };
     {
         std::vector<std::jthread> others;
-        const std::size_t wanted = std::min(cores, count / piecesWorthAThread + 1);
+        const std::size_t wanted = std::min(usableCores(), count / piecesWorthAThread + 1);
         others.reserve(wanted);
         try {
             while (others.size() + 1 < wanted) others.emplace_back(run);

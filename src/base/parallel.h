@@ -5,6 +5,9 @@
 
 namespace inkedge {
 
+/// How many cores this process may use, which may be fewer than the machine has; 1 at least.
+[[nodiscard]] std::size_t usableCores();
+
 /// How many elements are worth a thread of their own: starting one takes about as long as a few thousand of them.
 inline constexpr std::size_t elementsWorthAThread = 100'000;
 
@@ -15,7 +18,8 @@ inline constexpr std::size_t elementsWorthAThread = 100'000;
 /// @throws  what the first range that failed has thrown
 void inRanges(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& work);
 
-/// Calls work(i) for 0..count-1 on all cores, in no order: for pieces of work of their own, large and small.
+/// Calls work(i) for 0..count-1 on all cores for this process, in no order: for pieces of work of their own, large and
+/// small.
 /// @throws  what the first piece that failed has thrown
 void onEach(std::size_t count, const std::function<void(std::size_t i)>& work);
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <mutex>
+#include <set>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -84,6 +87,27 @@ public:
 private:
     cpu_set_t all_{};
 };
+
+// Those that take part in work that gives each of them time to begin.
+std::size_t threadsOfPieces() {
+    std::mutex mutex;
+    std::set<std::thread::id> threads;
+    onEach(1000, [&](std::size_t) {
+        std::this_thread::sleep_for(std::chrono::microseconds{100});
+        const std::scoped_lock lock{mutex};
+        threads.insert(std::this_thread::get_id());
+    });
+    return threads.size();
+}
+
+TEST(OnEach, usesTheCoresOfThisProcessOnly) {
+    if (usableCores() < 2) GTEST_SKIP() << "one core only";
+    EXPECT_GT(threadsOfPieces(), 1U);
+    EXPECT_LE(threadsOfPieces(), usableCores());
+    const OneCore core;
+    EXPECT_EQ(usableCores(), 1U);
+    EXPECT_EQ(threadsOfPieces(), 1U);
+}
 
 int threadsUsed() {
     std::atomic<int> calls = 0;
