@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <memory>
 
 #include <fmt/format.h>
@@ -8,6 +7,7 @@
 
 #include <inkedge/scene.h>
 
+#include "base/stage_clock.h"
 #include "cli/settings_sources.h"
 #include "cli/streams.h"
 #include "cli/verbs.h"
@@ -116,10 +116,10 @@ void printText(const std::string& model, const Scene& scene) {
 
 int inspect(const InspectArguments& arguments) {
     const LoadSettings settings = arguments.settings.resolve().load;
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const Scene scene = loadScene(arguments.model, settings);
-    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
-    arguments.json ? printJson(arguments.model, scene, time.count()) : printText(arguments.model, scene);
+    const double milliseconds = watch.milliseconds();
+    arguments.json ? printJson(arguments.model, scene, milliseconds) : printText(arguments.model, scene);
     return 0;
 }
 

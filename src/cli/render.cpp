@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -15,6 +14,7 @@
 #include <inkedge/views.h>
 #include <inkedge/write.h>
 
+#include "base/stage_clock.h"
 #include "cli/checks.h"
 #include "cli/settings_sources.h"
 #include "cli/signals.h"
@@ -36,12 +36,6 @@ struct RenderArguments {
     bool verbose = false;
     SettingsSources settings;
 };
-
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point begin) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
 
 std::string expandField(std::string text, const std::string& field, const std::string& value) {
     for (std::size_t at = 0; (at = text.find(field, at)) != std::string::npos; at += value.size()) {
@@ -157,7 +151,7 @@ Summary renderView(const RenderArguments& arguments, Settings settings, const Sc
     }
     maps.times.insert(maps.times.begin(), before.begin(), before.end());
 
-    const auto begin = Clock::now();
+    const Stopwatch watch;
     if (holdsLines(output)) {
         writeLines(scene, lines, settings, output);
         summary.files = {output};
@@ -167,7 +161,7 @@ Summary renderView(const RenderArguments& arguments, Settings settings, const Sc
     } else {
         summary.files = writeMaps(maps, settings.maps, output);
     }
-    maps.times.push_back({"write", millisecondsSince(begin)});
+    maps.times.push_back({"write", watch.milliseconds()});
 
     lines.times = maps.times;
     const std::string metadata =
@@ -260,10 +254,10 @@ int render(const RenderArguments& arguments) {
     const std::vector<View> views = viewsFrom(arguments, settings);
     for (const View& view : views) checkOutputs(arguments, settings, view);
 
-    const auto begin = Clock::now();
+    const Stopwatch watch;
     const LoadSettings load = loadSettings(settings);
     const Scene scene = loadScene(arguments.model, load);
-    const double loading = millisecondsSince(begin);
+    const double loading = watch.milliseconds();
     std::vector<StageTime> before{{"load", loading - scene.preparationMilliseconds()},
                                   {"prepare", scene.preparationMilliseconds()}};
     warn(arguments, settings, scene);

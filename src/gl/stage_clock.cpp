@@ -1,7 +1,5 @@
 #include "gl/stage_clock.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "gl/errors.h"
@@ -13,11 +11,7 @@ void StageClock::finish(const char* stage) {
         api_->Finish();
         checkErrors(*api_, fmt::format("the stage {}", stage), "ask for a smaller --size or --supersampling");
     }
-    const auto now = std::chrono::steady_clock::now();
-    auto time = std::ranges::find(times_, stage, &StageTime::stage);
-    if (time == times_.end()) time = times_.insert(time, {stage, 0.0});
-    time->milliseconds += std::chrono::duration<double, std::milli>(now - begin_).count();
-    begin_ = now;
+    clock_.finish(stage);
 }
 
 }  // namespace inkedge::gl

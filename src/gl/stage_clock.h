@@ -1,10 +1,8 @@
 #pragma once
 
-#include <chrono>
 #include <vector>
 
-#include <inkedge/stage_time.h>
-
+#include "base/stage_clock.h"
 #include "gl/api.h"
 
 namespace inkedge::gl {
@@ -12,9 +10,9 @@ namespace inkedge::gl {
 /// Times the stages of a render and stops at the first that left a GL error.
 class StageClock {
 public:
-    StageClock(const Api& api, std::vector<StageTime>& times) : api_{&api}, times_{times} {}
+    StageClock(const Api& api, std::vector<StageTime>& times) : api_{&api}, clock_{times} {}
     /// For stages that draw nothing.
-    explicit StageClock(std::vector<StageTime>& times) : api_{nullptr}, times_{times} {}
+    explicit StageClock(std::vector<StageTime>& times) : api_{nullptr}, clock_{times} {}
 
     /// Waits for the stage's work to be done and adds its time to what the stage took before.
     /// @throws Error  (Kind::Runtime) if OpenGL reports an error or a lost context
@@ -22,8 +20,7 @@ public:
 
 private:
     const Api* api_;  // null: none to wait for
-    std::vector<StageTime>& times_;
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    inkedge::StageClock clock_;
 };
 
 }  // namespace inkedge::gl

@@ -1,7 +1,6 @@
 #include "lines/object_lines.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <mutex>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "base/parallel.h"
+#include "base/stage_clock.h"
 #include "camera/stands_outside.h"
 #include "lines/bridge_gaps.h"
 #include "lines/chains.h"
@@ -31,20 +31,6 @@ namespace inkedge::lines {
 namespace {
 
 constexpr double outside = 0.5;  // pixels beyond a contour: what is seen there lies behind it
-
-class Stopwatch {
-public:
-    explicit Stopwatch(std::vector<StageTime>& times) : times_{times} {}
-    void finish(const char* stage) {
-        const auto now = std::chrono::steady_clock::now();
-        times_.push_back({stage, std::chrono::duration<double, std::milli>(now - begin_).count()});
-        begin_ = now;
-    }
-
-private:
-    std::vector<StageTime>& times_;
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 // The segments of one view and what they look like.
 struct View {
@@ -307,7 +293,7 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings, co
     Lines result;
     result.size = settings.picture.size;
     result.camera = camera;
-    Stopwatch watch{result.times};
+    StageClock clock{result.times};
 
     const Screen screen{camera, scene.bounds().centre, settings.picture.size};
     View view{scene, state_->rays, screen, buffers, nullptr, {}, {}};
@@ -316,20 +302,20 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings, co
                        {settings.lines.contour, settings.lines.contourFinder, settings.lines.subdivideAdaptive, nullptr,
                         settings.lines.hidden, standsOutside(camera, scene), settings.picture.lines},
                        drawnIsolines(settings));
-    watch.finish("curves");
+    clock.finish("curves");
     if (settings.picture.lines.contains(LineType::Intersection))
         addIntersections(state_->intersections(), view.segments);
-    watch.finish("intersections");
+    clock.finish("intersections");
     view.projected = project(view.segments, screen);
     const std::vector<Chain> chains = chainSegments(view.segments, view.projected);
-    watch.finish("chains");
+    clock.finish("chains");
     if (std::ranges::any_of(view.segments, [](const Segment& segment) { return segment.slack > 0.0; }))
         view.parts = state_->parts();
     const std::vector<Crossing> crossings = findCrossings(view.segments, view.projected, screen, view.parts);
     std::vector<std::uint32_t> firstCrossings(view.segments.size() + 1, 0);
     for (const Crossing& crossing : crossings) ++firstCrossings[crossing.segment + 1];
     for (std::size_t s = 0; s < view.segments.size(); ++s) firstCrossings[s + 1] += firstCrossings[s];
-    watch.finish("crossings");
+    clock.finish("crossings");
 
     std::vector<std::vector<Part>> parts(chains.size());
     const double step = buffers == nullptr ? sampleStep : bufferStep;
@@ -337,7 +323,7 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings, co
     onEach(chains.size(), [&](std::size_t c) {
         parts[c] = partChain(chains[c], view.projected, crossings, firstCrossings, judge, step);
     });
-    watch.finish("visibility");
+    clock.finish("visibility");
 
     const bool keepHidden = settings.lines.hidden != HiddenLines::None;
     for (std::size_t c = 0; c < chains.size(); ++c) {
@@ -346,7 +332,7 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings, co
                 result.lines.push_back(makeLine(view, chains[c], part, settings.picture.lines));
     }
     result.lines = bridgeGaps(std::move(result.lines), screen, scene.bounds().centre);
-    watch.finish("lines");
+    clock.finish("lines");
     return result;
 }
 

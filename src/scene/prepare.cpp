@@ -1,7 +1,6 @@
 #include "scene/prepare.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include <inkedge/error.h>
 #include <inkedge/setting_table.h>
 
+#include "base/stage_clock.h"
 #include "mesh/arrange.h"
 #include "mesh/closed_surface.h"
 #include "mesh/curvature.h"
@@ -93,7 +93,7 @@ std::uint64_t trianglesOf(const Scene::Data& data) {
 }  // namespace
 
 PreparedScene prepare(Scene::Data data, const LoadSettings& settings) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     validate(settings);
     checkData(data);
     dropEmptyInstances(data);
@@ -118,7 +118,7 @@ PreparedScene prepare(Scene::Data data, const LoadSettings& settings) {
     scene.triangleCount = trianglesOf(data);
     scene.loadedWith = settings;
     scene.data = std::move(data);
-    scene.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    scene.milliseconds = watch.milliseconds();
     return scene;
 }
 

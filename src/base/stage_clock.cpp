@@ -1,0 +1,16 @@
+#include "base/stage_clock.h"
+
+#include <algorithm>
+#include <string>
+
+namespace inkedge {
+
+void StageClock::finish(std::string_view stage) {
+    const double milliseconds = stage_.milliseconds();
+    stage_ = {};
+    auto time = std::ranges::find(times_, stage, &StageTime::stage);
+    if (time == times_.end()) time = times_.insert(time, {std::string{stage}, 0.0});
+    time->milliseconds += milliseconds;
+}
+
+}  // namespace inkedge
