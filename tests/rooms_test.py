@@ -20,6 +20,7 @@ OWNERS = {  # of the other public headers
     "gl": ["backends"],
     "render": ["renderer"],
     "io": ["compare", "write"],
+    "job": ["job"],
 }
 LIBRARIES = {  # start of a header's name: what stands for it after LIBRARIES
     "CLI/": "CLI11",

@@ -1,0 +1,78 @@
+#include "job/draw_view.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <inkedge/camera.h>
+#include <inkedge/write.h>
+
+#include "base/stage_clock.h"
+#include "job/file_names.h"
+
+namespace inkedge::job {
+namespace {
+
+struct Drawn {
+    std::optional<Maps> maps;
+    std::optional<Lines> lines;
+};
+
+Drawn draw(const Job& job, const std::vector<std::filesystem::path>& outputs, const Scene& scene,
+           const Settings& settings, Renderer& renderer) {
+    const Camera camera = frameCamera(scene, settings.camera, settings.picture.size);
+    const auto linesAmong = std::ranges::count_if(outputs, [](const auto& output) { return holdsLines(output); });
+    Drawn drawn;
+    if (linesAmong > 0) drawn.lines = renderer.lines(scene, camera, settings);
+    if (linesAmong == 0 || static_cast<std::size_t>(linesAmong) < job.outputs.size())
+        drawn.maps = renderer.render(scene, camera, settings);
+    return drawn;
+}
+
+std::vector<std::filesystem::path> write(const Drawn& drawn, const std::vector<std::filesystem::path>& outputs,
+                                         const Scene& scene, const Settings& settings) {
+    std::vector<std::filesystem::path> files;
+    for (const std::filesystem::path& output : outputs) {
+        if (holdsLines(output)) {
+            writeLines(scene, *drawn.lines, settings, output);
+            files.push_back(output);
+        } else {
+            for (auto& file : writeMaps(*drawn.maps, settings.maps, output)) files.push_back(std::move(file));
+        }
+    }
+    return files;
+}
+
+}  // namespace
+
+JobResult drawView(const Job& job, const View& view, const Scene& scene, Renderer& renderer,
+                   const std::vector<StageTime>& before, const std::function<void(const Maps&)>& tellDrawn) {
+    Settings settings = job.settings;
+    settings.camera = view.camera;
+    std::vector<std::filesystem::path> outputs;
+    for (const std::string& output : job.outputs) outputs.push_back(outputOf(job, output, view));
+    Drawn drawn = draw(job, outputs, scene, settings, renderer);
+
+    const Stopwatch watch;
+    JobResult result;
+    if (drawn.maps) tellDrawn(*drawn.maps);
+    result.files = write(drawn, outputs, scene, settings);
+    const double writing = watch.milliseconds();
+
+    result.times = before;
+    if (drawn.lines) result.times.insert(result.times.end(), drawn.lines->times.begin(), drawn.lines->times.end());
+    if (drawn.maps) result.times.insert(result.times.end(), drawn.maps->times.begin(), drawn.maps->times.end());
+    result.times.push_back({"write", writing});
+    result.backend = drawn.maps ? drawn.maps->backend : drawn.lines->backend;
+
+    const bool startsWithLines = !outputs.empty() && holdsLines(outputs.front());
+    (startsWithLines ? drawn.lines->times : drawn.maps->times) = result.times;
+    result.metadata =
+        startsWithLines ? metadataJson(scene, *drawn.lines, settings) : metadataJson(scene, *drawn.maps, settings);
+    if (!job.metadata.empty()) {
+        writeFile(metadataFileOf(job, view),
+                  {reinterpret_cast<const std::uint8_t*>(result.metadata.data()), result.metadata.size()});
+    }
+    return result;
+}
+
+}  // namespace inkedge::job

@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <inkedge/error.h>
+#include <inkedge/job.h>
+#include <inkedge/renderer.h>
+#include <inkedge/scene.h>
+
+#include "base/parallel.h"
+#include "base/stage_clock.h"
+#include "job/draw_view.h"
+#include "job/file_names.h"
+
+namespace inkedge {
+namespace job {
+namespace {
+
+constexpr int maximumWorkers = 1024;
+
+// A job under way: its scene is loaded by the worker that gets to it first, and given up after its last view.
+struct JobState {
+    const Job* job = nullptr;
+    std::vector<View> views;
+    std::mutex loading{};
+    std::optional<Scene> scene{};
+    std::vector<StageTime> times{};  // of loading
+    bool failed = false;             // to load
+    std::atomic<std::size_t> left{0};
+};
+
+// A worker's renderer, made when its first view comes, and anew for a job that asks for another backend.
+class OwnRenderer {
+public:
+    Renderer& of(const BackendSettings& wanted) {
+        if (!renderer_ || wanted.backend != backend_.backend || wanted.device != backend_.device) {
+            renderer_.reset();
+            renderer_.emplace(wanted, ContextTime::WhenNeeded);
+            backend_ = wanted;
+        }
+        return *renderer_;
+    }
+
+private:
+    BackendSettings backend_;
+    std::optional<Renderer> renderer_;
+};
+
+void loadScene(JobState& state) {
+    const Stopwatch watch;
+    state.scene = inkedge::loadScene(state.job->model, loadSettings(state.job->settings));
+    const double loading = watch.milliseconds();
+    const double preparing = state.scene->preparationMilliseconds();
+    state.times = {{"load", loading - preparing}, {"prepare", preparing}};
+}
+
+class Queue {
+public:
+    Queue(std::span<const Job> jobs, const JobOptions& options) : options_{options}, states_(jobs.size()) {
+        for (std::size_t j = 0; j < jobs.size(); ++j) {
+            states_[j].job = &jobs[j];
+            states_[j].views = viewsOf(jobs[j]);
+            states_[j].left = states_[j].views.size();
+            for (std::size_t v = 0; v < states_[j].views.size(); ++v) tasks_.push_back({j, v});
+        }
+    }
+
+    void run() {
+        {
+            std::vector<std::jthread> others;
+            for (std::size_t i = 1; i < workers(); ++i) {
+                try {
+                    others.emplace_back([this] { work(); });
+                } catch (const std::system_error&) {  // the process may have no more threads
+                    break;
+                }
+            }
+            work();
+        }
+        if (failure_) std::rethrow_exception(failure_);
+    }
+
+private:
+    struct Task {
+        std::size_t job;
+        std::size_t view;
+    };
+
+    [[nodiscard]] std::size_t workers() const {
+        constexpr std::size_t viewsWorthAContext = 4;
+        const std::size_t maximum = options_.workers > 0 ? static_cast<std::size_t>(options_.workers) : usableCores();
+        return std::clamp<std::size_t>(tasks_.size() / viewsWorthAContext, 1, maximum);
+    }
+
+    void work() noexcept {
+        OwnRenderer renderer;
+        try {
+            for (std::size_t i = next_++; i < tasks_.size(); i = next_++) {
+                const Task task = tasks_[i];
+                JobState& state = states_[task.job];
+                if (isLoaded(state, task.job)) drawView(state, task, renderer);
+                if (--state.left == 0) state.scene.reset();
+                const std::scoped_lock lock{calling_};
+                ++ended_;
+                if (options_.progress) options_.progress(ended_, tasks_.size());
+            }
+        } catch (...) {
+            next_ = tasks_.size();
+            const std::scoped_lock lock{calling_};
+            if (!failure_) failure_ = std::current_exception();
+        }
+    }
+
+    bool isLoaded(JobState& state, std::size_t number) {
+        const std::scoped_lock lock{state.loading};
+        if (state.scene || state.failed) return !state.failed;
+        try {
+            if (state.job->scene)
+                state.scene = state.job->scene;
+            else
+                loadScene(state);
+            const std::scoped_lock callLock{calling_};
+            if (options_.loaded) options_.loaded(number, *state.scene);
+        } catch (...) {
+            state.failed = true;
+            fail({number, std::nullopt, std::current_exception()});
+        }
+        return !state.failed;
+    }
+
+    void drawView(JobState& state, const Task& task, OwnRenderer& renderer) {
+        const auto tellDrawn = [&](const Maps& maps) {
+            const std::scoped_lock lock{calling_};
+            if (options_.drawn) options_.drawn(task.job, task.view, maps);
+        };
+        JobResult result;
+        try {
+            result = job::drawView(*state.job, state.views[task.view], *state.scene,
+                                   renderer.of(state.job->settings.backend),
+                                   task.view == 0 ? state.times : std::vector<StageTime>{}, tellDrawn);
+        } catch (...) {
+            return fail({task.job, task.view, std::current_exception()});
+        }
+        result.job = task.job;
+        result.view = task.view;
+        const std::scoped_lock lock{calling_};
+        if (options_.finished) options_.finished(result);
+    }
+
+    void fail(const JobFailure& failure) {
+        if (!options_.failed) std::rethrow_exception(failure.error);
+        const std::scoped_lock lock{calling_};
+        options_.failed(failure);
+    }
+
+    const JobOptions& options_;
+    std::vector<JobState> states_;
+    std::vector<Task> tasks_;
+    std::atomic<std::size_t> next_ = 0;
+    std::mutex calling_;  // held while one of the options' functions is called
+    std::size_t ended_ = 0;
+    std::exception_ptr failure_;
+};
+
+}  // namespace
+}  // namespace job
+
+void runJobs(std::span<const Job> jobs, const JobOptions& options) {
+    if (options.workers < 0 || options.workers > job::maximumWorkers) {
+        throw Error{Error::Kind::Usage,
+                    fmt::format("workers: expected 0 to {}, found {}", job::maximumWorkers, options.workers)};
+    }
+    checkJobs(jobs);
+    job::Queue{jobs, options}.run();
+}
+
+}  // namespace inkedge
