@@ -16,8 +16,8 @@ namespace inkedge {
 /// When a Renderer makes its context.
 enum class ContextTime {
     AtOnce,     ///< in its constructor
-    WhenNeeded  ///< in the first call that draws with it: lines from object space, unless Visibility::Fast finds them,
-                ///< and pictures of them alone, without maps and functions, need no OpenGL on the machine
+    WhenNeeded  ///< in the first call that draws with it: lines from object space and pictures of them
+                ///< alone, without maps and functions, need no OpenGL on the machine
 };
 
 /// Owns one offscreen OpenGL context and draws any number of scenes and views with it.

@@ -152,12 +152,6 @@ enum class ContourFinder {
     Random,
     Gauss,  ///< a map of the edges' normals, made once, tells those near the contour; orthographic views only
 };
-/// How seen lines are told from hidden ones, section 3.4.
-enum class Visibility {
-    Exact,  ///< by rays
-    Fast,   ///< by the buffers that the image-space passes draw; by rays where those leave a doubt, and in
-            ///< pictures over PictureSettings::tileSize
-};
 /// What becomes of hidden lines.
 enum class HiddenLines { None, Dashed, Solid };
 /// How wide a stroke is along its line, as a share of its type's width: 0.5 to 1.5 where it varies.
@@ -179,7 +173,6 @@ struct LineSettings {
     LinesFrom from = LinesFrom::Auto;
     Contour contour = Contour::Auto;
     ContourFinder contourFinder = ContourFinder::Every;
-    Visibility visibility = Visibility::Exact;
     HiddenLines hidden = HiddenLines::None;
     double simplify = 0.25;  ///< pixels that polylines in files may stray from those found; 0: every point is kept
     StrokeWidth strokeWidth = StrokeWidth::Constant;

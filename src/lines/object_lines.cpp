@@ -37,7 +37,6 @@ struct View {
     const Scene& scene;
     const RayCaster& rays;
     const Screen& screen;
-    const ViewBuffers* buffers;
     const SurfaceParts* parts;  // null: all surface is one
     std::vector<Segment> segments;
     std::vector<ScreenSegment> projected;
@@ -78,33 +77,13 @@ struct View {
         return other && std::abs(glm::dot(*other, normal)) > std::cos(glm::radians(scene.creaseAngle()));
     }
 
-    [[nodiscard]] glm::dvec2 placeAt(std::uint32_t s, double at) const {
-        return glm::mix(projected[s].ends[0].place, projected[s].ends[1].place, at);
-    }
-
-    [[nodiscard]] bool hides(std::uint32_t s, double at, glm::dvec3 point) const {
-        const Segment& segment = segments[s];
-        if (buffers != nullptr) {
-            const auto& ends = projected[s].ends;
-            const ScreenPoint place{placeAt(s, at), glm::mix(ends[0].nearness, ends[1].nearness, at)};
-            const Slack slack = slackOf(segment, segment.slack / screen.footprint(point), parts);
-            const Guess guess = guessVisibility(*buffers, screen, place, outward(s), segment.faces, slack);
-            if (guess != Guess::Unsure) return guess == Guess::Hidden;
-        }
-        return rays.hides(screen, point, segment.faces, slackOf(segment, segment.slack, parts));
-    }
-
     [[nodiscard]] Seen judge(std::uint32_t s, double at) const {
         const Segment& segment = segments[s];
         if (segment.hidden) return Seen::Hidden;
         const glm::dvec3 point = pointAt(s, at);
-        if (hides(s, at, point)) return Seen::Hidden;
+        if (rays.hides(screen, point, segment.faces, slackOf(segment, segment.slack, parts))) return Seen::Hidden;
         if (segment.curve != Curve::Contour && segment.curve != Curve::Boundary) return Seen::Inside;
         if (segment.curve == Curve::Boundary && goesOnAcross(segment, point)) return Seen::Seam;
-        if (buffers != nullptr && segment.slack == 0.0) {
-            const glm::dvec2 beside = placeAt(s, at) + outward(s);
-            return isBackground(*buffers, beside) ? Seen::Outline : Seen::Inside;
-        }
         const double beyond = outside + segment.slack / screen.footprint(point);
         const glm::dvec3 beside = point + screen.across(beyond * outward(s), point);
         return rays.meets(screen, beside) ? Seen::Inside : Seen::Outline;
@@ -288,7 +267,7 @@ bool ObjectLines::holds(const Scene& scene) const noexcept {
     return identityOf(state_->scene).lock() == identityOf(scene).lock();
 }
 
-Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings, const ViewBuffers* buffers) const {
+Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings) const {
     const Scene& scene = state_->scene;
     Lines result;
     result.size = settings.picture.size;
@@ -296,7 +275,7 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings, co
     StageClock clock{result.times};
 
     const Screen screen{camera, scene.bounds().centre, settings.picture.size};
-    View view{scene, state_->rays, screen, buffers, nullptr, {}, {}};
+    View view{scene, state_->rays, screen, nullptr, {}, {}};
     view.segments =
         state_->curves(screen,
                        {settings.lines.contour, settings.lines.contourFinder, settings.lines.subdivideAdaptive, nullptr,
@@ -318,11 +297,9 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings, co
     clock.finish("crossings");
 
     std::vector<std::vector<Part>> parts(chains.size());
-    const double step = buffers == nullptr ? sampleStep : bufferStep;
     const Judge judge = [&](std::uint32_t segment, double at) { return view.judge(segment, at); };
-    onEach(chains.size(), [&](std::size_t c) {
-        parts[c] = partChain(chains[c], view.projected, crossings, firstCrossings, judge, step);
-    });
+    onEach(chains.size(),
+           [&](std::size_t c) { parts[c] = partChain(chains[c], view.projected, crossings, firstCrossings, judge); });
     clock.finish("visibility");
 
     const bool keepHidden = settings.lines.hidden != HiddenLines::None;

@@ -6,8 +6,6 @@
 #include <inkedge/scene.h>
 #include <inkedge/settings.h>
 
-#include "lines/see/view_buffers.h"
-
 namespace inkedge::lines {
 
 /// A scene made ready for its lines: edge tables and bounding volume hierarchies, made once for all views.
@@ -21,9 +19,7 @@ public:
 
     /// The lines that a camera sees and, if settings.lines.hidden asks for them, those hidden from it: section 3 of
     /// Hertzmann 1999.
-    /// @param buffers  what the camera sees, of settings.picture.size: hidden lines are told by it, and by rays only
-    ///                 where it leaves a doubt; null: by rays alone
-    [[nodiscard]] Lines find(const Camera&, const RenderSettings&, const ViewBuffers* buffers = nullptr) const;
+    [[nodiscard]] Lines find(const Camera&, const RenderSettings&) const;
 
 private:
     struct State;

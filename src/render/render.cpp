@@ -100,10 +100,6 @@ Size samplesOf(const PictureSettings& picture) {
     return {picture.size.width * picture.supersampling, picture.size.height * picture.supersampling};
 }
 
-bool isOneTile(const PictureSettings& picture) {
-    return std::max(picture.size.width, picture.size.height) <= picture.tileSize;
-}
-
 // What the triangles are drawn into.
 struct Geometry {
     std::optional<PlaneBuffers> planes;
@@ -175,16 +171,6 @@ TracedLines renderPlanes(const View& view, const Tile& tile, const PlaneBuffers&
     if (wants(settings, Map::Types)) maps.types = std::move(traced.types);
     clock.finish("trace");
     return traced;
-}
-
-// What the camera sees, in one piece.
-lines::ViewBuffers drawViewBuffers(const View& view) {
-    const auto& [gpu, upload, inputs, scene, camera, settings] = view;
-    const Size size = settings.picture.size;
-    const PlaneBuffers drawn = drawPlanes(gpu, upload, scene, camera, Tile{size});
-    const Rectangle whole{0, 0, size};
-    return {gl::readFloats(gpu.api, drawn.planes, 4, std::vector{whole}),
-            gl::readIntegers(gpu.api, drawn.triangles, std::vector{whole}), upload.firstTriangles(), unitLength(scene)};
 }
 
 // What covers a tile's pixels besides strokes: functions' edges, profiles, and what styles add.
@@ -398,16 +384,7 @@ Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSett
     gl::StageClock preparing{before};
     const lines::ObjectLines& prepared = state_->prepared(scene);
     preparing.finish("prepare lines");
-    std::optional<lines::ViewBuffers> buffers;
-    if (settings.lines.visibility == Visibility::Fast && isOneTile(settings.picture)) {
-        Graphics& graphics = state_->graphics(before);
-        const gl::Current current{*graphics.context};
-        gl::StageClock clock{graphics.gpu->api, before};
-        buffers = drawViewBuffers({*graphics.gpu, graphics.uploaded(scene), *graphics.inputs, scene, camera, settings});
-        graphics.gpu->textures.trim();
-        clock.finish("buffers");
-    }
-    found = prepared.find(camera, settings, buffers ? &*buffers : nullptr);
+    found = prepared.find(camera, settings);
     found.backend = backend();
     found.times.insert(found.times.begin(), before.begin(), before.end());
     return found;

@@ -40,11 +40,6 @@ protected:
         expectWellFormed(all);
         return all.substr(std::min(all.find("</metadata>"), all.size()));
     }
-
-    /// The share of pixels that differ by more than a tenth.
-    double differing(const std::string& a, const std::string& b) const {
-        return json::parse(run({"compare", a, b, "--level", "0.1", "--json"}).out).at("share_over_level");
-    }
 };
 
 const Arguments seesNothing{"--lines-from",      "object", "--hidden",           "solid",
@@ -278,7 +273,6 @@ TEST_F(RenderLines, NeedNoOpenGl) {
     expectSuccess(draw("cube.glb", "{view}.svg", {"--views", "turntable:9"}, withoutBackends()));
     EXPECT_TRUE(std::filesystem::exists(folder_ / "008.svg"));
     const auto none = HasSubstr("expected a context for offscreen OpenGL 4.5, found none");
-    expectFailure(draw("cube.glb", "cube.svg", {"--visibility", "fast"}, withoutBackends()), 4, none);
     expectFailure(draw("cube.glb", "cube.svg", {"--lines-from", "image"}, withoutBackends()), 4, none);
     expectFailure(draw("cube.glb", "cube.png", {"--lines-from", "object", "--maps", "ids"}, withoutBackends()), 4,
                   none);
@@ -313,18 +307,14 @@ TEST_F(RenderLines, NameEmbreeWhereItIsDamagedOrAnotherLibrary) {
 }
 
 TEST_F(RenderLines, VerboseNamesTheBackendStagesAndFile) {
-    for (const Arguments& how : {Arguments{"--visibility", "fast"}, Arguments{"--lines-from", "image"}}) {
-        Arguments more{"-v", "--metadata", "m.json"};
-        more.insert(more.end(), how.begin(), how.end());
-        const Outcome outcome = draw("cube.glb", "cube.svg", more);
-        expectSuccess(outcome);
-        const json backend = json::parse(text("m.json")).at("backend");
-        for (const char* part : {"backend", "platform", "renderer", "version"}) {
-            EXPECT_FALSE(backend.at(part).get<std::string>().empty()) << part;
-            EXPECT_THAT(outcome.error, HasSubstr(backend.at(part).get<std::string>())) << part;
-        }
-        EXPECT_THAT(outcome.error, AllOf(HasSubstr("load"), HasSubstr("write"), HasSubstr("wrote cube.svg")));
+    const Outcome outcome = draw("cube.glb", "cube.svg", {"-v", "--metadata", "m.json", "--lines-from", "image"});
+    expectSuccess(outcome);
+    const json backend = json::parse(text("m.json")).at("backend");
+    for (const char* part : {"backend", "platform", "renderer", "version"}) {
+        EXPECT_FALSE(backend.at(part).get<std::string>().empty()) << part;
+        EXPECT_THAT(outcome.error, HasSubstr(backend.at(part).get<std::string>())) << part;
     }
+    EXPECT_THAT(outcome.error, AllOf(HasSubstr("load"), HasSubstr("write"), HasSubstr("wrote cube.svg")));
 }
 
 TEST_F(RenderLines, ToStandardOutputArePng) {
@@ -341,18 +331,6 @@ TEST_F(RenderLines, NeedAFolder) {
         expectFailure(draw("cube.glb", output), 5, HasSubstr(output + ": cannot be written: expected a folder"));
     }
     EXPECT_THAT(folder_.names(), ElementsAre("file"));
-}
-
-// Fast visibility takes seen and hidden from pixels: where a line runs out behind a surface its end may lie a pixel
-// off. 0.0005 is 20 pixels, a few such ends; a line that is lost has more.
-TEST_F(RenderLines, SeenFastAreThoseSeenExactly) {
-    for (const std::string model : {"gear.glb", "torus_knot.glb", "touching_solids.glb"}) {
-        for (const char* visibility : {"exact", "fast"}) {
-            expectSuccess(draw(model, std::string{visibility} + ".png",
-                               {"--lines-from", "object", "--visibility", visibility, "--size", "200x200"}));
-        }
-        EXPECT_LE(differing("exact.png", "fast.png"), 0.0005) << model;
-    }
 }
 
 }  // namespace

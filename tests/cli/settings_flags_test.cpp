@@ -57,7 +57,6 @@ const std::map<std::string_view, Example>& examples() {
           .beside = {"--detector", "planes"}}},
         {"lines-from", {.value = "image", .wrong = "scene", .shows = "/settings/lines-from", .becomes = "\"image\""}},
         {"contour", {.value = "smooth", .wrong = "round", .shows = "/settings/contour", .becomes = "\"smooth\""}},
-        {"visibility", {.value = "fast", .wrong = "slow", .shows = "/settings/visibility", .becomes = "\"fast\""}},
         {"hidden", {.value = "dashed", .wrong = "dotted", .shows = "/settings/hidden", .becomes = "\"dashed\""}},
         {"page-size",
          {.value = "A4-landscape", .wrong = "210x297", .shows = "/settings/page-size", .becomes = "\"297mmx210mm\""}},

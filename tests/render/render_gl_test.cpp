@@ -21,18 +21,16 @@ using testing::HasSubstr;
 
 constexpr Size size{200, 150};
 
-Settings settingsOf(LinesFrom from, Visibility visibility = Visibility::Exact) {
+Settings settingsOf(LinesFrom from) {
     Settings settings;
     settings.picture.size = size;
     settings.lines.from = from;
-    settings.lines.visibility = visibility;
     settings.lines.hidden = HiddenLines::Solid;
     return settings;
 }
 
 const std::vector<Settings>& everyWay() {
     static const std::vector<Settings> all{settingsOf(LinesFrom::Auto), settingsOf(LinesFrom::Object),
-                                           settingsOf(LinesFrom::Object, Visibility::Fast),
                                            settingsOf(LinesFrom::Image)};
     return all;
 }
@@ -89,8 +87,7 @@ TEST(RendererContext, isMadeAtOnceOrWhenACallNeedsIt) {
     const Maps maps = renderer.render(scene, camera, settingsOf(LinesFrom::Object));
     EXPECT_EQ(maps.picture.size, size);
     EXPECT_EQ(maps.backend.backend, "");
-    for (const Settings& settings : {settingsOf(LinesFrom::Image), settingsOf(LinesFrom::Object, Visibility::Fast)})
-        expectError(Error::Kind::Usage, message, [&] { (void)linesOf(renderer, scene, settings); });
+    expectError(Error::Kind::Usage, message, [&] { (void)linesOf(renderer, scene, settingsOf(LinesFrom::Image)); });
     expectError(Error::Kind::Usage, message,
                 [&] { (void)renderer.render(scene, camera, settingsOf(LinesFrom::Image)); });
 }

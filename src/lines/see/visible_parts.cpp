@@ -15,13 +15,12 @@ constexpr double lookBack = 0.5;  // pixels from a change to where it is looked 
 class ChainParter {
 public:
     ChainParter(const Chain& chain, std::span<const ScreenSegment> segments, std::span<const Crossing> crossings,
-                std::span<const std::uint32_t> firstCrossings, const Judge& judge, double step)
+                std::span<const std::uint32_t> firstCrossings, const Judge& judge)
         : chain_{chain},
           segments_{segments},
           crossings_{crossings},
           firstCrossings_{firstCrossings},
           judge_{judge},
-          step_{step},
           lengths_{0.0} {
         for (const Chain::Link& link : chain.links) {
             const ScreenSegment& s = segments[link.segment];
@@ -93,7 +92,7 @@ private:
             }
             return;
         }
-        const int samples = std::max(1, static_cast<int>(std::ceil((end - begin) / step_)));
+        const int samples = std::max(1, static_cast<int>(std::ceil((end - begin) / sampleStep)));
         double from = beginPlace;
         double before = 0.0;
         Seen seen{};
@@ -163,7 +162,8 @@ private:
     // too short to tell.
     [[nodiscard]] double strayFrom(double end, double other, Seen seen) const {
         const double step = other > end ? lookBack : -lookBack;
-        const int most = static_cast<int>(std::min(0.5 * std::abs(other - end), 0.5 * step_ + lookBack) / lookBack);
+        const int most =
+            static_cast<int>(std::min(0.5 * std::abs(other - end), 0.5 * sampleStep + lookBack) / lookBack);
         int strays = 0;
         while (strays < most && isSeen(judge(end + (strays + 1) * step)) != isSeen(seen)) ++strays;
         return strays == 0 ? end : end + (strays + 0.5) * step;
@@ -242,7 +242,6 @@ private:
     std::span<const Crossing> crossings_;
     std::span<const std::uint32_t> firstCrossings_;
     const Judge& judge_;
-    double step_;
     std::vector<double> lengths_;  // pixels from the chain's start to each joint
     std::vector<Part> parts_;
     std::vector<bool> unjudged_;  // one a part
@@ -252,8 +251,8 @@ private:
 
 std::vector<Part> partChain(const Chain& chain, std::span<const ScreenSegment> segments,
                             std::span<const Crossing> crossings, std::span<const std::uint32_t> firstCrossings,
-                            const Judge& judge, double step) {
-    return ChainParter{chain, segments, crossings, firstCrossings, judge, step}.part();
+                            const Judge& judge) {
+    return ChainParter{chain, segments, crossings, firstCrossings, judge}.part();
 }
 
 }  // namespace inkedge::lines

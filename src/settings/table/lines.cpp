@@ -8,7 +8,6 @@ using Names = std::string_view;
 constexpr std::array linesFromNames{Names{"auto"}, Names{"image"}, Names{"object"}};
 constexpr std::array contourNames{Names{"auto"}, Names{"mesh"}, Names{"smooth"}};
 constexpr std::array contourFinderNames{Names{"every"}, Names{"random"}, Names{"gauss"}};
-constexpr std::array visibilityNames{Names{"exact"}, Names{"fast"}};
 constexpr std::array hiddenNames{Names{"none"}, Names{"dashed"}, Names{"solid"}};
 constexpr std::array strokeWidthNames{Names{"constant"}, Names{"depth"}, Names{"curvature"}};
 
@@ -33,10 +32,6 @@ std::vector<SettingDescription> lineRows() {
               .help = "every edge, a random search that may miss some, or a map for orthographic views; lines from "
                       "object"},
              Choice{contourFinderNames}, [](auto& s) -> auto& { return s.lines.contourFinder; }),
-         row(
-             {.name = "visibility",
-              .help = "hidden lines found by rays, or by drawn buffers with rays in doubt; lines from object"},
-             Choice{visibilityNames}, [](auto& s) -> auto& { return s.lines.visibility; }),
          row(
              {.name = "hidden", .help = "how hidden lines are drawn; lines from object"}, Choice{hiddenNames},
              [](auto& s) -> auto& { return s.lines.hidden; }),
