@@ -8,7 +8,8 @@
 #include <inkedge/lines.h>
 #include <inkedge/settings.h>
 
-#include "ink/paint_strokes.h"
+#include "ink/pens.h"
+#include "ink/stroke.h"
 #include "ink/stroke_widths.h"
 
 namespace inkedge {

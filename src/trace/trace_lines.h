@@ -8,7 +8,7 @@
 #include <inkedge/image.h>
 #include <inkedge/settings.h>
 
-#include "ink/paint_strokes.h"
+#include "ink/stroke.h"
 #include "raster/samples.h"
 #include "raster/tiles.h"
 #include "trace/screen_triangles.h"

@@ -14,6 +14,7 @@
 #include "base/temporary_folder.h"
 #include "curves/curves.h"
 #include "ink/ink_measures.h"
+#include "ink/paint_strokes.h"
 #include "ink/strokes_of.h"
 
 namespace inkedge {

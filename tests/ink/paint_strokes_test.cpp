@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "ink/ink_measures.h"
+#include "ink/pens.h"
 
 namespace inkedge {
 namespace {

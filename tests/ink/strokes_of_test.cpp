@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "curves/curves.h"
+#include "ink/paint_strokes.h"
 
 namespace inkedge {
 namespace {

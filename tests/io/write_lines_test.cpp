@@ -15,6 +15,7 @@
 #include "base/temporary_folder.h"
 #include "curves/curves.h"
 #include "images/read_png.h"
+#include "ink/paint_strokes.h"
 #include "ink/strokes_of.h"
 #include "io/svg_path.h"
 #include "io/well_formed.h"

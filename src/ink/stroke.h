@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+
+namespace inkedge {
+
+/// Stroke::widthFrom and ::widthTo of a stroke as wide as its pen.
+inline constexpr std::uint8_t fullWidth = 128;
+
+/// A straight stroke with round caps. Coordinates are output pixels, (0, 0) the picture's top left corner.
+struct Stroke {
+    glm::vec2 from;
+    glm::vec2 to;
+    std::uint8_t style;                  ///< 0..penCount-1: which of pens()
+    std::uint8_t widthFrom = fullWidth;  ///< 128ths of the pen's width
+    std::uint8_t widthTo = fullWidth;    ///< between the two it changes evenly
+    float arc = 0.0F;  ///< pixels of way along its line before it, for a brush; 0 begins a line, whose strokes follow
+};
+
+}  // namespace inkedge
