@@ -125,15 +125,14 @@ TextureName uploadPicture(const Api& api, const Picture& picture) {
 }  // namespace
 
 void FunctionInputs::bindPicture(const std::string& file) {
-    auto known = pictures_.find(file);
-    if (known == pictures_.end()) {
-        const Picture picture = load::within(load::printable(file), [&] {
+    const TextureName& picture = pictures_.of(file, [&] {
+        const Picture read = load::within(load::printable(file), [&] {
             LoadLimits limits;
             return decodePicture(load::readBytes(file, limits.fileSize), limits.imagePixels);
         });
-        known = pictures_.emplace(file, uploadPicture(api_, picture)).first;
-    }
-    api_.BindTextureUnit(0, known->second.id());
+        return uploadPicture(api_, read);
+    });
+    api_.BindTextureUnit(0, picture.id());
     api_.BindSampler(0, 0);
 }
 

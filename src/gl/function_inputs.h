@@ -1,11 +1,11 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 
 #include <inkedge/scene.h>
 
+#include "base/kept_files.h"
 #include "gl/objects.h"
 
 namespace inkedge::gl {
@@ -16,7 +16,7 @@ class FunctionInputs {
 public:
     explicit FunctionInputs(const Api& api) : api_{api} {}
 
-    /// Binds a file's picture as shaders/shared/surface.glsl reads it.
+    /// Binds a file's picture, as it is when it is asked for, as shaders/shared/surface.glsl reads it.
     /// @throws Error  (Kind::Input) if it is missing or no PNG or JPEG
     void bindPicture(const std::string& file);
 
@@ -34,7 +34,7 @@ private:
     [[nodiscard]] Paint upload(const Scene&) const;
 
     const Api& api_;
-    std::map<std::string, TextureName> pictures_;  // by file
+    KeptFiles<TextureName> pictures_;
     Paint paint_;
 };
 
