@@ -9,7 +9,6 @@
 #include "ink/brushed_strokes.h"
 #include "ink/pens.h"
 #include "ink/stroke_coverage.h"
-#include "settings/picture_channels.h"
 
 namespace inkedge {
 namespace {
@@ -78,10 +77,11 @@ std::vector<Coat> coatsOf(const std::array<Pen, penCount>& all) {
     return coats;
 }
 
-Image<std::uint8_t> emptyPicture(const PictureSettings& settings) {
-    const Color behind = settings.background.value_or(settings.lineColor);
-    if (pictureChannels(settings) == 1) return {settings.size, 1, behind.red};
-    Image<std::uint8_t> picture{settings.size, pictureChannels(settings)};
+Image<std::uint8_t> emptyPicture(const PictureSettings& settings, Paper paper) {
+    const Color behind = colorOf(paper, settings).value_or(settings.lineColor);
+    const int channelCount = pictureChannels(settings, paper);
+    if (channelCount == 1) return {settings.size, 1, behind.red};
+    Image<std::uint8_t> picture{settings.size, channelCount};
     const std::uint8_t channels[3]{behind.red, behind.green, behind.blue};
     for (std::size_t i = 0; i < picture.pixels.size(); i += static_cast<std::size_t>(picture.channels)) {
         std::copy_n(channels, 3, picture.pixels.begin() + static_cast<std::ptrdiff_t>(i));
@@ -133,10 +133,11 @@ void paint(Strip& strip, std::span<const BoxedStroke> strokes, std::span<const C
 
 }  // namespace
 
-Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureSettings& settings, const Brush* brush) {
+Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureSettings& settings, const Brush* brush,
+                                 Paper paper) {
     const auto allPens = pens(settings);
     const std::vector<Coat> coats = coatsOf(allPens);
-    Image<std::uint8_t> picture = emptyPicture(settings);
+    Image<std::uint8_t> picture = emptyPicture(settings, paper);
     const Size stripSize{settings.size.width, stripRows};
     Strip strip{{0, stripRows}, {stripSize, picture.channels}, {stripSize, 1}};
     std::optional<BrushedStrokes> brushed;

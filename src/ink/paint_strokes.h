@@ -7,6 +7,7 @@
 
 #include "ink/brush.h"
 #include "ink/stroke.h"
+#include "settings/picture_channels.h"
 
 namespace inkedge {
 
@@ -18,6 +19,6 @@ namespace inkedge {
 ///               where lines of one colour meet, the larger ink.
 /// @return  1, 3 or 4 channels, as Maps::picture
 [[nodiscard]] Image<std::uint8_t> paintStrokes(std::span<const Stroke>, const PictureSettings&,
-                                               const Brush* brush = nullptr);
+                                               const Brush* brush = nullptr, Paper = Paper::Background);
 
 }  // namespace inkedge

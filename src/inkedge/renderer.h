@@ -59,7 +59,6 @@ public:
     [[nodiscard]] const BackendInfo& backend() const noexcept;
 
 private:
-    struct Graphics;
     struct State;
     std::unique_ptr<State> state_;
 };

@@ -1,17 +1,16 @@
 #include "passes/composite.h"
 
-#include "settings/picture_channels.h"
-
 namespace inkedge {
 
-Image<std::uint8_t> composite(const EdgeMarks& marks, const PictureSettings& settings) {
+Image<std::uint8_t> composite(const EdgeMarks& marks, const PictureSettings& settings, Paper paper) {
     const Color line = settings.lineColor;
     // A transparent background keeps the line's colour, so that scaling the picture later mixes in no other.
-    const Color behind = settings.background.value_or(line);
+    const std::optional<Color> background = colorOf(paper, settings);
+    const Color behind = background.value_or(line);
     const std::array<std::uint8_t, 4> edge{line.red, line.green, line.blue, 255};
     const std::array<std::uint8_t, 4> none{behind.red, behind.green, behind.blue,
-                                           static_cast<std::uint8_t>(settings.background ? 255 : 0)};
-    return paintMarks(marks, {none, edge, edge, edge}, pictureChannels(settings));
+                                           static_cast<std::uint8_t>(background ? 255 : 0)};
+    return paintMarks(marks, {none, edge, edge, edge}, pictureChannels(settings, paper));
 }
 
 }  // namespace inkedge

@@ -3,6 +3,7 @@
 #include <inkedge/settings.h>
 
 #include "passes/edge_marks.h"
+#include "settings/picture_channels.h"
 
 namespace inkedge {
 
@@ -10,6 +11,6 @@ namespace inkedge {
 /// first sentence). Runs on the CPU: of the marks there are 2 bits a pixel to read back, of the picture 8 to 32. CPU
 /// definition: reference::composite(), which it equals.
 /// @return  1, 3 or 4 channels, as Maps::picture
-[[nodiscard]] Image<std::uint8_t> composite(const EdgeMarks&, const PictureSettings&);
+[[nodiscard]] Image<std::uint8_t> composite(const EdgeMarks&, const PictureSettings&, Paper = Paper::Background);
 
 }  // namespace inkedge

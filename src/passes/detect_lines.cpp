@@ -60,13 +60,13 @@ Columns markedColumns(const Image<std::uint8_t>& marks, int firstRow, int endRow
 
 }  // namespace
 
-Image<std::uint8_t> detectLines(gl::Gpu& gpu, const gl::Texture& planes, const Tile& tile, const Camera& camera,
-                                double unit, double creaseAngle) {
+Image<std::uint8_t> detectLines(const Frame& frame, const gl::Texture& planes, double creaseAngle) {
+    gl::Gpu& gpu = frame.gpu;
     constexpr auto program = gl::Program::DetectLines;
     const Size size = planes.size();
     const double creaseCosine = std::cos(glm::radians(creaseAngle));
     const GLuint id = gpu.programs.id(program);
-    setPlanes(gpu, program, tile, camera, unit);
+    setPlanes(frame, program);
     gpu.api.ProgramUniform1f(id, 3, static_cast<float>(creaseCosine * std::abs(creaseCosine)));
 
     const Size blocks{(size.width + blockSide - 1) / blockSide, (size.height + blockSide - 1) / blockSide};

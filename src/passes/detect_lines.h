@@ -2,24 +2,20 @@
 
 #include <vector>
 
-#include <inkedge/camera.h>
 #include <inkedge/image.h>
 
-#include "gl/gpu.h"
+#include "passes/frame.h"
 #include "raster/rectangle.h"
-#include "raster/tiles.h"
 
 namespace inkedge {
 
 /// Finds where the faces of neighbouring pixels do not go on into each other. Shader: detect_lines.frag; CPU
 /// definition: reference::detectLines(), which it equals but for decisions within float rounding.
-/// @param planes  as PlaneBuffers::planes, of this tile
-/// @param unit    scene units in a unit length of the planes
+/// @param planes  as PlaneBuffers::planes, of this frame
 /// @param creaseAngle  degrees
 /// @return        PairMark bits (raster/pair_mark.h), one byte a pixel, row 0 at the top: the low four bits for the
 ///                pixel and the one to its right, the high four for the pixel and the one below
-[[nodiscard]] Image<std::uint8_t> detectLines(gl::Gpu&, const gl::Texture& planes, const Tile&, const Camera&,
-                                              double unit, double creaseAngle);
+[[nodiscard]] Image<std::uint8_t> detectLines(const Frame&, const gl::Texture& planes, double creaseAngle);
 
 /// Parts of a picture, apart from each other, that hold all marked pixels and the eight around each: what has to be
 /// read to trace the lines there.

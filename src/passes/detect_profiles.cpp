@@ -5,12 +5,12 @@
 
 namespace inkedge {
 
-Image<std::uint8_t> detectProfiles(gl::Gpu& gpu, const gl::Texture& surface, const Camera& camera,
-                                   const DetectorSettings& settings, const Tile& tile) {
+Image<std::uint8_t> detectProfiles(const Frame& frame, const gl::Texture& surface, const DetectorSettings& settings) {
     constexpr auto program = gl::Program::DetectProfiles;
+    gl::Gpu& gpu = frame.gpu;
     const GLuint id = gpu.programs.id(program);
-    gpu.api.ProgramUniform1f(id, 0, static_cast<float>(camera.focalLength(tile.whole)));
-    gpu.api.ProgramUniform1i(id, 1, camera.orthographic() ? 1 : 0);
+    gpu.api.ProgramUniform1f(id, 0, static_cast<float>(frame.camera.focalLength(frame.tile.whole)));
+    gpu.api.ProgramUniform1i(id, 1, frame.camera.orthographic() ? 1 : 0);
     gpu.api.ProgramUniform1f(id, 2, static_cast<float>(settings.profileLimit));
     gpu.api.ProgramUniform1f(id, 3, static_cast<float>(settings.edgeLimit));
     const gl::Texture darkness = gpu.textures.acquire(surface.size(), GL_R32F);

@@ -1,18 +1,17 @@
 #pragma once
 
-#include <inkedge/camera.h>
+#include <inkedge/image.h>
 #include <inkedge/settings.h>
 
-#include "gl/gpu.h"
-#include "raster/tiles.h"
+#include "passes/frame.h"
 
 namespace inkedge {
 
 /// Profiles and internal edges after Saito and Takahashi 1990: how dark each pixel is, 0 to 255. Shader:
 /// detect_profiles.frag; CPU definition: reference::detectProfiles().
+/// @param frame    in pixels
 /// @param surface  as SurfaceBuffers::surface; left unchanged
-/// @param tile     in pixels
-[[nodiscard]] Image<std::uint8_t> detectProfiles(gl::Gpu&, const gl::Texture& surface, const Camera&,
-                                                 const DetectorSettings&, const Tile& tile);
+[[nodiscard]] Image<std::uint8_t> detectProfiles(const Frame& frame, const gl::Texture& surface,
+                                                 const DetectorSettings&);
 
 }  // namespace inkedge

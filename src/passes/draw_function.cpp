@@ -30,8 +30,8 @@ void expectCoordinates(const Scene& scene, const FunctionDescription& row) {
 }
 
 // shaders/shared/surface.glsl.
-void setUniforms(gl::Gpu& gpu, GLuint program, const Scene& scene, const Camera& camera,
-                 const FunctionSettings& function) {
+void setUniforms(const Frame& frame, GLuint program, const FunctionSettings& function) {
+    const auto& [gpu, upload, scene, camera, unit, hiddenBacks, tile] = frame;
     const gl::Api& api = gpu.api;
     const glm::dvec3 centre = scene.bounds().centre;
     const glm::dmat3 toWorld = glm::transpose(glm::dmat3{camera.view});
@@ -42,7 +42,7 @@ void setUniforms(gl::Gpu& gpu, GLuint program, const Scene& scene, const Camera&
     api.ProgramUniform3fv(program, 9, 1, glm::value_ptr(eye));
     api.ProgramUniform3fv(program, 10, 1, glm::value_ptr(lowest));
     api.ProgramUniform3fv(program, 11, 1, glm::value_ptr(extent));
-    api.ProgramUniform1f(program, 12, static_cast<float>(unitLength(scene)));
+    api.ProgramUniform1f(program, 12, static_cast<float>(unit));
     setDepths(gpu, program, 13, camera);
     api.ProgramUniform1i(program, 16, function.file.empty() ? 0 : 1);
     const std::vector<float> options(function.options.begin(), function.options.end());
@@ -59,8 +59,8 @@ void setMissingAttributes(const gl::Api& api) {
 
 }  // namespace
 
-gl::Texture drawFunction(gl::Gpu& gpu, const gl::UploadedScene& upload, gl::FunctionInputs& inputs, const Scene& scene,
-                         const Camera& camera, const FunctionSettings& function, const Tile& tile) {
+gl::Texture drawFunction(const Frame& frame, gl::FunctionInputs& inputs, const FunctionSettings& function) {
+    const auto& [gpu, upload, scene, camera, unit, hiddenBacks, tile] = frame;
     const FunctionDescription& row = functionDescription(function.name);
     expectCoordinates(scene, row);
     const bool custom = row.name == customFunction;
@@ -68,7 +68,7 @@ gl::Texture drawFunction(gl::Gpu& gpu, const gl::UploadedScene& upload, gl::Func
     gl::Texture values = gpu.textures.acquire(tile.drawn.size, GL_RGBA32F);
     const gl::Texture depth = gpu.textures.acquire(tile.drawn.size, GL_DEPTH_COMPONENT32F);
     const gl::Framebuffer target{gpu.api, {&values}, &depth};
-    upload.place(placeInstances(scene, upload, camera, LightSpace::Camera));
+    upload.place(placeInstances(frame, LightSpace::Camera));
     gl::prepareDrawing(gpu, program, target);
     showTile(gpu, program, tile);
     const float behind = row.background.value_or(0.0F);
@@ -76,13 +76,13 @@ gl::Texture drawFunction(gl::Gpu& gpu, const gl::UploadedScene& upload, gl::Func
     constexpr float farthest = 0.0F;
     gpu.api.ClearNamedFramebufferfv(target.id(), GL_COLOR, 0, background.data());
     gpu.api.ClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &farthest);
-    const glm::mat4 projection{reversedProjection(camera, tile.whole, unitLength(scene))};
+    const glm::mat4 projection{reversedProjection(frame)};
     gpu.api.ProgramUniformMatrix4fv(program, 0, 1, GL_FALSE, glm::value_ptr(projection));
-    setUniforms(gpu, program, scene, camera, function);
+    setUniforms(frame, program, function);
     setMissingAttributes(gpu.api);
     if (!custom && !function.file.empty()) inputs.bindPicture(function.file);
     if (row.needs.paint) inputs.bindPaint(scene);
-    upload.draw(gl::UploadedScene::Part::All, hiddenBacks(scene, camera));
+    upload.draw(gl::UploadedScene::Part::All, hiddenBacks);
     return values;
 }
 

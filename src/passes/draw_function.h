@@ -1,12 +1,9 @@
 #pragma once
 
-#include <inkedge/camera.h>
 #include <inkedge/surface_functions.h>
 
 #include "gl/function_inputs.h"
-#include "gl/gpu.h"
-#include "gl/upload.h"
-#include "raster/tiles.h"
+#include "passes/frame.h"
 
 namespace inkedge {
 
@@ -16,7 +13,6 @@ namespace inkedge {
 ///                function has no value there
 /// @throws Error  (Kind::Input) if the scene has no texture coordinates and the function needs them, or a file of it
 ///                cannot be read or, a shader, is refused: the message names file and line
-[[nodiscard]] gl::Texture drawFunction(gl::Gpu&, const gl::UploadedScene&, gl::FunctionInputs&, const Scene&,
-                                       const Camera&, const FunctionSettings&, const Tile&);
+[[nodiscard]] gl::Texture drawFunction(const Frame&, gl::FunctionInputs&, const FunctionSettings&);
 
 }  // namespace inkedge

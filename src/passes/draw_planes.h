@@ -1,11 +1,9 @@
 #pragma once
 
-#include <inkedge/camera.h>
+#include <inkedge/settings.h>
 
-#include "gl/gpu.h"
-#include "gl/upload.h"
 #include "passes/draw_surface.h"
-#include "raster/tiles.h"
+#include "passes/frame.h"
 
 namespace inkedge {
 
@@ -19,14 +17,13 @@ struct PlaneBuffers {
 };
 
 /// Draws the scene once, and its coplanar layers once more. Shaders: draw_planes.vert, draw_planes.frag.
-[[nodiscard]] PlaneBuffers drawPlanes(gl::Gpu&, const gl::UploadedScene&, const Scene&, const Camera&, const Tile&);
+[[nodiscard]] PlaneBuffers drawPlanes(const Frame&);
 
 /// What drawPlanes() and drawSurface() with NormalLights::Single give, from one pass over the triangles.
 struct PlanesAndSurface {
     PlaneBuffers planes;
     SurfaceBuffers surface;
 };
-[[nodiscard]] PlanesAndSurface drawPlanesAndSurface(gl::Gpu&, const gl::UploadedScene&, const Scene&, const Camera&,
-                                                    LightSpace, const Tile&);
+[[nodiscard]] PlanesAndSurface drawPlanesAndSurface(const Frame&, LightSpace);
 
 }  // namespace inkedge

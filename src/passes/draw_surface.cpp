@@ -23,34 +23,33 @@ void setUniforms(gl::Gpu& gpu, gl::Program program, const glm::mat4& projection,
 
 }  // namespace
 
-SurfaceBuffers drawSurface(gl::Gpu& gpu, const gl::UploadedScene& upload, const Scene& scene, const Camera& camera,
-                           const DetectorSettings& settings, const Tile& tile) {
-    const Size size = tile.drawn.size;
-    const double unit = unitLength(scene);
-    const glm::mat4 projection{reversedProjection(camera, tile.whole, unit)};
-    upload.place(placeInstances(scene, upload, camera, settings.lightSpace));
+SurfaceBuffers drawSurface(const Frame& frame, const DetectorSettings& settings) {
+    gl::Gpu& gpu = frame.gpu;
+    const Size size = frame.tile.drawn.size;
+    const glm::mat4 projection{reversedProjection(frame)};
+    frame.upload.place(placeInstances(frame, settings.lightSpace));
     gl::Texture depth = gpu.textures.acquire(size, GL_DEPTH_COMPONENT32F);
 
     const auto draw = [&](gl::Program program, GLenum format, const std::array<float, 4>& background) {
         gl::Texture color = gpu.textures.acquire(size, format);
         const gl::Framebuffer target{gpu.api, {&color}, &depth};
         gl::prepareDrawing(gpu, program, target);
-        showTile(gpu, program, tile);
+        showTile(gpu, program, frame.tile);
         constexpr float farthest = 0.0F;
         gpu.api.ClearNamedFramebufferfv(target.id(), GL_COLOR, 0, background.data());
         gpu.api.ClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &farthest);
-        setUniforms(gpu, program, projection, unit);
-        upload.draw(gl::UploadedScene::Part::All, hiddenBacks(scene, camera));
+        setUniforms(gpu, program, projection, frame.unit);
+        frame.upload.draw(gl::UploadedScene::Part::All, frame.hiddenBacks);
         return color;
     };
     if (settings.normalLights == NormalLights::Single) {
         gl::Texture surface =
-            draw(gl::Program::DrawSurface, GL_RGBA32F, {0.0F, 0.0F, 0.0F, static_cast<float>(camera.far)});
+            draw(gl::Program::DrawSurface, GL_RGBA32F, {0.0F, 0.0F, 0.0F, static_cast<float>(frame.camera.far)});
         return {std::move(surface), std::move(depth)};
     }
     const gl::Texture positive = draw(gl::Program::DrawPositiveLights, GL_RGBA8, {});
     const gl::Texture negative = draw(gl::Program::DrawNegativeLights, GL_RGBA8, {});
-    gl::Texture surface = combineLights(gpu, positive, negative, depth, camera);
+    gl::Texture surface = combineLights(gpu, positive, negative, depth, frame.camera);
     return {std::move(surface), std::move(depth)};
 }
 

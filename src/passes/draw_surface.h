@@ -1,10 +1,8 @@
 #pragma once
 
-#include <inkedge/camera.h>
+#include <inkedge/settings.h>
 
-#include "gl/gpu.h"
-#include "gl/upload.h"
-#include "raster/tiles.h"
+#include "passes/frame.h"
 
 namespace inkedge {
 
@@ -17,7 +15,6 @@ struct SurfaceBuffers {
 
 /// Depth map and normal map in one pass over the triangles, or in the paper's two (sections 2.1.1 and 2.1.2).
 /// Shaders: draw_surface.vert, draw_surface.frag, combine_lights.frag.
-[[nodiscard]] SurfaceBuffers drawSurface(gl::Gpu&, const gl::UploadedScene&, const Scene&, const Camera&,
-                                         const DetectorSettings&, const Tile&);
+[[nodiscard]] SurfaceBuffers drawSurface(const Frame&, const DetectorSettings&);
 
 }  // namespace inkedge

@@ -51,12 +51,12 @@ gl::Texture measureFunction(gl::Gpu& gpu, const gl::Texture& values, const Funct
     return magnitude;
 }
 
-Image<std::uint8_t> functionEdges(gl::Gpu& gpu, const gl::UploadedScene& upload, gl::FunctionInputs& inputs,
-                                  const Scene& scene, const Camera& camera,
-                                  const std::vector<FunctionSettings>& functions, const Tile& tile, int samples) {
-    EdgeMarks marks{tile.drawn.size, {}};
+Image<std::uint8_t> functionEdges(const Frame& frame, gl::FunctionInputs& inputs,
+                                  const std::vector<FunctionSettings>& functions, int samples) {
+    gl::Gpu& gpu = frame.gpu;
+    EdgeMarks marks{frame.tile.drawn.size, {}};
     for (const FunctionSettings& function : functions) {
-        const gl::Texture values = drawFunction(gpu, upload, inputs, scene, camera, function, tile);
+        const gl::Texture values = drawFunction(frame, inputs, function);
         add(gl::readIntegers(gpu.api, detectFunction(gpu, values, function)), marks.blocks);
     }
     return meanOf(mask(marks, EdgeMarks::functionEdge), samples);

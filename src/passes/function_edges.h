@@ -1,13 +1,12 @@
 #pragma once
 
-#include <inkedge/camera.h>
+#include <vector>
+
 #include <inkedge/settings.h>
 
 #include "gl/function_inputs.h"
-#include "gl/gpu.h"
-#include "gl/upload.h"
 #include "passes/edge_marks.h"
-#include "raster/tiles.h"
+#include "passes/frame.h"
 
 namespace inkedge {
 
@@ -23,11 +22,10 @@ namespace inkedge {
 
 /// Where any of the functions has an edge, equation 7: how much of each pixel, 0 to 255. The functions are drawn one
 /// after the other.
-/// @param tile     in samples
+/// @param frame    in samples
 /// @param samples  a pixel, along each axis
 /// @throws Error   as drawFunction()
-[[nodiscard]] Image<std::uint8_t> functionEdges(gl::Gpu&, const gl::UploadedScene&, gl::FunctionInputs&, const Scene&,
-                                                const Camera&, const std::vector<FunctionSettings>&, const Tile& tile,
-                                                int samples);
+[[nodiscard]] Image<std::uint8_t> functionEdges(const Frame& frame, gl::FunctionInputs&,
+                                                const std::vector<FunctionSettings>&, int samples);
 
 }  // namespace inkedge

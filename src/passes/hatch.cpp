@@ -8,12 +8,13 @@
 
 namespace inkedge {
 
-Image<std::uint8_t> hatch(gl::Gpu& gpu, const gl::Texture& planes, const Tile& tile, const Camera& camera, double unit,
-                          const StyleSettings& settings, int samples) {
+Image<std::uint8_t> hatch(const Frame& frame, const gl::Texture& planes, const StyleSettings& settings, double bend,
+                          int samples) {
+    gl::Gpu& gpu = frame.gpu;
     constexpr auto program = gl::Program::Hatch;
     const GLuint id = gpu.programs.id(program);
-    setPlanes(gpu, program, tile, camera, unit);
-    gpu.api.ProgramUniform1f(id, 3, static_cast<float>(glm::radians(settings.hatchBend.value())));
+    setPlanes(frame, program);
+    gpu.api.ProgramUniform1f(id, 3, static_cast<float>(glm::radians(bend)));
     gpu.api.ProgramUniform1f(id, 4, static_cast<float>(settings.hatchShade));
     gpu.api.ProgramUniform1f(id, 5, static_cast<float>(settings.hatchWidth * samples));
     const gl::Texture ink = gpu.textures.acquire(planes.size(), GL_R32F);

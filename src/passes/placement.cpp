@@ -5,8 +5,6 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "camera/stands_outside.h"
-
 namespace inkedge {
 namespace {
 
@@ -27,34 +25,18 @@ glm::dmat3 normalMatrix(const glm::dmat3& m) {
 
 }  // namespace
 
-double unitLength(const Scene& scene) { return scene.bounds().radius > 0.0 ? scene.bounds().radius : 1.0; }
-
-glm::dmat4 reversedProjection(const Camera& camera, Size size, double unit) {
-    Camera scaled = camera;
-    scaled.near /= unit;
-    scaled.far /= unit;
-    scaled.orthographicHeight /= unit;
-    glm::dmat4 reverse{1.0};
-    reverse[2][2] = -0.5;
-    reverse[3][2] = 0.5;
-    return reverse * scaled.projection(size);
-}
-
-gl::UploadedScene::HiddenBacks hiddenBacks(const Scene& scene, const Camera& camera) {
-    return standsOutside(camera, scene) ? gl::UploadedScene::HiddenBacks::Skip : gl::UploadedScene::HiddenBacks::Draw;
-}
-
-std::vector<gl::UploadedScene::PlacedInstance> placeInstances(const Scene& scene, const gl::UploadedScene& upload,
-                                                              const Camera& camera, LightSpace lightSpace) {
-    glm::dmat4 scale{1.0 / unitLength(scene)};
+std::vector<gl::UploadedScene::PlacedInstance> placeInstances(const Frame& frame, LightSpace lightSpace) {
+    const Scene& scene = frame.scene;
+    const std::vector<std::uint32_t>& order = frame.upload.instanceOrder();
+    glm::dmat4 scale{1.0 / frame.unit};
     scale[3][3] = 1.0;
     std::vector<gl::UploadedScene::PlacedInstance> placements;
-    placements.reserve(upload.instanceOrder().size());
-    for (const std::uint32_t i : upload.instanceOrder()) {
+    placements.reserve(order.size());
+    for (const std::uint32_t i : order) {
         const Instance& instance = scene.instances()[i];
         glm::dmat4 fromOrigin{1.0};
         fromOrigin[3] = glm::dvec4{scene.meshes()[instance.mesh].origin, 1.0};
-        const glm::dmat4 modelView = scale * camera.view * instance.transform * fromOrigin;
+        const glm::dmat4 modelView = scale * frame.camera.view * instance.transform * fromOrigin;
         auto& placed = placements.emplace_back();
         storeRows(modelView, placed.modelView);
         const glm::dmat4& lit = lightSpace == LightSpace::World ? instance.transform : modelView;

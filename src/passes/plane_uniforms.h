@@ -1,21 +1,20 @@
 #pragma once
 
-#include <inkedge/camera.h>
-
-#include "gl/gpu.h"
-#include "raster/tiles.h"
+#include "passes/frame.h"
 
 namespace inkedge {
 
 /// Sets the uniforms of shaders/shared/planes.glsl, which take the locations 0 to 2.
-/// @param unit  scene units in a unit length of the planes
-inline void setPlanes(gl::Gpu& gpu, gl::Program program, const Tile& tile, const Camera& camera, double unit) {
-    const GLuint id = gpu.programs.id(program);
-    const double focal = camera.focalLength(tile.whole) * (camera.orthographic() ? unit : 1.0);
-    gpu.api.ProgramUniform1f(id, 0, static_cast<float>(focal));
-    gpu.api.ProgramUniform1i(id, 1, camera.orthographic() ? 1 : 0);
-    gpu.api.ProgramUniform2f(id, 2, 0.5F * static_cast<float>(tile.whole.width) - static_cast<float>(tile.drawn.x),
-                             0.5F * static_cast<float>(tile.whole.height) - static_cast<float>(tile.drawn.y));
+inline void setPlanes(const Frame& frame, gl::Program program) {
+    const gl::Api& api = frame.gpu.api;
+    const GLuint id = frame.gpu.programs.id(program);
+    const auto& [whole, drawn, kept] = frame.tile;
+    const bool orthographic = frame.camera.orthographic();
+    const double focal = frame.camera.focalLength(whole) * (orthographic ? frame.unit : 1.0);
+    api.ProgramUniform1f(id, 0, static_cast<float>(focal));
+    api.ProgramUniform1i(id, 1, orthographic ? 1 : 0);
+    api.ProgramUniform2f(id, 2, 0.5F * static_cast<float>(whole.width) - static_cast<float>(drawn.x),
+                         0.5F * static_cast<float>(whole.height) - static_cast<float>(drawn.y));
 }
 
 }  // namespace inkedge

@@ -6,14 +6,6 @@
 
 namespace inkedge {
 
-bool wants(const RenderSettings& settings, Map map) {
-    return std::ranges::find(settings.maps, map) != settings.maps.end();
-}
-
-bool wantsAny(const RenderSettings& settings, std::initializer_list<Map> maps) {
-    return std::ranges::any_of(maps, [&](Map map) { return wants(settings, map); });
-}
-
 Image<std::uint8_t> mask(const Image<std::uint16_t>& types, LineTypes wanted) {
     Image<std::uint8_t> edges{types.size, 1};
     std::ranges::transform(types.pixels, edges.pixels.begin(), [bits = wanted.bits()](std::uint16_t t) {
@@ -22,19 +14,19 @@ Image<std::uint8_t> mask(const Image<std::uint16_t>& types, LineTypes wanted) {
     return edges;
 }
 
-void readSurface(const gl::Api& api, const SurfaceBuffers& buffers, const RenderSettings& settings, Maps& maps) {
-    if (wants(settings, Map::Depth)) {
+void readSurface(const gl::Api& api, const SurfaceBuffers& buffers, SurfaceMaps wanted, Maps& maps) {
+    if (wanted.depth) {
         maps.windowDepth = gl::readDepth(api, buffers.depth);
         for (float& z : maps.windowDepth.pixels) z = 1.0F - z;
     }
-    if (!wantsAny(settings, {Map::Depth, Map::Normal})) return;
+    if (!wanted.depth && !wanted.normal) return;
     const Image<float> surface = gl::readFloats(api, buffers.surface, 4);
     const std::size_t count = surface.pixels.size() / 4;
-    if (wants(settings, Map::Depth)) {
+    if (wanted.depth) {
         maps.depth = Image<float>{surface.size, 1};
         for (std::size_t i = 0; i < count; ++i) maps.depth.pixels[i] = surface.pixels[4 * i + 3];
     }
-    if (wants(settings, Map::Normal)) {
+    if (wanted.normal) {
         maps.normal = Image<float>{surface.size, 3};
         for (std::size_t i = 0; i < count; ++i) {
             std::copy_n(surface.pixels.begin() + static_cast<std::ptrdiff_t>(4 * i), 3,
@@ -43,15 +35,13 @@ void readSurface(const gl::Api& api, const SurfaceBuffers& buffers, const Render
     }
 }
 
-void readEdges(const gl::Api& api, const EdgeBuffers& buffers, const RenderSettings& settings, Maps& maps) {
-    const bool depth = wants(settings, Map::DepthEdges);
-    const bool normal = wants(settings, Map::NormalEdges);
-    const bool both = wants(settings, Map::Edges) && settings.detector.detector == Detector::Classic;
-    if (!depth && !normal && !both) return;
+void readEdges(const gl::Api& api, const EdgeBuffers& buffers, EdgeMaps wanted, Maps& maps) {
+    const auto [depth, normal, either] = wanted;
+    if (!depth && !normal && !either) return;
     const EdgeMarks marks = readMarks(api, buffers);
     if (depth) maps.depthEdges = mask(marks, EdgeMarks::depthEdge);
     if (normal) maps.normalEdges = mask(marks, EdgeMarks::normalEdge);
-    if (both) maps.edges = mask(marks, EdgeMarks::depthEdge | EdgeMarks::normalEdge);
+    if (either) maps.edges = mask(marks, EdgeMarks::depthEdge | EdgeMarks::normalEdge);
     if (!buffers.magnitudes) return;
     const Image<float> magnitudes = gl::readFloats(api, *buffers.magnitudes, 2);
     if (depth) maps.depthMagnitude = Image<float>{magnitudes.size, 1};

@@ -1,23 +1,26 @@
 #pragma once
 
-#include <initializer_list>
-
 #include <inkedge/maps.h>
-#include <inkedge/settings.h>
 
 #include "passes/detect_edges.h"
 #include "passes/draw_surface.h"
 
 namespace inkedge {
 
-[[nodiscard]] bool wants(const RenderSettings&, Map);
-[[nodiscard]] bool wantsAny(const RenderSettings&, std::initializer_list<Map>);
+/// Which of the surface's maps are read.
+struct SurfaceMaps {
+    bool depth = false;  ///< Maps::depth and Maps::windowDepth
+    bool normal = false;
+};
+void readSurface(const gl::Api&, const SurfaceBuffers&, SurfaceMaps, Maps&);
 
-/// Fills depth, windowDepth and normal, as far as they are wanted.
-void readSurface(const gl::Api&, const SurfaceBuffers&, const RenderSettings&, Maps&);
-
-/// Fills the edge masks and magnitudes, as far as they are wanted.
-void readEdges(const gl::Api&, const EdgeBuffers&, const RenderSettings&, Maps&);
+/// Which masks of edges are read, and their magnitudes where those are kept.
+struct EdgeMaps {
+    bool depth = false;
+    bool normal = false;
+    bool either = false;  ///< Maps::edges
+};
+void readEdges(const gl::Api&, const EdgeBuffers&, EdgeMaps, Maps&);
 
 /// 255 where a pixel has any of the types, else 0.
 /// @param types  as Maps::types

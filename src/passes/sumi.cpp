@@ -89,9 +89,10 @@ gl::Texture smear(gl::Gpu& gpu, const gl::Texture& tangents, const StyleSettings
 
 }  // namespace
 
-Image<std::uint8_t> sumi(gl::Gpu& gpu, const gl::Texture& surface, const Camera& camera,
-                         const StyleSettings& settings) {
-    return readInk(gpu.api, smear(gpu, tangents(gpu, feel(gpu, surface, camera, settings), settings), settings));
+Image<std::uint8_t> sumi(const Frame& frame, const gl::Texture& surface, const StyleSettings& settings) {
+    gl::Gpu& gpu = frame.gpu;
+    const gl::Texture felt = feel(gpu, surface, frame.camera, settings);
+    return readInk(gpu.api, smear(gpu, tangents(gpu, felt, settings), settings));
 }
 
 int sumiReach(const StyleSettings& settings) {

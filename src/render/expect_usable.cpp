@@ -8,8 +8,8 @@
 
 #include <inkedge/error.h>
 
-#include "passes/read_maps.h"
 #include "raster/memory.h"
+#include "render/plan.h"
 
 namespace inkedge {
 namespace {
@@ -22,8 +22,9 @@ std::uint64_t bytesPerPixel(const RenderSettings& settings) {
                                                 {Map::Ids, 16}};
     for (const auto& [map, cost] : costs) bytes += wants(settings, map) ? cost : 0;
     if (!settings.detector.functions.empty() || settings.detector.detector == Detector::SaitoTakahashi) ++bytes;  // ink
-    if (settings.style.style == Style::Hatch || settings.style.style == Style::Sumi) ++bytes;
-    if (settings.style.style == Style::Pencil) bytes += 8;  // what it draws over, and what it draws
+    const StyleRow& style = styleRow(settings.style.style);
+    if (style.tileInk != nullptr) ++bytes;
+    if (style.redraw != nullptr) bytes += 8;  // what it draws over, and what it draws
     return bytes;
 }
 

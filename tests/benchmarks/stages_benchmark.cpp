@@ -29,8 +29,8 @@
 #include "passes/draw_function.h"
 #include "passes/draw_planes.h"
 #include "passes/draw_surface.h"
+#include "passes/frame.h"
 #include "passes/function_edges.h"
-#include "passes/placement.h"
 #include "passes/read_maps.h"
 #include "trace/trace_lines.h"
 #ifdef INKEDGE_OPENCV
@@ -129,7 +129,12 @@ public:
         return made(buffers_, nameOf(size), [&] { return draw(size); });
     }
 
-    Camera camera(Model model, Size size) { return frameCamera(scene(model), {}, size); }
+    const Camera& camera(Model model, Size size) {
+        return made(cameras_, nameOf(model) + nameOf(size), [&] { return frameCamera(scene(model), {}, size); });
+    }
+    Frame frame(Model model, Size size) {
+        return frameOf(gpu_, upload(model), scene(model), camera(model, size), size);
+    }
 
     // The OpenCV yardstick's width: --line-width 2.
     static PictureSettings pictureSettings(Size size) {
@@ -140,25 +145,22 @@ public:
     }
 
     TracedLines trace(LineBuffers lines, Size size) {
-        const ScreenTriangles triangles{scene(usualModel), upload(usualModel).firstTriangles(),
-                                        camera(usualModel, size), size};
-        return traceLines(std::move(lines), scene(usualModel), triangles, camera(usualModel, size),
-                          unitLength(scene(usualModel)), drawnTypes(pictureSettings(size)), 1, TraceIds::Drop,
-                          TracePlaces::Drop);
+        const Frame shown = frame(usualModel, size);
+        const ScreenTriangles triangles{shown.scene, shown.upload.firstTriangles(), shown.camera, size};
+        return traceLines(std::move(lines), shown.scene, triangles, shown.camera, shown.unit,
+                          drawnTypes(pictureSettings(size)), 1, TraceIds::Drop, TracePlaces::Drop);
     }
 
     Image<std::uint8_t> findLines(const PlaneBuffers& planes, Size size) {
-        const Scene& model = scene(usualModel);
-        return detectLines(gpu_, planes.planes, size, camera(usualModel, size), unitLength(model), model.creaseAngle());
+        return detectLines(frame(usualModel, size), planes.planes, scene(usualModel).creaseAngle());
     }
 
 private:
     Buffers draw(Size size) {
-        const Scene& model = scene(usualModel);
-        const Camera view = camera(usualModel, size);
-        PlaneBuffers planes = drawPlanes(gpu_, upload(usualModel), model, view, size);
-        SurfaceBuffers surface = drawSurface(gpu_, upload(usualModel), model, view, {}, size);
-        EdgeMarks edges = readMarks(api(), detectEdges(gpu_, surface.surface, view, {}, Magnitudes::Drop));
+        const Frame shown = frame(usualModel, size);
+        PlaneBuffers planes = drawPlanes(shown);
+        SurfaceBuffers surface = drawSurface(shown, {});
+        EdgeMarks edges = readMarks(api(), detectEdges(gpu_, surface.surface, shown.camera, {}, Magnitudes::Drop));
         LineBuffers lines;
         lines.tile = size;
         lines.marks = findLines(planes, size);
@@ -179,6 +181,7 @@ private:
     std::map<Model, std::unique_ptr<std::filesystem::path>> files_;
     std::map<Model, std::unique_ptr<Scene>> scenes_;
     std::map<Model, std::unique_ptr<gl::UploadedScene>> uploads_;
+    std::map<std::string, std::unique_ptr<Camera>> cameras_;
     std::map<std::string, std::unique_ptr<Buffers>> buffers_;
 };
 
@@ -251,19 +254,16 @@ void addModel(Equipment& equipment, Model model) {
 void addGeometry(Equipment& equipment, Model model, Size size) {
     const std::string suffix = nameOf(model) + "/" + nameOf(size);
     add("planes/" + suffix, [&equipment, model, size](benchmark::State& state) {
-        const gl::UploadedScene& upload = equipment.upload(model);
-        const Camera camera = equipment.camera(model, size);
+        const Frame frame = equipment.frame(model, size);
         repeat(state, [&] {
-            const PlaneBuffers planes = drawPlanes(equipment.gpu(), upload, equipment.scene(model), camera, size);
+            const PlaneBuffers planes = drawPlanes(frame);
             equipment.api().Finish();
         });
     });
     add("surface/" + suffix, [&equipment, model, size](benchmark::State& state) {
-        const gl::UploadedScene& upload = equipment.upload(model);
-        const Camera camera = equipment.camera(model, size);
+        const Frame frame = equipment.frame(model, size);
         repeat(state, [&] {
-            const SurfaceBuffers surface =
-                drawSurface(equipment.gpu(), upload, equipment.scene(model), camera, {}, size);
+            const SurfaceBuffers surface = drawSurface(frame, {});
             equipment.api().Finish();
         });
     });
@@ -278,14 +278,11 @@ DetectorSettings classicSettings(Kernel kernel) {
 
 // What detectEdges() finds, as one byte a pixel.
 Image<std::uint8_t> edgeMarks(Equipment& equipment, Kernel kernel, Size size) {
-    Settings settings;
-    settings.detector = classicSettings(kernel);
-    settings.maps = {Map::DepthEdges, Map::NormalEdges};
     Maps maps;
     readEdges(equipment.api(),
               detectEdges(equipment.gpu(), equipment.buffers(size).surface.surface, equipment.camera(usualModel, size),
-                          settings.detector, Magnitudes::Drop),
-              settings, maps);
+                          classicSettings(kernel), Magnitudes::Drop),
+              {.depth = true, .normal = true}, maps);
     Image<std::uint8_t> marks{size, 1};
     for (std::size_t i = 0; i < marks.pixels.size(); ++i) {
         marks.pixels[i] = static_cast<std::uint8_t>((maps.depthEdges.pixels[i] != 0 ? EdgeMarks::depthEdge : 0) |
@@ -390,8 +387,7 @@ void addFunctions(Equipment& equipment, Size size) {
         const FunctionSettings function = surfaceFunction(text);
         const auto draw = [&equipment, size] {
             gl::FunctionInputs inputs{equipment.api()};
-            return drawFunction(equipment.gpu(), equipment.upload(usualModel), inputs, equipment.scene(usualModel),
-                                equipment.camera(usualModel, size), surfaceFunction("height"), size);
+            return drawFunction(equipment.frame(usualModel, size), inputs, surfaceFunction("height"));
         };
         if (name == std::string_view{"sobel"}) {
             add("function/" + nameOf(size), [&equipment, draw](benchmark::State& state) {
@@ -510,11 +506,8 @@ void addDevice(Equipment& equipment, Size size) {
         DeviceClock{equipment.api()}.time(state, lineBytes, [&] { pass.run(); });
     });
     addTimed("planes/" + nameOf(usualModel) + "/" + nameOf(size), [&equipment, size](benchmark::State& state) {
-        const gl::UploadedScene& upload = equipment.upload(usualModel);
-        const Camera camera = equipment.camera(usualModel, size);
-        DeviceClock{equipment.api()}.time(state, 0, [&] {
-            const PlaneBuffers planes = drawPlanes(equipment.gpu(), upload, equipment.scene(usualModel), camera, size);
-        });
+        const Frame frame = equipment.frame(usualModel, size);
+        DeviceClock{equipment.api()}.time(state, 0, [&] { const PlaneBuffers planes = drawPlanes(frame); });
     });
     // Texture to texture: what the edge passes' bandwidth is a share of. Each byte is read and written.
     addTimed("copy/" + nameOf(size), [&equipment, size](benchmark::State& state) {

@@ -17,7 +17,7 @@
 #include "gl/gl_test.h"
 #include "gl/read_back.h"
 #include "passes/draw_planes.h"
-#include "passes/placement.h"
+#include "passes/frame.h"
 #include "scenes.h"
 
 namespace inkedge {
@@ -68,11 +68,12 @@ public:
     Comparer(gl::Gpu& gpu, const Scene& scene) : gpu_{gpu}, scene_{scene}, upload_{gpu.api, scene} {}
 
     Comparison compare(const Camera& camera, Size size, double creaseAngle) {
-        const double unit = unitLength(scene_);
-        const PlaneBuffers buffers = drawPlanes(gpu_, upload_, scene_, camera, size);
-        const Image<std::uint8_t> marks = detectLines(gpu_, buffers.planes, size, camera, unit, creaseAngle);
+        const Frame frame = frameOf(gpu_, upload_, scene_, camera, size);
+        const PlaneBuffers buffers = drawPlanes(frame);
+        const Image<std::uint8_t> marks = detectLines(frame, buffers.planes, creaseAngle);
         const Image<float> planes = gl::readFloats(gpu_.api, buffers.planes, 4);
-        const double focal = 0.5 * size.height * camera.projection(size)[1][1] * (camera.orthographic() ? unit : 1.0);
+        const double focal =
+            0.5 * size.height * camera.projection(size)[1][1] * (camera.orthographic() ? frame.unit : 1.0);
         const Image<std::uint8_t> expected = reference::detectLines(planes, focal, camera.orthographic(), creaseAngle);
         EXPECT_EQ(marks.size, size);
         Comparison result;
@@ -176,10 +177,10 @@ TEST_P(DetectLines, takeTheCreaseAngleTheyAreGiven) {
         const Scene scene{std::move(data), LoadSettings{Normals::Auto, 180.0}};
         const gl::UploadedScene upload{gpu().api, scene};
         camera.near = -20.0;
-        const PlaneBuffers buffers = drawPlanes(gpu(), upload, scene, camera, size);
+        const Frame frame = frameOf(gpu(), upload, scene, camera, size);
+        const PlaneBuffers buffers = drawPlanes(frame);
         for (const double angle : {bend - 0.5, bend + 0.5}) {
-            const Image<std::uint8_t> marks =
-                detectLines(gpu(), buffers.planes, size, camera, unitLength(scene), angle);
+            const Image<std::uint8_t> marks = detectLines(frame, buffers.planes, angle);
             for (int y = 0; y < size.height; ++y) {
                 EXPECT_EQ(marks.at(15, y), angle < bend ? PairMark::bend : 0U) << bend << ", " << angle;
                 EXPECT_EQ(marks.at(14, y), 0U);
@@ -227,7 +228,8 @@ TEST_P(DetectLines, whatIsReadOfRegionsIsWhatIsReadOfThePicture) {
     const Scene scene = randomScene(4);
     const Size size{93, 71};
     const gl::UploadedScene upload{gpu().api, scene};
-    const PlaneBuffers buffers = drawPlanes(gpu(), upload, scene, frameCamera(scene, {}, size), size);
+    const Camera camera = frameCamera(scene, {}, size);
+    const PlaneBuffers buffers = drawPlanes(frameOf(gpu(), upload, scene, camera, size));
     const Image<float> planes = gl::readFloats(gpu().api, buffers.planes, 4);
     const Image<std::uint32_t> triangles = gl::readIntegers(gpu().api, buffers.triangles);
     const std::vector<Rectangle> regions{{3, 2, {40, 30}}, {0, 40, {93, 31}}};

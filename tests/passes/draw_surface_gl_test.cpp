@@ -354,11 +354,13 @@ TEST_P(DrawSurface, trustsNoStateThatItFinds) {
     for (const NormalLights lights : {NormalLights::Single, NormalLights::TwoPass}) {
         settings.normalLights = lights;
         const auto surface = [&] {
-            return gl::readFloats(api, drawSurface(gpu(), upload, scene, camera, settings, size).surface, 4).pixels;
+            const Frame frame = frameOf(gpu(), upload, scene, camera, size);
+            return gl::readFloats(api, drawSurface(frame, settings).surface, 4).pixels;
         };
         const std::vector<float> clean = surface();
         // Leaves another picture in the textures that the next draw gets: what it fails to draw will show.
-        (void)drawSurface(gpu(), upload, scene, look(scene, true, size), settings, size);
+        const Camera other = look(scene, true, size);
+        (void)drawSurface(frameOf(gpu(), upload, scene, other, size), settings);
         for (const int on : {GL_SCISSOR_TEST, GL_BLEND, GL_CULL_FACE, GL_STENCIL_TEST, GL_DITHER, GL_COLOR_LOGIC_OP,
                              GL_RASTERIZER_DISCARD, GL_DEPTH_CLAMP, GL_POLYGON_OFFSET_FILL, GL_FRAMEBUFFER_SRGB,
                              GL_PRIMITIVE_RESTART_FIXED_INDEX, GL_SAMPLE_MASK}) {

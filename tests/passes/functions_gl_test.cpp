@@ -66,14 +66,17 @@ public:
     Bench(gl::Gpu& gpu, const Scene& scene) : gpu_{gpu}, scene_{scene}, upload_{gpu.api, scene}, inputs_{gpu.api} {}
 
     Image<float> values(const Camera& camera, const FunctionSettings& function) {
-        return gl::readFloats(gpu_.api, drawFunction(gpu_, upload_, inputs_, scene_, camera, function, size), 4);
+        return gl::readFloats(gpu_.api, draw(camera, function), 4);
     }
     Image<float> magnitude(const Camera& camera, const FunctionSettings& function) {
-        const gl::Texture drawn = drawFunction(gpu_, upload_, inputs_, scene_, camera, function, size);
-        return gl::readFloats(gpu_.api, measureFunction(gpu_, drawn, function), 1);
+        return gl::readFloats(gpu_.api, measureFunction(gpu_, draw(camera, function), function), 1);
     }
 
 private:
+    gl::Texture draw(const Camera& camera, const FunctionSettings& function) {
+        return drawFunction(frameOf(gpu_, upload_, scene_, camera, size), inputs_, function);
+    }
+
     gl::Gpu& gpu_;
     const Scene& scene_;
     gl::UploadedScene upload_;

@@ -14,9 +14,9 @@
 #include "gl/read_back.h"
 #include "passes/draw_planes.h"
 #include "passes/draw_surface.h"
+#include "passes/frame.h"
 #include "passes/hatch.h"
 #include "passes/pencil.h"
-#include "passes/placement.h"
 #include "passes/sumi.h"
 #include "scenes.h"
 
@@ -72,10 +72,11 @@ struct Hatched {
 
 Hatched hatched(gl::Gpu& gpu, const Scene& scene, const Camera& camera, const StyleSettings& settings) {
     const gl::UploadedScene upload{gpu.api, scene};
-    const PlaneBuffers buffers = drawPlanes(gpu, upload, scene, camera, size);
-    const double unit = unitLength(scene);
-    return {gl::readFloats(gpu.api, buffers.planes, 4), hatch(gpu, buffers.planes, size, camera, unit, settings, 1),
-            camera.focalLength(size) * (camera.orthographic() ? unit : 1.0)};
+    const Frame frame = frameOf(gpu, upload, scene, camera, size);
+    const PlaneBuffers buffers = drawPlanes(frame);
+    return {gl::readFloats(gpu.api, buffers.planes, 4),
+            hatch(frame, buffers.planes, settings, settings.hatchBend.value(), 1),
+            camera.focalLength(size) * (camera.orthographic() ? frame.unit : 1.0)};
 }
 
 TEST_P(Styles, hatchMarksEqualTheirDefinition) {
@@ -189,7 +190,8 @@ TEST_P(Styles, aBrushEqualsItsDefinition) {
     for (const bool orthographic : {false, true}) {
         const Camera camera = cameraFor(scene, orthographic);
         const gl::UploadedScene upload{gpu().api, scene};
-        const SurfaceBuffers buffers = drawSurface(gpu(), upload, scene, camera, {}, size);
+        const Frame frame = frameOf(gpu(), upload, scene, camera, size);
+        const SurfaceBuffers buffers = drawSurface(frame, {});
         const Image<float> read = gl::readFloats(gpu().api, buffers.surface, 4);
         Image<double> depth{size, 1};
         Image<double> normal{size, 3};
@@ -198,7 +200,7 @@ TEST_P(Styles, aBrushEqualsItsDefinition) {
             for (std::size_t c = 0; c < 3; ++c) normal.pixels[3 * i + c] = static_cast<double>(read.pixels[4 * i + c]);
         }
         for (const StyleSettings& settings : {sumiWith(6, 24), sumiWith(1, 0), sumiWith(12, 5, 40)}) {
-            const Image<std::uint8_t> ink = sumi(gpu(), buffers.surface, camera, settings);
+            const Image<std::uint8_t> ink = sumi(frame, buffers.surface, settings);
             EXPECT_GT(sumOf(ink), 200.0);
             // Paths of tangents turn off where one passes between two pixels, within float rounding; a sample's depth
             // may be within rounding of a step.

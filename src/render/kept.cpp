@@ -1,0 +1,60 @@
+#include "render/kept.h"
+
+#include "gl/stage_clock.h"
+
+namespace inkedge {
+
+Graphics::Graphics(const BackendSettings& settings) : context_{gl::createContext(settings)} {
+    const gl::Current current{*context_};
+    gpu_ = std::make_unique<gl::Gpu>(context_->api());
+    inputs_ = std::make_unique<gl::FunctionInputs>(context_->api());
+}
+
+Graphics::~Graphics() {
+    const gl::Current current{*context_};
+    inputs_.reset();
+    upload_.reset();
+    gpu_.reset();
+}
+
+Frame Graphics::frame(const Scene& scene, const Camera& camera, const PictureSettings& picture) {
+    if (!upload_ || !upload_->holds(scene)) {
+        upload_.reset();  // first: never two scenes in graphics memory
+        upload_ = std::make_unique<gl::UploadedScene>(gpu_->api, scene);
+    }
+    const Size samples{picture.size.width * picture.supersampling, picture.size.height * picture.supersampling};
+    return frameOf(*gpu_, *upload_, scene, camera, samples);
+}
+
+Graphics& Kept::graphics(std::vector<StageTime>& times) {
+    if (!graphics_) {
+        gl::StageClock clock{times};
+        graphics_.emplace(settings_);
+        clock.finish("context");
+    }
+    return *graphics_;
+}
+
+const BackendInfo& Kept::backend() const noexcept {
+    static const BackendInfo none;
+    return graphics_ ? graphics_->context().info() : none;
+}
+
+const lines::ObjectLines& Kept::objectLines(const Scene& scene) {
+    if (!objectLines_ || !objectLines_->holds(scene)) {
+        objectLines_.reset();
+        objectLines_ = std::make_unique<lines::ObjectLines>(scene);
+    }
+    return *objectLines_;
+}
+
+const Brush* Kept::brush(const std::filesystem::path& file, const LoadLimits& limits) {
+    if (file.empty()) return nullptr;
+    if (!brush_ || file != brushFile_) {
+        brush_ = readBrush(file, limits);
+        brushFile_ = file;
+    }
+    return &*brush_;
+}
+
+}  // namespace inkedge

@@ -1,0 +1,80 @@
+#include "render/plan.h"
+
+#include <algorithm>
+
+namespace inkedge {
+namespace {
+
+LineSource sourceOf(const RenderSettings& settings, const StyleRow& style) {
+    if (!style.drawsLines) return LineSource::None;
+    if (settings.lines.from == LinesFrom::Object) return LineSource::Object;
+    switch (settings.detector.detector) {
+        case Detector::Planes:
+            return LineSource::Planes;
+        case Detector::Classic:
+            return LineSource::Classic;
+        case Detector::SaitoTakahashi:
+            return LineSource::Profiles;
+        case Detector::None:
+            break;
+    }
+    return LineSource::None;
+}
+
+// The maps, and what has to be found for them and for the picture's lines.
+void planLines(const RenderSettings& settings, Plan& plan) {
+    const Detector detector = settings.detector.detector;
+    const bool edges = wants(settings, Map::Edges);
+    const bool ids = wants(settings, Map::Ids);
+    plan.surfaceMaps = {wants(settings, Map::Depth), wants(settings, Map::Normal)};
+    plan.edgeMaps = {wants(settings, Map::DepthEdges), wants(settings, Map::NormalEdges),
+                     edges && detector == Detector::Classic};
+    plan.types = wants(settings, Map::Types);
+    plan.lineMask = edges && detector == Detector::Planes;
+    plan.inkMask = edges;
+    plan.ids = ids ? TraceIds::Keep : TraceIds::Drop;
+    plan.tracesLines = plan.lines == LineSource::Planes || plan.types || ids || plan.lineMask;
+    const bool magnitudes = plan.edgeMaps.depth || plan.edgeMaps.normal;
+    plan.magnitudes = magnitudes ? Magnitudes::Keep : Magnitudes::Drop;
+    plan.detectsEdges = plan.lines == LineSource::Classic || plan.edgeMaps.either || magnitudes;
+}
+
+// What that is found in.
+void planGeometry(const RenderSettings& settings, Plan& plan) {
+    const StyleRow& style = *plan.style;
+    const int samples = settings.picture.supersampling;
+    plan.planes = plan.tracesLines || style.planes;
+    plan.surface = plan.detectsEdges || plan.lines == LineSource::Profiles || style.surface || plan.surfaceMaps.depth ||
+                   plan.surfaceMaps.normal;
+    plan.together =
+        plan.planes && plan.surface && samples == 1 && settings.detector.normalLights == NormalLights::Single;
+    plan.functions = !settings.detector.functions.empty();
+    if (style.reach != nullptr) plan.margin = std::max(tileMargin, style.reach(settings.style) * samples);
+}
+
+}  // namespace
+
+bool wants(const RenderSettings& settings, Map map) {
+    return std::ranges::find(settings.maps, map) != settings.maps.end();
+}
+
+Plan planOf(const RenderSettings& settings) {
+    Plan plan;
+    plan.style = &styleRow(settings.style.style);
+    plan.lines = sourceOf(settings, *plan.style);
+    planLines(settings, plan);
+    planGeometry(settings, plan);
+    if (plan.style->redraw != nullptr) plan.paper = Paper::Transparent;
+    return plan;
+}
+
+Plan planOfImageLines() {
+    Plan plan;
+    plan.lines = LineSource::Planes;
+    plan.planes = true;
+    plan.tracesLines = true;
+    plan.places = TracePlaces::Keep;
+    return plan;
+}
+
+}  // namespace inkedge

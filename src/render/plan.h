@@ -1,0 +1,66 @@
+#pragma once
+
+#include <inkedge/settings.h>
+
+#include "passes/detect_edges.h"
+#include "passes/read_maps.h"
+#include "raster/tiles.h"
+#include "render/styles.h"
+#include "settings/picture_channels.h"
+#include "trace/trace_lines.h"
+
+namespace inkedge {
+
+/// Where the lines of a picture come from.
+enum class LineSource {
+    None,
+    Planes,    ///< traced between pixels whose planes do not go on into each other
+    Classic,   ///< pixels marked by gradients of the depth map and of the normal map
+    Profiles,  ///< ink of Detector::SaitoTakahashi
+    Object,    ///< the mesh itself
+};
+
+/// What is drawn, found and inked for a picture and its maps: decided once, from the settings alone.
+struct Plan {
+    LineSource lines = LineSource::None;
+    const StyleRow* style = &styleRow(Style::Ink);
+
+    // What the triangles are drawn into, tile by tile.
+    bool planes = false;
+    bool surface = false;
+    bool together = false;    ///< planes and surface by one pass over the triangles
+    bool functions = false;   ///< DetectorSettings::functions, one after the other
+    int margin = tileMargin;  ///< samples around a tile that its passes need
+
+    // What is found in it.
+    bool tracesLines = false;  ///< lines between planes: Maps::types, Maps::ids, strokes
+    TraceIds ids = TraceIds::Drop;
+    TracePlaces places = TracePlaces::Drop;
+    bool detectsEdges = false;  ///< edges of the depth map and of the normal map
+    Magnitudes magnitudes = Magnitudes::Drop;
+
+    // What of it is kept in the maps.
+    SurfaceMaps surfaceMaps;
+    EdgeMaps edgeMaps;
+    bool types = false;
+    bool lineMask = false;  ///< Maps::edges has the lines that are traced
+    bool inkMask = false;   ///< Maps::edges has the ink of functions, profiles and styles
+
+    Paper paper = Paper::Background;  ///< of what is drawn before the style's last step
+
+    [[nodiscard]] bool drawsTiles() const noexcept {
+        return planes || surface || functions || style->tileInk != nullptr;
+    }
+    /// Lines from object space, and pictures of nothing else, need none.
+    [[nodiscard]] bool needsContext() const noexcept { return drawsTiles() || style->redraw != nullptr; }
+};
+
+[[nodiscard]] Plan planOf(const RenderSettings&);
+
+/// What is drawn for Lines from image space: no map, no picture, whatever its style.
+[[nodiscard]] Plan planOfImageLines();
+
+/// Whether a map is asked for.
+[[nodiscard]] bool wants(const RenderSettings&, Map);
+
+}  // namespace inkedge

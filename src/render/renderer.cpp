@@ -1,0 +1,44 @@
+#include <vector>
+
+#include <inkedge/renderer.h>
+#include <inkedge/setting_table.h>
+
+#include "render/expect_usable.h"
+#include "render/kept.h"
+#include "render/lines.h"
+#include "render/picture.h"
+
+namespace inkedge {
+
+struct Renderer::State : Kept {
+    using Kept::Kept;
+};
+
+Renderer::Renderer(const BackendSettings& settings, ContextTime when) : state_{std::make_unique<State>(settings)} {
+    validate(settings);
+    std::vector<StageTime> ignored;
+    if (when == ContextTime::AtOnce) (void)state_->graphics(ignored);
+}
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
+const BackendInfo& Renderer::backend() const noexcept { return state_->backend(); }
+
+Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
+    validate(settings);
+    expectLoaded(scene, settings);
+    expectUsable(camera);
+    return settings.lines.from == LinesFrom::Image ? imageLines(scene, camera, settings, *state_)
+                                                   : objectLines(scene, camera, settings, *state_);
+}
+
+Maps Renderer::render(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
+    validate(settings);
+    expectLoaded(scene, settings);
+    expectUsable(camera);
+    expectMemory(settings);
+    return drawPicture(scene, camera, settings, *state_);
+}
+
+}  // namespace inkedge
