@@ -33,13 +33,13 @@ struct Axes {
 };
 
 // @param azimuth  degrees: from where a view straight down or up is tilted there
-Axes axesAlong(glm::dvec3 forward, const std::optional<glm::dvec3>& wishedUp, double azimuth) {
+Axes axesAlong(glm::dvec3 forward, const std::optional<glm::dvec3>& givenUp, double azimuth) {
     const glm::dvec3 unitForward = glm::normalize(forward);
-    glm::dvec3 up = wishedUp.value_or(glm::dvec3{0, 1, 0});
+    glm::dvec3 up = givenUp.value_or(glm::dvec3{0, 1, 0});
     if (glm::length(up) == 0.0) refuse("camera-view-up: expected a direction, found 0,0,0");
     up = glm::normalize(up);
     if (glm::length(glm::cross(unitForward, up)) < 1e-9) {
-        if (wishedUp) {
+        if (givenUp) {
             refuse(fmt::format(
                 "camera-view-up: expected a direction across the view direction {},{},{}, found one along it",
                 unitForward.x, unitForward.y, unitForward.z));
@@ -69,34 +69,35 @@ glm::dvec3 directionFrom(double azimuth, double elevation) {
     return -glm::dvec3{std::cos(e) * std::sin(a), std::sin(e), std::cos(e) * std::cos(a)};
 }
 
-glm::dvec3 viewDirection(const CameraSettings& wish, glm::dvec3 focalPoint) {
-    if (wish.direction) {
-        if (glm::length(*wish.direction) == 0.0) refuse("camera-direction: expected a direction, found 0,0,0");
-        return *wish.direction;
+glm::dvec3 viewDirection(const CameraSettings& settings, glm::dvec3 focalPoint) {
+    if (settings.direction) {
+        if (glm::length(*settings.direction) == 0.0) refuse("camera-direction: expected a direction, found 0,0,0");
+        return *settings.direction;
     }
-    if (wish.position) {
-        const glm::dvec3 direction = focalPoint - *wish.position;
+    if (settings.position) {
+        const glm::dvec3 direction = focalPoint - *settings.position;
         if (glm::length(direction) == 0.0) {
             refuse(fmt::format("camera-position: expected a place other than the focal point, found both at {},{},{}",
                                focalPoint.x, focalPoint.y, focalPoint.z));
         }
         return direction;
     }
-    return directionFrom(wish.azimuthAngle.value_or(threeQuarterAzimuth),
-                         wish.elevationAngle.value_or(threeQuarterElevation));
+    return directionFrom(settings.azimuthAngle.value_or(threeQuarterAzimuth),
+                         settings.elevationAngle.value_or(threeQuarterElevation));
 }
 
-void checkForContradictions(const CameraSettings& wish) {
-    const bool angles = wish.azimuthAngle || wish.elevationAngle;
+void checkForContradictions(const CameraSettings& settings) {
+    const bool angles = settings.azimuthAngle || settings.elevationAngle;
     const auto exclude = [](bool both, const char* one, const char* other) {
         if (both) refuse(fmt::format("{}: expected it without {}, found both", one, other));
     };
-    exclude(angles && wish.direction, "camera-direction", "an azimuth or elevation angle");
-    exclude(angles && wish.position, "camera-position", "an azimuth or elevation angle");
-    exclude(wish.position && wish.direction && wish.focalPoint, "camera-direction",
+    exclude(angles && settings.direction, "camera-direction", "an azimuth or elevation angle");
+    exclude(angles && settings.position, "camera-position", "an azimuth or elevation angle");
+    exclude(settings.position && settings.direction && settings.focalPoint, "camera-direction",
             "both camera-position and camera-focal-point");
-    exclude(wish.index && (wish.position || wish.focalPoint || wish.direction || wish.viewUp || angles), "camera-index",
-            "another camera position or direction");
+    exclude(
+        settings.index && (settings.position || settings.focalPoint || settings.direction || settings.viewUp || angles),
+        "camera-index", "another camera position or direction");
 }
 
 // How far the scene reaches across the picture: over the centre line along axis, for a frustum side of slope s (0:
@@ -152,26 +153,27 @@ void takeFileCamera(Camera& camera, const Scene& scene, int index) {
 
 }  // namespace
 
-Camera frameCamera(const Scene& scene, const CameraSettings& wish, Size size) {
-    validate(wish);
-    checkForContradictions(wish);
+Camera frameCamera(const Scene& scene, const CameraSettings& settings, Size size) {
+    validate(settings);
+    checkForContradictions(settings);
     Camera camera;
-    camera.viewAngle = wish.viewAngle;
+    camera.viewAngle = settings.viewAngle;
     // A height of 0 asks for a framed one; frameAll() and the zoom below want to know the kind before the height.
-    const bool frameHeight = wish.orthographicHeight && *wish.orthographicHeight == 0.0;
-    camera.orthographicHeight = frameHeight ? 1.0 : wish.orthographicHeight.value_or(0.0);
+    const bool frameHeight = settings.orthographicHeight && *settings.orthographicHeight == 0.0;
+    camera.orthographicHeight = frameHeight ? 1.0 : settings.orthographicHeight.value_or(0.0);
 
-    if (wish.index) {
-        takeFileCamera(camera, scene, *wish.index);
+    if (settings.index) {
+        takeFileCamera(camera, scene, *settings.index);
     } else {
-        const glm::dvec3 focalPoint = wish.focalPoint.value_or(scene.bounds().centre);
-        const Axes axes = axesAlong(viewDirection(wish, focalPoint), wish.viewUp, wish.azimuthAngle.value_or(0.0));
+        const glm::dvec3 focalPoint = settings.focalPoint.value_or(scene.bounds().centre);
+        const Axes axes =
+            axesAlong(viewDirection(settings, focalPoint), settings.viewUp, settings.azimuthAngle.value_or(0.0));
         Camera framed = camera;
-        if (!wish.position || frameHeight) frameAll(framed, scene, axes, size);
+        if (!settings.position || frameHeight) frameAll(framed, scene, axes, size);
         if (frameHeight) camera.orthographicHeight = framed.orthographicHeight;
-        if (wish.position) {
-            camera.view = viewFrom(*wish.position, axes);
-        } else if (wish.focalPoint) {
+        if (settings.position) {
+            camera.view = viewFrom(*settings.position, axes);
+        } else if (settings.focalPoint) {
             const double distance = glm::length(glm::dvec3{glm::inverse(framed.view)[3]} - scene.bounds().centre);
             camera.view = viewFrom(focalPoint - distance * axes.forward, axes);
         } else {
@@ -179,9 +181,9 @@ Camera frameCamera(const Scene& scene, const CameraSettings& wish, Size size) {
         }
     }
     if (camera.orthographic()) {
-        camera.orthographicHeight /= wish.zoomFactor;
+        camera.orthographicHeight /= settings.zoomFactor;
     } else {
-        const double slope = std::tan(glm::radians(camera.viewAngle) / 2.0) / wish.zoomFactor;
+        const double slope = std::tan(glm::radians(camera.viewAngle) / 2.0) / settings.zoomFactor;
         camera.viewAngle = glm::degrees(2.0 * std::atan(slope));
     }
     fitNearAndFar(camera, scene.bounds());

@@ -37,7 +37,7 @@ std::optional<std::pair<double, double>> inside(glm::dvec2 a, glm::dvec2 b, glm:
 LinePoint between(const LinePoint& a, const LinePoint& b, double share) {
     if (share == 0.0) return a;
     if (share == 1.0) return b;
-    return {glm::mix(a.place, b.place, share), glm::mix(a.point, b.point, share)};
+    return {glm::mix(a.pixel, b.pixel, share), glm::mix(a.position, b.position, share)};
 }
 
 Line emptyLike(const Line& line) { return {line.type, line.visible, false, line.object, line.patch, {}}; }
@@ -47,7 +47,7 @@ Line emptyLike(const Line& line) { return {line.type, line.visible, false, line.
 std::vector<Line> clip(const Line& line, glm::dvec2 low, glm::dvec2 high) {
     const std::vector<LinePoint>& points = line.points;
     if (points.size() < 2) return {};
-    if (std::ranges::all_of(points, [&](const LinePoint& p) { return isInside(p.place, low, high); })) return {line};
+    if (std::ranges::all_of(points, [&](const LinePoint& p) { return isInside(p.pixel, low, high); })) return {line};
 
     std::vector<Line> parts;
     bool goesOn = false;  // the last part ends where the next edge begins
@@ -55,7 +55,7 @@ std::vector<Line> clip(const Line& line, glm::dvec2 low, glm::dvec2 high) {
     for (std::size_t i = 0; i < edges; ++i) {
         const LinePoint& a = points[i];
         const LinePoint& b = points[(i + 1) % points.size()];
-        const auto shares = inside(a.place, b.place, low, high);
+        const auto shares = inside(a.pixel, b.pixel, low, high);
         if (!shares) {
             goesOn = false;
             continue;
@@ -67,7 +67,7 @@ std::vector<Line> clip(const Line& line, glm::dvec2 low, glm::dvec2 high) {
         parts.back().points.push_back(between(a, b, shares->second));
         goesOn = shares->second == 1.0;
     }
-    const bool startsInside = isInside(points.front().place, low, high);
+    const bool startsInside = isInside(points.front().pixel, low, high);
     if (line.closed && startsInside && goesOn && parts.size() > 1) {  // the last part runs on into the first
         std::vector<LinePoint>& last = parts.back().points;
         last.insert(last.end(), parts.front().points.begin() + 1, parts.front().points.end());

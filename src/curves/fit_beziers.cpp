@@ -242,7 +242,7 @@ Path pathOf(const Line& line) {
         if (!std::isfinite(p.x) || !std::isfinite(p.y)) return;
         if (path.points.empty() || path.points.back() != p) path.points.push_back(p);
     };
-    for (const LinePoint& p : line.points) add(p.place);
+    for (const LinePoint& p : line.points) add(p.pixel);
     if (path.points.size() < 3) path.closed = false;
     if (path.closed) add(path.points.front());
     return path;
@@ -273,7 +273,8 @@ std::vector<std::size_t> simplified(const Path& path, double tolerance) {
         numbered.points.pop_back();
     }
     std::vector<std::size_t> kept;
-    for (const LinePoint& p : simplify(numbered, tolerance).points) kept.push_back(static_cast<std::size_t>(p.point.x));
+    for (const LinePoint& p : simplify(numbered, tolerance).points)
+        kept.push_back(static_cast<std::size_t>(p.position.x));
     if (path.closed) kept.push_back(path.points.size() - 1);
     return kept;
 }

@@ -12,7 +12,7 @@ namespace {
 // Points of a chain that are kept in any case stand this far apart, so that no line costs the square of its points.
 constexpr std::size_t longestChain = 1024;
 
-bool isFinite(const LinePoint& p) { return std::isfinite(p.place.x) && std::isfinite(p.place.y); }
+bool isFinite(const LinePoint& p) { return std::isfinite(p.pixel.x) && std::isfinite(p.pixel.y); }
 
 double squaredDistance(glm::dvec2 p, glm::dvec2 from, glm::dvec2 to) {
     const glm::dvec2 along = to - from;
@@ -32,7 +32,7 @@ void keepBetween(const std::vector<LinePoint>& points, std::size_t first, std::s
         double largest = tolerance * tolerance;
         std::size_t furthest = from;
         for (std::size_t i = from + 1; i < to; ++i) {
-            const double d = squaredDistance(points[i].place, points[from].place, points[to].place);
+            const double d = squaredDistance(points[i].pixel, points[from].pixel, points[to].pixel);
             if (d <= largest) continue;
             largest = d;
             furthest = i;
@@ -46,7 +46,7 @@ void keepBetween(const std::vector<LinePoint>& points, std::size_t first, std::s
 
 std::size_t furthestFrom(const std::vector<LinePoint>& points, glm::dvec2 place) {
     const auto far = std::ranges::max_element(
-        points, {}, [&](const LinePoint& p) { return glm::dot(p.place - place, p.place - place); });
+        points, {}, [&](const LinePoint& p) { return glm::dot(p.pixel - place, p.pixel - place); });
     return static_cast<std::size_t>(far - points.begin());
 }
 
@@ -60,7 +60,7 @@ Line simplify(const Line& line, double tolerance) {
     std::vector<LinePoint> points = std::move(result.points);
     if (line.closed) points.push_back(points.front());
     std::vector<std::size_t> anchors{0, points.size() - 1};  // kept in any case
-    if (line.closed) anchors.push_back(furthestFrom(points, points.front().place));
+    if (line.closed) anchors.push_back(furthestFrom(points, points.front().pixel));
     for (std::size_t i = longestChain; i < points.size(); i += longestChain) anchors.push_back(i);
     std::ranges::sort(anchors);
 

@@ -11,20 +11,20 @@ namespace {
 constexpr int requiredVersion = 45;
 
 // A context is worth having only if shaders can be compiled in it, so "works" is decided by what load() finds.
-std::vector<Candidate> candidates(const BackendSettings& wish, std::vector<std::string>& failures) {
+std::vector<Candidate> candidates(const BackendSettings& settings, std::vector<std::string>& failures) {
     std::vector<Candidate> all;
-    if (wish.backend != Backend::Osmesa) {
+    if (settings.backend != Backend::Osmesa) {
         std::string why;
         all = eglCandidates(why);
         if (!why.empty()) failures.push_back("egl: " + why);
     }
-    if (wish.backend != Backend::Egl && !wish.device) all.push_back(osmesaCandidate());
-    if (!wish.device || !failures.empty()) return all;
-    const auto count = std::erase_if(all, [&](const Candidate& c) { return c.device != wish.device; });
+    if (settings.backend != Backend::Egl && !settings.device) all.push_back(osmesaCandidate());
+    if (!settings.device || !failures.empty()) return all;
+    const auto count = std::erase_if(all, [&](const Candidate& c) { return c.device != settings.device; });
     if (all.empty()) {
         throw Error{Error::Kind::Usage,
                     fmt::format("device: expected an EGL device that `inkedge doctor` lists, found {} among {}",
-                                *wish.device, count == 0 ? 0 : count - 1)};
+                                *settings.device, count == 0 ? 0 : count - 1)};
     }
     return all;
 }
@@ -48,12 +48,12 @@ void Context::load(GLADapiproc (*loader)(const char* name)) {
                      info_.renderer.find("swrast") != std::string::npos;
 }
 
-std::unique_ptr<Context> createContext(const BackendSettings& wish) {
-    if (wish.backend == Backend::Osmesa && wish.device) {
+std::unique_ptr<Context> createContext(const BackendSettings& settings) {
+    if (settings.backend == Backend::Osmesa && settings.device) {
         throw Error{Error::Kind::Usage, "device: expected it with the egl backend only, found it with osmesa"};
     }
     std::vector<std::string> failures;
-    for (const Candidate& candidate : candidates(wish, failures)) {
+    for (const Candidate& candidate : candidates(settings, failures)) {
         try {
             return candidate.create(candidate);
         } catch (const Error& error) {

@@ -61,9 +61,9 @@ struct Candidate {
 /// OSMesa, whether it can be loaded or not.
 [[nodiscard]] Candidate osmesaCandidate();
 
-/// The first context that works: EGL, then OSMesa, or only the backend or device that is wished for.
+/// The first context that works: EGL, then OSMesa, or only the backend or device that is asked for.
 /// @throws Error  (Kind::Context) if none works: why not, for each that was tried; (Kind::Usage) if a device is
-///                wished for that does not exist
+///                asked for that does not exist
 [[nodiscard]] std::unique_ptr<Context> createContext(const BackendSettings&);
 
 }  // namespace inkedge::gl

@@ -27,7 +27,7 @@ struct Vertex {
 struct Extra {
     glm::vec2 coordinates{0.0F};
     glm::vec4 color{1.0F};
-    glm::vec2 place{0.0F};
+    glm::vec2 uv{0.0F};
     GLfloat curvature = 0.0F;
 };
 
@@ -81,7 +81,7 @@ bool hasExtras(const Mesh& mesh) {
 Extra extraOf(const Mesh& mesh, std::size_t vertex) {
     Extra extra;
     if (!mesh.textureCoordinates.empty()) extra.coordinates = mesh.textureCoordinates[vertex];
-    if (!mesh.paint.empty()) extra.color = mesh.paint[vertex].color, extra.place = mesh.paint[vertex].place;
+    if (!mesh.paint.empty()) extra.color = mesh.paint[vertex].color, extra.uv = mesh.paint[vertex].uv;
     if (!mesh.curvatures.empty()) extra.curvature = mesh.curvatures[vertex];
     return extra;
 }
@@ -259,7 +259,7 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
     api.VertexArrayVertexBuffer(id, perExtra, extras_.id(), 0, sizeof(Extra));
     describeFloats(api, id, 10, perExtra, 2, offsetof(Extra, coordinates));
     describeFloats(api, id, 11, perExtra, 4, offsetof(Extra, color));
-    describeFloats(api, id, 12, perExtra, 2, offsetof(Extra, place));
+    describeFloats(api, id, 12, perExtra, 2, offsetof(Extra, uv));
     describeFloats(api, id, 13, perExtra, 1, offsetof(Extra, curvature));
 }
 

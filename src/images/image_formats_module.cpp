@@ -109,9 +109,9 @@ EncodedPicture encodeFile(FileFormat format, std::span<const Layer> layers, std:
 }
 
 ReadPicture readFile(const std::filesystem::path& path) {
-    OIIO::ImageSpec wish;
-    wish.attribute("oiio:UnassociatedAlpha", 1);
-    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string(), &wish);
+    OIIO::ImageSpec request;
+    request.attribute("oiio:UnassociatedAlpha", 1);
+    const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string(), &request);
     ReadPicture result;
     if (!input) {
         result.failure = "expected a picture of a known format, found: " + oneLine(OIIO::geterror()) + notThisFile;

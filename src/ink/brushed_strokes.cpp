@@ -26,9 +26,9 @@ BrushedStrokes::BrushedStrokes(const Brush& brush, std::span<const Stroke> strok
                                const std::array<Pen, penCount>& pens, Size rows)
     : strokes_{strokes}, inLine_{linesOf(strokes)}, coverage_{rows, 1}, distance_{rows, 1}, ink_{rows, 1} {
     for (const Stroke& stroke : strokes) {
-        auto& fitted = brushes_[stroke.style];
+        auto& fitted = brushes_[stroke.pen];
         if (fitted) continue;
-        const double width = pens[stroke.style].width;
+        const double width = pens[stroke.pen].width;
         for (std::size_t other = 0; other < penCount && !fitted; ++other)
             if (brushes_[other] && pens[other].width == width) fitted = brushes_[other];
         if (!fitted) fitted.emplace(brush, width);
@@ -61,7 +61,7 @@ void BrushedStrokes::cover(Image<float>& coverage, Rows rows, std::span<const Bo
     for (std::size_t begin = 0; begin < shown.size();) {
         std::size_t end = begin + 1;
         while (end < shown.size() && lineOf(shown[end]).line == lineOf(shown[begin]).line) ++end;
-        if (pens.test(shown[begin].stroke->style)) coverLine(coverage, rows, shown.subspan(begin, end - begin));
+        if (pens.test(shown[begin].stroke->pen)) coverLine(coverage, rows, shown.subspan(begin, end - begin));
         begin = end;
     }
 }
@@ -90,7 +90,7 @@ void BrushedStrokes::clear(PixelBox box, Rows rows) {
 void BrushedStrokes::add(const BoxedStroke& boxed, Rows rows) {
     const Stroke& stroke = *boxed.stroke;
     const InLine& inLine = lineOf(boxed);
-    const FittedBrush& brush = *brushes_[stroke.style];
+    const FittedBrush& brush = *brushes_[stroke.pen];
     const EndWidths ends = widthsOf(stroke, boxed.width);
     const CentreLine line = measuredInPixels(stroke);
     const float stretch = brush.stretchAround(inLine.around);

@@ -34,7 +34,7 @@ struct End {
 };
 
 std::pair<double, double> rowAndX(const End& end) {
-    return {std::floor(end.point.place.y / rowHeight), end.point.place.x};
+    return {std::floor(end.point.pixel.y / rowHeight), end.point.pixel.x};
 }
 
 // The share of the way from a to b that is nearest to p.
@@ -68,7 +68,7 @@ struct Course {
 };
 
 Course courseOf(const End& end, const Piece& piece, double way) {
-    const glm::dvec2 along = piece.b.place - piece.a.place;
+    const glm::dvec2 along = piece.b.pixel - piece.a.pixel;
     const double length = glm::length(along);
     const double cosine = length > 0.0 ? glm::dot(along, end.outward) / length : 0.0;
     if (piece.closed) return {std::abs(cosine), std::numeric_limits<double>::infinity()};
@@ -76,15 +76,15 @@ Course courseOf(const End& end, const Piece& piece, double way) {
 }
 
 bool meets(const End& end, const Piece& piece) {
-    const auto& [place, point] = end.point;
-    const double distance = distanceTo(place, piece.a.place, piece.b.place);
+    const auto& [pixel, position] = end.point;
+    const double distance = distanceTo(pixel, piece.a.pixel, piece.b.pixel);
     if (distance > near) return false;
-    const double way = glm::mix(piece.begin, piece.end, nearestShare(place, piece.a.place, piece.b.place));
+    const double way = glm::mix(piece.begin, piece.end, nearestShare(pixel, piece.a.pixel, piece.b.pixel));
     if (end.line == piece.line && (end.last ? piece.whole - way : way) <= ownWay) return false;
     const Course course = courseOf(end, piece, way);
     const bool endsToo = course.cosine > asOne && course.ahead <= near;  // both run out in one tip
     const bool goesOn = course.cosine > smoothly && course.ahead > near;
-    const bool touches = distance <= touching && distanceTo(point, piece.a.point, piece.b.point) <= end.reach;
+    const bool touches = distance <= touching && distanceTo(position, piece.a.position, piece.b.position) <= end.reach;
     return goesOn || (touches && !endsToo);
 }
 
@@ -97,8 +97,8 @@ public:
     }
 
     void join(const Piece& piece) {
-        const glm::dvec2 a = piece.a.place;
-        const glm::dvec2 b = piece.b.place;
+        const glm::dvec2 a = piece.a.pixel;
+        const glm::dvec2 b = piece.b.pixel;
         const double low = std::min(a.y, b.y) - near;
         const double high = std::max(a.y, b.y) + near;
         if (!std::isfinite(low + high)) return;
@@ -134,7 +134,7 @@ double footprint(const Lines& lines, glm::dvec3 point) {
 }
 
 glm::dvec2 outward(const Line& line, bool last) {
-    const auto at = [&](std::size_t i) { return line.points[last ? line.points.size() - 1 - i : i].place; };
+    const auto at = [&](std::size_t i) { return line.points[last ? line.points.size() - 1 - i : i].pixel; };
     for (std::size_t i = 1; i < line.points.size(); ++i) {
         const glm::dvec2 along = at(0) - at(i);
         const double length = glm::length(along);
@@ -150,14 +150,14 @@ std::vector<End> endsOf(const Lines& lines, const PictureSettings& picture, cons
         if (line.closed || line.points.empty() || !isDrawn(line, picture, settings)) continue;
         for (const bool last : {false, true}) {
             const LinePoint& point = last ? line.points.back() : line.points.front();
-            if (std::isfinite(point.place.x) && std::isfinite(point.place.y))
-                ends.push_back({point, i, last, outward(line, last), nearInSpace * footprint(lines, point.point)});
+            if (std::isfinite(point.pixel.x) && std::isfinite(point.pixel.y))
+                ends.push_back({point, i, last, outward(line, last), nearInSpace * footprint(lines, point.position)});
         }
     }
     return ends;
 }
 
-auto order(const LinePoint& p) { return std::tuple{p.place.x, p.place.y, p.point.x, p.point.y, p.point.z}; }
+auto order(const LinePoint& p) { return std::tuple{p.pixel.x, p.pixel.y, p.position.x, p.position.y, p.position.z}; }
 
 }  // namespace
 
@@ -168,7 +168,7 @@ FreeEnds::FreeEnds(const Lines& lines, const PictureSettings& picture, const Lin
         if (!isDrawn(line, picture, settings)) continue;
         std::vector<double> ways{0.0};
         for (std::size_t k = 1; k < line.points.size(); ++k)
-            ways.push_back(ways.back() + glm::distance(line.points[k - 1].place, line.points[k].place));
+            ways.push_back(ways.back() + glm::distance(line.points[k - 1].pixel, line.points[k].pixel));
         for (std::size_t k = 1; k < line.points.size(); ++k)
             rows.join({i, line.points[k - 1], line.points[k], ways[k - 1], ways[k], ways.back(), line.closed});
         if (line.closed) rows.join({i, line.points.back(), line.points.front(), 0.0, 0.0, 0.0, true});

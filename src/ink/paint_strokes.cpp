@@ -95,7 +95,7 @@ using Pens = std::array<Pen, penCount>;
 std::vector<std::vector<BoxedStroke>> sorted(std::span<const Stroke> strokes, const Pens& allPens, Size size) {
     std::vector<std::vector<BoxedStroke>> strips(static_cast<std::size_t>((size.height + stripRows - 1) / stripRows));
     for (const Stroke& stroke : strokes) {
-        const auto width = static_cast<float>(allPens[stroke.style].width);
+        const auto width = static_cast<float>(allPens[stroke.pen].width);
         const BoxedStroke shown = boxed(stroke, width, size);
         if (shown.box.x0 > shown.box.x1) continue;
         for (int y = shown.box.y0; y <= shown.box.y1; y = (y / stripRows + 1) * stripRows)
@@ -106,7 +106,7 @@ std::vector<std::vector<BoxedStroke>> sorted(std::span<const Stroke> strokes, co
 
 void coverPlain(Strip& strip, std::span<const BoxedStroke> strokes, const Coat& coat) {
     for (const BoxedStroke& s : strokes)
-        if (coat.pens.test(s.stroke->style)) cover(strip.coverage, strip.rows, s);
+        if (coat.pens.test(s.stroke->pen)) cover(strip.coverage, strip.rows, s);
 }
 
 // Paints strokes over the part of a picture that a strip covers.
@@ -117,7 +117,7 @@ void paint(Strip& strip, std::span<const BoxedStroke> strokes, std::span<const C
     const std::ptrdiff_t values = std::ptrdiff_t{rows} * picture.size.width * picture.channels;
     std::copy_n(begin, values, strip.picture.pixels.begin());
     for (const Coat& coat : coats) {
-        const auto isOfCoat = [&](const BoxedStroke& s) { return coat.pens.test(s.stroke->style); };
+        const auto isOfCoat = [&](const BoxedStroke& s) { return coat.pens.test(s.stroke->pen); };
         if (std::ranges::none_of(strokes, isOfCoat)) continue;
         std::ranges::fill(strip.coverage.pixels, 0.0F);
         if (brushed) {

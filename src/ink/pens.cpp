@@ -14,9 +14,9 @@ double pixels(const PictureLength& length, double dpi) {
 std::array<Pen, penCount> pens(const PictureSettings& settings) {
     std::array<Pen, penCount> all{};
     for (std::size_t i = 0; i < lineTypeCount; ++i) {
-        const LineStyle& style = settings.lineStyles[i];
-        const Pen seen{pixels(style.width.value_or(settings.lineWidth), settings.dpi),
-                       style.color.value_or(settings.lineColor)};
+        const PenSettings& pen = settings.pens[i];
+        const Pen seen{pixels(pen.width.value_or(settings.lineWidth), settings.dpi),
+                       pen.color.value_or(settings.lineColor)};
         all[i] = seen;
         all[i + lineTypeCount] = {hiddenWidth * seen.width, seen.color};
     }

@@ -20,7 +20,7 @@ inline constexpr int penCount = 2 * lineTypeCount;
 /// Hidden lines are drawn with half the width of seen ones: ISO 128's narrow and wide lines.
 inline constexpr double hiddenWidth = 0.5;
 
-/// Pens with the overrides of PictureSettings::lineStyles applied.
+/// Pens with the overrides of PictureSettings::pens applied.
 [[nodiscard]] std::array<Pen, penCount> pens(const PictureSettings&);
 
 /// Which of pens() draws a line.

@@ -21,14 +21,14 @@ double turn(glm::dvec2 in, glm::dvec2 out) {
 }
 
 StrokePoint between(const StrokePoint& a, const StrokePoint& b, double share) {
-    return {glm::mix(a.place, b.place, share), glm::mix(a.width, b.width, share)};
+    return {glm::mix(a.pixel, b.pixel, share), glm::mix(a.width, b.width, share)};
 }
 
 // No two points further apart than step.
 std::vector<StrokePoint> refined(const std::vector<StrokePoint>& points, double step) {
     std::vector<StrokePoint> all{points.front()};
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const double parts = std::max(1.0, std::ceil(glm::distance(points[i - 1].place, points[i].place) / step));
+        const double parts = std::max(1.0, std::ceil(glm::distance(points[i - 1].pixel, points[i].pixel) / step));
         for (double k = 1.0; k <= parts; ++k) all.push_back(between(points[i - 1], points[i], k / parts));
     }
     return all;
@@ -40,7 +40,7 @@ void setByBends(std::vector<StrokePoint>& points, bool closed) {
     const int last = static_cast<int>(points.size()) - 1;
     const auto at = [&](int i) {
         if (closed && last > 0) i = (i % last + last) % last;
-        return points[static_cast<std::size_t>(std::clamp(i, 0, last))].place;
+        return points[static_cast<std::size_t>(std::clamp(i, 0, last))].pixel;
     };
     for (int i = 0; i <= last; ++i) {
         const glm::dvec2 in = at(i) - at(i - bendReach);
@@ -54,7 +54,7 @@ void setByBends(std::vector<StrokePoint>& points, bool closed) {
 
 double lengthOf(const std::vector<StrokePoint>& points) {
     double length = 0.0;
-    for (std::size_t i = 1; i < points.size(); ++i) length += glm::distance(points[i - 1].place, points[i].place);
+    for (std::size_t i = 1; i < points.size(); ++i) length += glm::distance(points[i - 1].pixel, points[i].pixel);
     return length;
 }
 
@@ -70,10 +70,10 @@ std::vector<StrokePoint> tapered(const std::vector<StrokePoint>& points, double 
         const double fromEnd = std::min(begins ? way : taper, ends ? length - way : taper);
         return std::clamp(fromEnd / taper, 0.0, 1.0);
     };
-    std::vector<StrokePoint> all{{points.front().place, points.front().width * share(0.0)}};
+    std::vector<StrokePoint> all{{points.front().pixel, points.front().width * share(0.0)}};
     double begin = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const double end = begin + glm::distance(points[i - 1].place, points[i].place);
+        const double end = begin + glm::distance(points[i - 1].pixel, points[i].pixel);
         double before = begin;
         for (const double way : turnPoints) {
             if (way <= before || way >= end) continue;
@@ -81,7 +81,7 @@ std::vector<StrokePoint> tapered(const std::vector<StrokePoint>& points, double 
             all.push_back(between(points[i - 1], points[i], (way - begin) / (end - begin)));
             all.back().width *= share(way);
         }
-        all.push_back({points[i].place, points[i].width * share(end)});
+        all.push_back({points[i].pixel, points[i].width * share(end)});
         begin = end;
     }
     return all;
@@ -109,7 +109,7 @@ bool StrokeWidths::vary() const noexcept { return kind_ != StrokeWidth::Constant
 
 // Changes evenly along a straight line in the picture: the depth, or in perspective its reciprocal.
 double StrokeWidths::nearness(const LinePoint& p) const {
-    const double z = (camera_.view * glm::dvec4{p.point, 1.0}).z;
+    const double z = (camera_.view * glm::dvec4{p.position, 1.0}).z;
     return camera_.orthographic() ? z : -1.0 / z;
 }
 
@@ -123,7 +123,7 @@ void StrokeWidths::setByDepth(const Line& line, std::vector<StrokePoint>& points
 
 std::vector<StrokePoint> StrokeWidths::along(const Line& line, const Line& whole) const {
     std::vector<StrokePoint> points;
-    for (const LinePoint& p : line.points) points.push_back({p.place});
+    for (const LinePoint& p : line.points) points.push_back({p.pixel});
     if (points.empty()) return points;
     if (line.closed) points.push_back(points.front());
     if (kind_ == StrokeWidth::Depth) setByDepth(line, points);
@@ -131,8 +131,8 @@ std::vector<StrokePoint> StrokeWidths::along(const Line& line, const Line& whole
     if (!freeEnds_ || whole.closed) return points;
     const LinePoint& first = whole.points.front();
     const LinePoint& last = whole.points.back();
-    const bool begins = line.points.front().place == first.place && freeEnds_->has(first);
-    const bool ends = line.points.back().place == last.place && freeEnds_->has(last);
+    const bool begins = line.points.front().pixel == first.pixel && freeEnds_->has(first);
+    const bool ends = line.points.back().pixel == last.pixel && freeEnds_->has(last);
     return begins || ends ? tapered(points, taper_, begins, ends) : points;
 }
 

@@ -19,36 +19,36 @@ std::uint8_t levelOf(double width) {
 }
 
 // @param way  along the line, to a
-Stroke strokeBetween(const StrokePoint& a, const StrokePoint& b, std::uint8_t style, double way) {
-    return {glm::vec2{a.place}, glm::vec2{b.place}, style, levelOf(a.width), levelOf(b.width), static_cast<float>(way)};
+Stroke strokeBetween(const StrokePoint& a, const StrokePoint& b, std::uint8_t pen, double way) {
+    return {glm::vec2{a.pixel}, glm::vec2{b.pixel}, pen, levelOf(a.width), levelOf(b.width), static_cast<float>(way)};
 }
 
-void addSolid(const std::vector<StrokePoint>& points, std::uint8_t style, std::vector<Stroke>& strokes) {
+void addSolid(const std::vector<StrokePoint>& points, std::uint8_t pen, std::vector<Stroke>& strokes) {
     double way = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) {
-        strokes.push_back(strokeBetween(points[i - 1], points[i], style, way));
-        way += glm::distance(points[i - 1].place, points[i].place);
+        strokes.push_back(strokeBetween(points[i - 1], points[i], pen, way));
+        way += glm::distance(points[i - 1].pixel, points[i].pixel);
     }
 }
 
 // Dashes along the way, beginning with a whole one.
-void addDashes(const std::vector<StrokePoint>& points, std::uint8_t style, double width, std::vector<Stroke>& strokes) {
+void addDashes(const std::vector<StrokePoint>& points, std::uint8_t pen, double width, std::vector<Stroke>& strokes) {
     const double period = (dashLength + gapLength) * width;
     const double dash = dashLength * width;
     double begin = 0.0;  // of the edge, along the way
     for (std::size_t i = 1; i < points.size(); ++i) {
         const StrokePoint& a = points[i - 1];
         const StrokePoint& b = points[i];
-        const double length = glm::distance(a.place, b.place);
+        const double length = glm::distance(a.pixel, b.pixel);
         const double end = begin + length;
         const auto at = [&](double way) {
             const double share = length > 0.0 ? (way - begin) / length : 0.0;
-            return StrokePoint{glm::mix(a.place, b.place, share), glm::mix(a.width, b.width, share)};
+            return StrokePoint{glm::mix(a.pixel, b.pixel, share), glm::mix(a.width, b.width, share)};
         };
         for (double k = std::floor(begin / period); k * period < end || length == 0.0; ++k) {
             const double from = std::max(begin, k * period);
             const double to = std::min(end, k * period + dash);
-            if (from <= to) strokes.push_back(strokeBetween(at(from), at(to), style, from));
+            if (from <= to) strokes.push_back(strokeBetween(at(from), at(to), pen, from));
             if (length == 0.0) break;
         }
         begin = end;

@@ -8,7 +8,7 @@
 
 namespace inkedge {
 
-/// Where the picture is taken from, and how.
+/// Where a picture is taken from, and how.
 struct Camera {
     glm::dmat4 view{1.0};             ///< world -> view space: right-handed, looks along -Z
     double viewAngle = 35.0;          ///< vertical, degrees, over 0 and under 180; perspective only
@@ -21,15 +21,16 @@ struct Camera {
     /// View space -> OpenGL clip space (-w <= z <= w), for pictures of this size; pixels are square.
     [[nodiscard]] INKEDGE_API glm::dmat4 projection(Size) const noexcept;
 
-    /// Focal length in pixels of pictures of this size; orthographic: pixels a scene unit.
+    /// Focal length in pixels of pictures of this size; orthographic: pixels per scene unit.
     [[nodiscard]] INKEDGE_API double focalLength(Size) const noexcept;
 };
 
-/// Turns a wish into a camera: what the wish leaves open is chosen so that the whole model fills the picture, and near
-/// and far are fitted to the scene's bounding sphere, so that depths scaled between them mean the same for a model of
-/// any size.
-/// @throws Error  (Kind::Usage) if the wish contradicts itself: position = focal point, up along the view direction, an
-///                angle out of range, a camera index that the file does not have, two ways to say one thing
+/// Makes a camera of settings. What the settings leave open is chosen so that the whole model fills the picture. The
+/// near and far planes are fitted to the scene's bounding sphere, so that depths scaled between them mean the same for
+/// a model of any size.
+/// @throws Error  (Kind::Usage) if the settings contradict themselves: position = focal point, up along the view
+///                direction, an angle out of range, a camera index that the file does not have, two ways to say one
+///                thing
 [[nodiscard]] INKEDGE_API Camera frameCamera(const Scene&, const CameraSettings&, Size);
 
 }  // namespace inkedge

@@ -13,8 +13,8 @@ namespace inkedge {
 struct Tolerance {
     double level = 0.0;  ///< differences up to this are not counted
     double share = 0.0;  ///< the share of pixels, 0..1, that may lie over the level
-    double hardLimit =
-        0.0;  ///< no pixel may differ by more than this, the allowed share included; under level: as level
+    /// No pixel may differ by more than this, those within the share included. What lies under level counts as level.
+    double hardLimit = 0.0;
 };
 
 struct Comparison {

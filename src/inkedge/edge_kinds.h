@@ -6,17 +6,17 @@ namespace inkedge {
 
 /// What a file says of the edge between two triangles.
 enum class EdgeKind : std::uint8_t {
-    /// It only cuts a polygon of the file into triangles: if both its triangles say so it is no crease, however the
-    /// polygon bends there.
+    /// The edge only cuts a polygon of the file into triangles. If both triangles of the edge say so the edge is no
+    /// crease, however the polygon bends there.
     Inner = 1U << 0U,
-    /// A crease, however little its triangles bend there.
+    /// A crease, however little the triangles bend there.
     Sharp = 1U << 1U,
-    /// Two faces of the file go on into each other there: no crease, however its triangles bend.
+    /// Two faces of the file go on into each other there: no crease, however the triangles bend.
     Tangent = 1U << 2U,
-    /// A face of the file meets itself there, as a cylinder's does: no crease, however its triangles bend.
+    /// A face of the file meets itself there, as the side of a cylinder does: no crease, however the triangles bend.
     Seam = 1U << 3U,
-    /// No other face of the file shares it: its surface ends there. Where another surface touches it, whether a line is
-    /// drawn is decided by the angle between the two, as everywhere.
+    /// No other face of the file shares the edge: the surface ends there. Where another surface touches the edge, the
+    /// angle between the two surfaces decides whether a line is drawn, as everywhere.
     Free = 1U << 4U,
     /// Meant to be drawn as a line (LineType::Marked).
     Marked = 1U << 5U,
@@ -26,7 +26,7 @@ enum class EdgeKind : std::uint8_t {
 class EdgeKinds {
 public:
     constexpr EdgeKinds() noexcept = default;
-    constexpr EdgeKinds(EdgeKind kind) noexcept : bits_{static_cast<std::uint8_t>(kind)} {}  // one is a set, too
+    constexpr EdgeKinds(EdgeKind kind) noexcept : bits_{static_cast<std::uint8_t>(kind)} {}
 
     [[nodiscard]] constexpr bool has(EdgeKind kind) const noexcept {
         return (bits_ & static_cast<std::uint8_t>(kind)) != 0;

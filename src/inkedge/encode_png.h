@@ -8,11 +8,12 @@
 
 namespace inkedge {
 
-/// A picture as a PNG file's bytes: 1 channel grey, 3 RGB, 4 RGBA, 8 bits each; 3 and 4 by a
-/// palette if the picture has few colours.
+/// A picture as the bytes of a PNG file of 8 bits a channel: 1 channel is grey, 3 are RGB, 4 RGBA. A picture of few
+/// colours is written with a palette.
 [[nodiscard]] INKEDGE_API std::vector<std::uint8_t> encodePng(const Image<std::uint8_t>&);
 
-/// Values of 16 bits as a PNG file's bytes: Maps::types as grey whose value is the bits. 1, 3 or 4 channels.
+/// Values of 16 bits as the bytes of a PNG file of 1, 3 or 4 channels. Maps::types becomes grey: a value's bits are
+/// the types.
 /// @throws Error  (Kind::Usage) if there is no pixel or another number of channels
 [[nodiscard]] INKEDGE_API std::vector<std::uint8_t> encodePng(const Image<std::uint16_t>&);
 

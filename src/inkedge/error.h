@@ -11,7 +11,7 @@ namespace inkedge {
 /// found, and the remedy where there is one.
 class INKEDGE_API Error : public std::runtime_error {
 public:
-    /// Who can mend it. The command turns a kind into its exit code (the number beside it).
+    /// What went wrong. The command's exit code is the number of the kind.
     enum class Kind {
         Runtime = 1,  ///< something failed while rendering: out of memory, a GL error
         Usage = 2,    ///< a setting or an argument is wrong

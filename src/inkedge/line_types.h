@@ -11,8 +11,8 @@
 
 namespace inkedge {
 
-/// What a line is: one bit of LineTypes and of Maps::types. A pixel of a line may have several types at once; a line is
-/// drawn in the style of the first that has one of its own.
+/// What a line is: one bit of LineTypes and of Maps::types. A pixel of a line may have several types at once. The line
+/// is then drawn with the pen of the first type that has a pen of its own (PictureSettings::pens).
 enum class LineType : std::uint32_t {
     Outline = 1,         ///< the model against the background
     Occlusion = 2,       ///< a surface in front of another
@@ -21,7 +21,8 @@ enum class LineType : std::uint32_t {
     Intersection = 16,   ///< surfaces that run into each other, and borders of surfaces that touch
     Object = 32,         ///< between two nodes of the scene
     Isoparametric = 64,  ///< where a texture coordinate passes a step; only of lines from object space
-    Marked = 128,        ///< edges that the file marks, but those drawn as one of the first three; object space only
+    /// Edges that the file marks, except those drawn as one of the first three types. Only of lines from object space.
+    Marked = 128,
 };
 inline constexpr int lineTypeCount = 8;
 
@@ -37,7 +38,7 @@ inline constexpr int lineTypeCount = 8;
 /// A set of line types: 32 bits, each as LineType numbers them. Iteration goes from the lowest bit to the highest.
 class LineTypes {
 public:
-    /// One bit after the other.
+    /// Goes from one bit to the next.
     class Iterator {
     public:
         using value_type = LineType;
@@ -77,7 +78,7 @@ public:
     [[nodiscard]] constexpr int size() const noexcept { return std::popcount(bits_); }
     [[nodiscard]] constexpr bool contains(LineType type) const noexcept { return !(*this & type).empty(); }
 
-    /// The lowest bit's type; of an empty set no type: the value 0.
+    /// The type of the lowest bit. Of an empty set it is no type: the value 0.
     [[nodiscard]] constexpr LineType first() const noexcept { return *begin(); }
     [[nodiscard]] constexpr Iterator begin() const noexcept { return Iterator{bits_}; }
     [[nodiscard]] constexpr Iterator end() const noexcept { return Iterator{}; }
@@ -88,7 +89,7 @@ public:
     }
     friend constexpr LineTypes operator|(LineTypes a, LineTypes b) noexcept { return fromBits(a.bits_ | b.bits_); }
     friend constexpr LineTypes operator&(LineTypes a, LineTypes b) noexcept { return fromBits(a.bits_ & b.bits_); }
-    /// Those of the first that the second does not hold.
+    /// The types of the first set that the second set does not hold.
     friend constexpr LineTypes operator-(LineTypes a, LineTypes b) noexcept { return fromBits(a.bits_ & ~b.bits_); }
     friend constexpr bool operator==(LineTypes, LineTypes) noexcept = default;
 

@@ -14,10 +14,10 @@
 
 namespace inkedge {
 
-/// A place on a line.
+/// A point of a line: in the picture and in the world.
 struct LinePoint {
-    glm::dvec2 place;  ///< output pixels, (0, 0) the picture's top left corner, y down
-    glm::dvec3 point;  ///< world space
+    glm::dvec2 pixel;     ///< output pixels, (0, 0) the picture's top left corner, y down; not rounded
+    glm::dvec3 position;  ///< world space
 };
 
 /// A polyline of one type, all of it seen or all of it hidden. It lies in front of the near plane; it may reach beyond
@@ -26,15 +26,16 @@ struct Line {
     LineType type = LineType::Outline;
     bool visible = true;
     bool closed = false;       ///< the last point is joined to the first, which is not repeated
-    std::uint32_t object = 0;  ///< the node it lies on, as in Maps::ids: from 1
-    std::uint32_t patch = 0;   ///< the patch it lies on, the nearer one where it parts two, as in Maps::ids: from 1
+    std::uint32_t object = 0;  ///< the node that the line lies on, as in Maps::ids: from 1
+    /// The patch that the line lies on, as in Maps::ids: from 1. Between two patches, the nearer one.
+    std::uint32_t patch = 0;
     std::vector<LinePoint> points;  ///< two or more
 };
 
 /// The lines of one view.
 struct Lines {
     std::vector<Line> lines;
-    Size size;  ///< of the picture that the places are in
+    Size size;  ///< of the picture that LinePoint::pixel counts in
     Camera camera;
     BackendInfo backend;  ///< the renderer's; empty while it has no context, for nothing was drawn to find them
     std::vector<StageTime> times;

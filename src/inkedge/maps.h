@@ -13,19 +13,23 @@ namespace inkedge {
 /// The result of one render. Every image has the picture's size, row 0 at the top; maps that were not asked for are
 /// empty. The masks hold 255 on an edge and 0 off it.
 struct Maps {
-    Image<std::uint8_t> picture;     ///< 1 channel if all lines and the background are grey, 3 (RGB), or 4 (RGBA, not
-                                     ///< premultiplied) if the background is transparent
-    Image<float> depth;              ///< eye-space depth, scene units; background: camera.far
-    Image<float> windowDepth;        ///< 0 at near, 1 at far; background: 1
-    Image<float> normal;             ///< 3 channels, -1..1, unit length, turned to the side that is seen; background: 0
-    Image<float> depthMagnitude;     ///< equation 6 on the depth map
-    Image<float> normalMagnitude;    ///< equation 6 on the normal map: the largest of the three channels
-    Image<std::uint8_t> depthEdges;  ///< equation 7 on the depth map
-    Image<std::uint8_t> normalEdges;  ///< equation 7 on the normal map
-    Image<std::uint8_t> edges;        ///< either: Figure 1(e); with the planes detector: on a line
-    Image<std::uint16_t> types;       ///< LineTypes::bits() at pixels on the nearer side of a line, else 0
-    Image<std::uint32_t> ids;  ///< 4 channels: the pixel's patch; the patch across the line, 0 off lines; the node;
-                               ///< the material. Each counts from 1; 0 is none or background
+    /// 1 channel (grey) if all lines and the background are grey; 4 (RGBA, not premultiplied) if the background is
+    /// transparent; else 3 (RGB).
+    Image<std::uint8_t> picture;
+    Image<float> depth;        ///< eye-space depth, scene units; background: camera.far
+    Image<float> windowDepth;  ///< 0 at near, 1 at far; background: 1
+    /// 3 channels, -1..1, unit length, turned to the side that is seen; background: 0.
+    Image<float> normal;
+    Image<float> depthMagnitude;      ///< Hertzmann 1999, equation 6, of the depth map
+    Image<float> normalMagnitude;     ///< equation 6 of the normal map: the largest of the three channels
+    Image<std::uint8_t> depthEdges;   ///< equation 7 of the depth map
+    Image<std::uint8_t> normalEdges;  ///< equation 7 of the normal map
+    /// Depth edges or normal edges: Figure 1(e). With the planes detector: pixels on a line.
+    Image<std::uint8_t> edges;
+    Image<std::uint16_t> types;  ///< LineTypes::bits() at pixels on the nearer side of a line, else 0
+    /// 4 channels: the patch of the pixel; the patch across the line, 0 off lines; the node; the material. Each counts
+    /// from 1; 0 is none or background.
+    Image<std::uint32_t> ids;
 
     Camera camera;
     BackendInfo backend;

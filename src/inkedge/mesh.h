@@ -12,35 +12,36 @@
 
 namespace inkedge {
 
-/// How texture coordinates outside 0..1 find their place in a picture.
+/// Which texel of a picture texture coordinates outside 0..1 stand for.
 enum class TextureWrap { Clamp, Mirror, Repeat };
 
-/// What a vertex says of its surface's colour.
+/// What a vertex says of the colour of its surface.
 struct VertexPaint {
     glm::vec4 color{1.0F};  ///< linear: a factor of the material's
-    glm::vec2 place{0.0F};  ///< in the material's picture: (0, 0) its top left corner, (1, 1) its bottom right one
+    glm::vec2 uv{0.0F};     ///< in the material's picture: (0, 0) its top left corner, (1, 1) its bottom right one
 };
 
-/// Triangles in a space of their own.
+/// Triangles in a coordinate system of their own: mesh space.
 struct Mesh {
     std::string name;
-    glm::dvec3 origin{0.0};  ///< added to every position: keeps floats near zero, however far off the mesh lies
+    glm::dvec3 origin{0.0};  ///< added to every position, so that floats stay exact however far off the mesh lies
     std::vector<glm::vec3> positions;      ///< mesh space, less origin
-    std::vector<glm::vec3> normals;        ///< unit length, one for each position; empty: made by completeNormals()
-    std::vector<std::uint32_t> indices;    ///< three a triangle, into positions
-    std::vector<std::uint32_t> materials;  ///< one a triangle: 1 + its number in the file, 0: none; empty: all 0
-    /// One an index: of what kinds the edge from this corner to its triangle's next is. What is said of an edge in one
-    /// of its triangles goes for the edge, but for EdgeKind::Inner. Empty: nothing is known of any.
+    std::vector<glm::vec3> normals;        ///< unit length, one per position; empty: the scene makes them
+    std::vector<std::uint32_t> indices;    ///< three per triangle, into positions
+    std::vector<std::uint32_t> materials;  ///< one per triangle: 1 + its number in the file, 0: none; empty: all 0
+    /// One per index: the kinds of the edge from this corner to the next corner of its triangle. A kind that one
+    /// triangle of an edge has goes for the whole edge, except EdgeKind::Inner. Empty: no edge has a kind.
     std::vector<EdgeKinds> edges;
-    /// One a triangle: the face of the file that it is a part of, in any numbering. Empty: each patch is by itself.
+    /// One per triangle: the face of the file that the triangle is a part of, in any numbering. Empty: the file has no
+    /// faces.
     std::vector<std::uint32_t> faces;
-    /// One a position, v = 0 at the top of the picture as in glTF; empty: none, or not asked for
-    /// (LoadSettings::textureCoordinates). Of a mesh of several parts those without have (0, 0).
+    /// One per position, v = 0 at the top of the picture as in glTF. Empty: the file has none, or
+    /// LoadSettings::textureCoordinates does not ask for them. Parts of the mesh without any have (0, 0).
     std::vector<glm::vec2> textureCoordinates;
-    std::vector<VertexPaint>
-        paint;  ///< one a position; empty: all as by default, or not asked for (LoadSettings::paint)
-    /// Mean curvature, one a position, one over mesh space's unit, over 0 where the surface bulges; made by the scene
-    /// if LoadSettings::curvature asks for it, else empty.
+    /// One per position. Empty: all have the default, or LoadSettings::paint does not ask for it.
+    std::vector<VertexPaint> paint;
+    /// Mean curvature, one per position, in 1 / unit of mesh space; over 0 where the surface bulges towards its front.
+    /// The scene makes it if LoadSettings::curvature asks for it; else empty.
     std::vector<float> curvatures;
 };
 

@@ -22,14 +22,14 @@ enum class ContextTime {
 
 /// Owns one offscreen OpenGL context and draws any number of scenes and views with it.
 ///
-/// Use by one thread at a time; several renderers may work side by side. The context is current only during a call.
-/// After it the EGL context of the caller is current again if this one is EGL's too; where one Mesa serves both EGL and
-/// OSMesa, a call through the other of the two leaves none current.
+/// One thread at a time may use a renderer; several renderers may work side by side. The context is current only during
+/// a call. After the call the caller's EGL context is current again, if the renderer's context is EGL's too. Where one
+/// Mesa serves both EGL and OSMesa, and the caller's context is of the other of the two, no context is current.
 class INKEDGE_API Renderer {
 public:
     /// @throws Error  (Kind::Context) if no context can be had; the message says why for each backend tried;
-    ///                (Kind::Usage) if the wish names a device that is not there. With ContextTime::WhenNeeded the call
-    ///                that needs the context throws, not the constructor.
+    ///                (Kind::Usage) if the settings name a device that is not there. With ContextTime::WhenNeeded the
+    ///                call that needs the context throws, not the constructor.
     explicit Renderer(const BackendSettings& = {}, ContextTime = ContextTime::AtOnce);
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
@@ -37,8 +37,8 @@ public:
 
     /// Draws one view: the picture and the maps that settings.maps names. What is larger than settings.picture.tileSize
     /// is drawn in parts, so that graphics memory does not limit the size; the picture and the maps themselves are held
-    /// in memory. A brush of lines from object space is held to the limits that the scene was loaded with. The last
-    /// scene's upload is kept for the next call, and the last brush.
+    /// in memory. A brush of lines from object space is held to the limits that the scene was loaded with. The upload of
+    /// the last scene and the last brush are kept for the next call.
     /// @throws Error  (Kind::Usage) if validate() refuses a setting, or the camera is unusable;
     ///                (Kind::Input) if the brush of lines from object space cannot be read, or is no PNG;
     ///                (Kind::Runtime) if there is less memory than the picture and its maps take, or the context runs
@@ -48,7 +48,7 @@ public:
     /// The lines of one view as polylines in the picture and in the world. From object space, unless
     /// settings.lines.from says image: visible ones, and hidden ones if settings.lines.hidden keeps them. What a scene
     /// needs for it (edge tables, bounding volume hierarchies) is kept for the next call. From image: what the planes
-    /// detector finds between pixels. Of settings.picture, size, lines and, from image, lineStyles, supersampling and
+    /// detector finds between pixels. Of settings.picture, size, lines and, from image, pens, supersampling and
     /// tileSize are looked at.
     /// @throws Error  (Kind::Usage) if validate() refuses a setting, if the camera is unusable, or lines from image are
     ///                asked of the classic detector, or of a contour finder what it cannot do; (Kind::Runtime) if

@@ -37,7 +37,7 @@ struct SceneSource {
 struct Material {
     std::string name;
     bool doubleSided = true;  ///< false: its backs are not meant to be seen
-    glm::vec4 color{1.0F};    ///< linear; a factor of what its picture and the vertices say
+    glm::vec4 color{1.0F};    ///< linear; multiplied by the picture's and the vertices' colours
     std::shared_ptr<const Image<std::uint8_t>> picture = {};  ///< sRGB, 4 channels; none: not asked for, or none
     std::array<TextureWrap, 2> wrap{TextureWrap::Repeat, TextureWrap::Repeat};  ///< of the picture, along each axis
 };
@@ -45,18 +45,18 @@ struct Material {
 /// Stands for no node, in Instance::node and SceneNode::parent.
 inline constexpr std::uint32_t noNode = ~0U;
 
-/// A name of the file's tree of parts.
+/// A node of the file's tree of names.
 struct SceneNode {
     std::string name;               ///< may be empty
     std::uint32_t parent = noNode;  ///< into Scene::nodes(), before this one; noNode: a root
 };
 
-/// A mesh placed in the world.
+/// A mesh in the world.
 struct Instance {
     std::string name;
     std::uint32_t mesh = 0;       ///< into Scene::meshes()
     glm::dmat4 transform{1.0};    ///< mesh space -> world, affine; may mirror and shear
-    std::uint32_t node = noNode;  ///< into Scene::nodes(): the part that it is; noNode: the file has no tree
+    std::uint32_t node = noNode;  ///< into Scene::nodes(): the node that it belongs to; noNode: the file has no tree
 };
 
 /// A camera that the file brings along.
@@ -69,7 +69,7 @@ struct SceneCamera {
 
 struct PreparedScene;  // internal
 
-/// An immutable set of meshes, their placements and cameras. Copies are cheap and share the data.
+/// An immutable set of meshes, instances of them and cameras. Copies are cheap and share the data.
 /// Safe to read from several threads.
 class INKEDGE_API Scene {
 public:
@@ -102,18 +102,19 @@ public:
     [[nodiscard]] const Box& box() const noexcept;
     /// A sphere in world space around everything drawn.
     [[nodiscard]] const Sphere& bounds() const noexcept;
-    /// How many triangles of mesh i, the first ones, are seen from their front only: LoadSettings::backFaces.
+    /// The first triangles of mesh i are seen from their front only: so many (LoadSettings::backFaces).
     [[nodiscard]] std::uint32_t oneSidedTriangles(std::size_t i) const noexcept;
-    /// Whether mesh i's faces are all single-sided and close it, wound outward: from outside no back of them is seen.
+    /// Whether all faces of mesh i are single-sided and together close it, wound outward. No back of a face is then
+    /// seen from outside.
     [[nodiscard]] bool hidesItsBacks(std::size_t i) const noexcept;
-    /// What its constructor was given.
+    /// The settings that the constructor was given.
     [[nodiscard]] const LoadSettings& loadedWith() const noexcept;
     /// Degrees: faces that meet at more than this meet in a crease.
     [[nodiscard]] double creaseAngle() const noexcept;
     /// Triangles drawn: every instance counts.
     [[nodiscard]] std::uint64_t triangleCount() const noexcept;
 
-    /// Wall time that the constructor took: the part of loadScene() that is not reading the file.
+    /// Wall time that the constructor took: the rest of loadScene()'s time went into reading the file.
     [[nodiscard]] double preparationMilliseconds() const noexcept;
 
 private:

@@ -29,12 +29,12 @@ struct Count {
     std::uint64_t min = 0;
     std::uint64_t max = std::numeric_limits<int>::max();
     std::string_view unit = "N";
-    std::string_view last = {};         ///< in words, what max is where a file or a machine decides it
+    std::string_view last = {};         ///< max in words, where a file or a machine decides it
     bool suffixes = false;              ///< k, M and G stand for thousands, millions, thousands of millions
     std::span<const int> choices = {};  ///< if there are any: these numbers alone
 };
 
-/// A setting that takes one of these names: the number of each in the list is its enumerator's value.
+/// A setting that takes one of these names. The index of a name is the value of its enumerator.
 struct Choice {
     std::span<const std::string_view> names;
 };
@@ -63,19 +63,21 @@ struct SettingDescription {
     Constraint constraint;
     std::string_view rangeNote = {};       ///< what the manual adds to the constraint's range
     std::string_view defaultInWords = {};  ///< where the default depends on something, or has a better name
-    char joinedBy = '\0';                  ///< a flag given several times: what stands between its texts; 0: once only
+    /// A flag that may be given several times: the character that joins its texts. 0: it may be given once.
+    char joinedBy = '\0';
 
-    /// What it takes, with the unit: "DEG" or "sobel|farid".
+    /// What the setting takes, with the unit: "DEG" or "sobel|farid".
     [[nodiscard]] INKEDGE_API std::string values() const;
     /// What is allowed, in words.
     [[nodiscard]] INKEDGE_API std::string range() const;
-    /// As text, or in words where it depends on something; empty: none.
+    /// The default as text, or in words where the default depends on something; empty: there is none.
     [[nodiscard]] INKEDGE_API std::string defaultValue() const;
-    /// @throws Error  (Kind::Usage) if it cannot take the text: what was expected and what was found
+    /// Sets the value from text.
+    /// @throws Error  (Kind::Usage) if the setting cannot take the text: what was expected and what was found
     INKEDGE_API void set(Settings&, std::string_view text) const;
-    /// As text that set() takes; empty where not given.
+    /// The value as text that set() takes; empty where no value is given.
     [[nodiscard]] INKEDGE_API std::string get(const Settings&) const;
-    /// @throws Error  (Kind::Usage) if the settings have a value that set() would not take, with the same words
+    /// @throws Error  (Kind::Usage) if the settings hold a value that set() would not take, with the same words
     INKEDGE_API void check(const Settings&) const;
 
     /// Where in Settings the value lies, and how it is read and written.

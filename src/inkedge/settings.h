@@ -71,7 +71,7 @@ struct LoadSettings {
     LoadLimits limits = {};
 };
 
-/// From where to look. World space of the file: right-handed, Y up, the front of a model towards +Z.
+/// Where a model is seen from. World space is the file's: right-handed, Y up, the front of a model towards +Z.
 /// What is not given is chosen so that the whole model is framed.
 struct CameraSettings {
     std::optional<glm::dvec3> position;
@@ -95,10 +95,10 @@ struct Color {
     friend bool operator==(const Color&, const Color&) = default;
 };
 
-/// A length on the picture.
+/// A length in the picture.
 struct PictureLength {
     double value = 0.0;
-    bool millimetres = false;  ///< else output pixels
+    bool millimetres = false;  ///< the value's unit; else output pixels
     friend bool operator==(const PictureLength&, const PictureLength&) = default;
 };
 
@@ -109,35 +109,35 @@ struct PageSize {
     friend bool operator==(const PageSize&, const PageSize&) = default;
 };
 
-/// How one type of line departs from the others.
-struct LineStyle {
+/// The pen of one type of line. What is not given is as PictureSettings::lineWidth and ::lineColor.
+struct PenSettings {
     std::optional<PictureLength> width;
     std::optional<Color> color;
-    friend bool operator==(const LineStyle&, const LineStyle&) = default;
+    friend bool operator==(const PenSettings&, const PenSettings&) = default;
 };
 
 struct PictureSettings {
-    static constexpr int mostSide = 32768;     ///< of size
-    static constexpr int leastTileSize = 256;  ///< of tileSize
-    static constexpr int mostTileSize = 8192;
+    static constexpr int maxSide = 32768;    ///< of size
+    static constexpr int minTileSize = 256;  ///< of tileSize
+    static constexpr int maxTileSize = 8192;
 
-    Size size{1024, 1024};  ///< pixels, 1 to mostSide along each axis
+    Size size{1024, 1024};  ///< pixels, 1 to maxSide along each axis
     Color lineColor{0, 0, 0};
     std::optional<Color> background = Color{255, 255, 255};  ///< none: transparent
     PictureLength lineWidth{1.5, false};                     ///< 0.5 to 32 pixels
-    double dpi = 96.0;                                       ///< pixels an inch, for widths in millimetres
+    double dpi = 96.0;                                       ///< pixels per inch, for widths in millimetres
     std::optional<PageSize> page;                            ///< the sheet that vectors are for; none: the size at dpi
-    int supersampling = 1;                                   ///< samples a pixel along each axis: 1, 2 or 4
+    int supersampling = 1;                                   ///< samples per pixel along each axis: 1, 2 or 4
     int tileSize = 4096;             ///< the largest side of what is drawn at once, samples: trades memory for time
     LineTypes lines = allLineTypes;  ///< which types are drawn
-    std::array<LineStyle, lineTypeCount> lineStyles;  ///< in the order of LineType's bits
+    std::array<PenSettings, lineTypeCount> pens;  ///< one per line type, in the order of LineType's bits
 };
 
 /// Where the lines come from.
 enum class LinesFrom {
     Auto,    ///< object space for vectors, image space for pictures
     Image,   ///< what a detector finds between neighbouring pixels
-    Object,  ///< the mesh itself: edges and curves on faces, parted into seen and hidden; Hertzmann 1999, section 3
+    Object,  ///< the mesh: edges and curves on faces, divided into seen and hidden parts; Hertzmann 1999, section 3
 };
 /// What stands for the contour of a surface, where it turns away from the eye.
 enum class Contour {
@@ -148,9 +148,11 @@ enum class Contour {
 /// How the contour edges of a mesh are searched for, section 3.2.
 enum class ContourFinder {
     Every,  ///< every edge is looked at
-    /// Some edges, and what hangs together with those found: quick on large meshes, and may miss small contours.
+    /// Some edges are looked at, and those connected with a contour edge that was found. Quick on large meshes; may miss
+    /// small contours.
     Random,
-    Gauss,  ///< a map of the edges' normals, made once, tells those near the contour; orthographic views only
+    /// A map of the edges' normals, made once, yields the edges near the contour. Orthographic views only.
+    Gauss,
 };
 /// What becomes of hidden lines.
 enum class HiddenLines { None, Dashed, Solid };
@@ -174,19 +176,19 @@ struct LineSettings {
     Contour contour = Contour::Auto;
     ContourFinder contourFinder = ContourFinder::Every;
     HiddenLines hidden = HiddenLines::None;
-    double simplify = 0.25;  ///< pixels that polylines in files may stray from those found; 0: every point is kept
+    double simplify = 0.25;  ///< pixels that polylines in files may deviate from those found; 0: every point is kept
     StrokeWidth strokeWidth = StrokeWidth::Constant;
-    /// Pixels over which free ends of lines run out to nothing: those where no drawn line goes on, whatever its type,
-    /// or meets them, as in a solid's corners. A line that runs behind another surface ends freely.
+    /// Pixels over which a free end of a line runs out to nothing. An end is free where no drawn line of any type goes
+    /// on or meets it, as lines do in the corner of a solid. A line that runs behind another surface ends freely.
     double strokeTaper = 0.0;
     std::filesystem::path brush = {};  ///< a PNG, dark is ink, laid along lines from object space; empty: plain ink
-    double fitCurves = 0.0;     ///< pixels that cubic Bezier curves may stray from the lines; 0: polylines; SVG only
+    double fitCurves = 0.0;     ///< pixels that cubic Bezier curves may deviate from the lines; 0: polylines; SVG only
     int subdivideAdaptive = 0;  ///< levels of refinement near contours, section 3.3, 0 to 6; 0: none
     Isolines isolines = {};
 };
 
 enum class Detector {
-    Planes,          ///< where the visible faces' planes do not go on into each other; needs no threshold
+    Planes,          ///< where the planes of two visible faces do not go on into each other; needs no threshold
     Classic,         ///< gradients of the depth map and of the normal map, Hertzmann 1999, appendix A
     SaitoTakahashi,  ///< profiles and internal edges of the depth map, Saito and Takahashi 1990 (its reference 18)
     None,            ///< no lines but those of DetectorSettings::functions
@@ -226,12 +228,12 @@ struct Thresholds {
 };
 [[nodiscard]] INKEDGE_API Thresholds thresholds(const DetectorSettings&) noexcept;
 
-/// What lines are drawn with: the effects of Hertzmann 1999, Figure 2, and reference 5.
+/// How a whole picture is drawn: the effects of Hertzmann 1999, Figure 2, and its reference 5.
 enum class Style {
     Ink,     ///< lines as they were found
-    Hatch,   ///< and hatch marks between them, where facets of the mesh bend: edges of the faceted normal map
-    Sumi,    ///< in place of lines a soft brush: gradients of depth and normals, smeared along the edges
-    Pencil,  ///< lines drawn several times over, each time a little off
+    Hatch,   ///< lines and hatch marks between them, where facets of the mesh bend: edges of the faceted normal map
+    Sumi,    ///< a soft brush instead of lines: gradients of depth and normals, smeared along the edges
+    Pencil,  ///< lines drawn several times, each time a little off
 };
 struct StyleSettings {
     Style style = Style::Ink;
@@ -244,8 +246,8 @@ struct StyleSettings {
     double sumiLength = 24.0;      ///< pixels, 0 to 100: how far ink is smeared along an edge, each way
     int sumiStreaks = 0;           ///< steps that depth is sampled in, each a streak; 0: none
     int pencilStrokes = 3;         ///< 1 to 8: times that a line is drawn
-    double pencilLooseness = 3.0;  ///< pixels, 0 to 32: how far strokes stray
-    int pencilSeed = 1;            ///< of chance: the same strays the same way in every picture
+    double pencilLooseness = 3.0;  ///< pixels, 0 to 32: how far strokes deviate
+    int pencilSeed = 1;            ///< of the random deviations: one seed gives the same ones in every picture
 };
 
 /// A map that a render can give beside the picture.
@@ -262,7 +264,7 @@ struct BackendSettings {
     std::optional<int> device;  ///< an EGL device's number, as `inkedge doctor` lists them
 };
 
-/// What a renderer is asked for: everything about a picture of a scene that is loaded, through a camera that is placed.
+/// What a renderer is asked for: everything about a picture, but for its scene and its camera.
 struct RenderSettings {
     PictureSettings picture;
     DetectorSettings detector;
@@ -271,7 +273,7 @@ struct RenderSettings {
     std::vector<Map> maps;
 };
 
-/// Everything that can be set, from the file to the context. The table below describes each field once.
+/// Everything that can be set, from the file to the context. settingTable() describes each field once.
 struct Settings : RenderSettings {
     LoadSettings load;
     CameraSettings camera;

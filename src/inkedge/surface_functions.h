@@ -29,15 +29,15 @@ struct FunctionOption {
     double defaultValue;
     double low;  ///< smallest value that is allowed
     double high;
-    std::span<const std::string_view> choices = {};  ///< in place of numbers: the value is the choice's place
+    std::span<const std::string_view> choices = {};  ///< if there are any: the value is the index of one of these
 };
 
-/// What becomes of differences across which a function begins anew. One that does has values in its first two channels
-/// alone.
+/// How differences are taken of a function whose values start again from 0 at some point. Such a function has values in
+/// its first two channels only.
 enum class Wrapping {
     None,
-    Unit,   ///< values are taken modulo 1, as coordinates of a repeated texture are; not of a picture
-    Steps,  ///< values are numbers of steps of the first option's size, taken modulo what makes 1
+    Unit,   ///< modulo 1, as for coordinates of a repeated texture; not where the function has a picture
+    Steps,  ///< values count steps of the first option's size; modulo the number of steps that make 1
 };
 
 /// What a function reads besides the shape; a model is loaded with it only then.
@@ -55,10 +55,9 @@ struct FunctionDescription {
     std::string_view name;
     std::string_view help;  ///< one line
     std::span<const FunctionOption> options;
-    std::string_view
-        file;         ///< what FunctionSettings::file holds: "PICTURE" (PNG or JPEG) or "GLSL"; empty: it takes none
-    float threshold;  ///< the default T under Sobel's kernels, under which a step of 1 has magnitude 4
-    /// Its value on the background; none: borders of surfaces against the background are no edges.
+    std::string_view file;  ///< what FunctionSettings::file holds: "PICTURE" (PNG or JPEG) or "GLSL"; empty: nothing
+    float threshold;        ///< the default T with Sobel's kernels, which give a step of 1 the magnitude 4
+    /// The value on the background; none: borders of surfaces against the background are no edges.
     std::optional<float> background;
     Wrapping wrapping;
     FunctionNeeds needs;
@@ -71,16 +70,16 @@ struct FunctionDescription {
 /// @throws Error  (Kind::Usage) if there is none; the message lists all names
 [[nodiscard]] INKEDGE_API const FunctionDescription& functionDescription(std::string_view name);
 
-/// A function from text: NAME[:key=value,...], the keys being kernel, threshold, file and those of its row. A first
-/// part without = is the file.
-/// @throws Error  (Kind::Usage) if it is none; the message lists what is allowed
+/// A function from text: NAME[:key=value,...]. The keys are kernel, threshold, file and the options of the function's
+/// row. A first item without = is the file.
+/// @throws Error  (Kind::Usage) if the text has another form; the message lists what is allowed
 [[nodiscard]] INKEDGE_API FunctionSettings surfaceFunction(std::string_view text);
 
-/// As text that surfaceFunction() takes: what is not as by default.
-/// @throws Error  (Kind::Usage) if no row bears its name, or it has not as many options as its row
+/// A function as text that surfaceFunction() takes: what differs from the defaults.
+/// @throws Error  (Kind::Usage) if no row has its name, or its row has another number of options
 [[nodiscard]] INKEDGE_API std::string text(const FunctionSettings&);
 
-/// T in force.
+/// The threshold T in force.
 [[nodiscard]] INKEDGE_API float threshold(const FunctionSettings&);
 
 /// Differences of the function's values are taken modulo this; 0: as they are.

@@ -21,7 +21,7 @@ namespace inkedge {
 /// stage.
 [[nodiscard]] INKEDGE_API std::string metadataJson(const Scene&, const Maps&, const Settings&);
 
-/// The same of lines.
+/// The same for lines.
 [[nodiscard]] INKEDGE_API std::string metadataJson(const Scene&, const Lines&, const Settings&);
 
 /// The files that writeMaps() writes: first the picture's, then one for each map if the format holds one map a file.
@@ -33,10 +33,10 @@ namespace inkedge {
 
 /// Writes the picture and the named maps; every file appears whole or not at all. 8-bit files are for looking: depth as
 /// grey from near (black) to far (white), normals as (n + 1) / 2, edges black on white, types and ids as colours
-/// (encodePng(maps.types) keeps the types' bits). EXR
-/// holds the maps in layers depth.Z (scene units), normal.X/Y/Z, depth-edges.Y, normal-edges.Y, edges.Y, types.bits,
-/// ids.patch/across/object/material beside the picture's Y or R, G, B, A (linear light, alpha premultiplied), with
-/// inkedge:near, inkedge:far, inkedge:view and inkedge:projection in its header.
+/// (encodePng(maps.types) keeps the types' bits). EXR holds the maps in layers depth.Z (scene units), normal.X/Y/Z,
+/// depth-edges.Y, normal-edges.Y, edges.Y, types.bits and ids.patch/across/object/material, beside the picture's Y or
+/// R, G, B, A (linear light, alpha premultiplied). Its header has inkedge:near, inkedge:far, inkedge:view and
+/// inkedge:projection.
 /// @return        the files written, as outputFiles() gives them
 /// @throws Error  (Kind::Output) if one cannot be written; none is left half-written
 INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<const Map> maps,
@@ -54,8 +54,9 @@ INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<
 [[nodiscard]] INKEDGE_API std::string linesSvg(const Scene&, const Lines&, const Settings&,
                                                std::string_view title = "Line drawing");
 
-/// The same lines, not cut, as one JSON object: "places" in pixels of "size", y down; "points" in world space; each
-/// line with type, visible, closed, object, patch; camera, bounds, settings. README.md describes it.
+/// The same lines, not cut, as one JSON object: "places" (LinePoint::pixel) in pixels of "size", y down; "points"
+/// (LinePoint::position) in world space; each line with type, visible, closed, object, patch; camera, bounds, settings.
+/// README.md describes it.
 /// @throws Error  (Kind::Usage) if lines.size has no pixel
 [[nodiscard]] INKEDGE_API std::string linesJson(const Scene&, const Lines&, const Settings&);
 

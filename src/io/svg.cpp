@@ -79,7 +79,7 @@ PictureSettings onPage(PictureSettings settings, Size size) {
 // Whether the document's size is told in millimetres.
 bool isPhysical(const PictureSettings& settings) {
     bool physical = settings.page || settings.dpi != cssDpi || settings.lineWidth.millimetres;
-    for (const LineStyle& style : settings.lineStyles) physical = physical || (style.width && style.width->millimetres);
+    for (const PenSettings& pen : settings.pens) physical = physical || (pen.width && pen.width->millimetres);
     return physical;
 }
 
@@ -120,8 +120,8 @@ void addCurves(io::SvgPath& path, const Line& line, double tolerance) {
 void addPolyline(io::SvgPath& path, const Line& line, double tolerance) {
     const Line simple = simplify(line, tolerance);
     if (simple.points.size() < 2) return;
-    path.moveTo(simple.points.front().place);
-    for (std::size_t i = 1; i < simple.points.size(); ++i) path.lineTo(simple.points[i].place);
+    path.moveTo(simple.points.front().pixel);
+    for (std::size_t i = 1; i < simple.points.size(); ++i) path.lineTo(simple.points[i].pixel);
     if (line.closed) path.close();
 }
 
@@ -164,7 +164,7 @@ std::array<Paths, penCount> pathsOf(const Lines& lines, const PictureSettings& p
             strokes.clear();
             maker.add(line, strokes);
             for (const Stroke& stroke : strokes) {
-                addOutline(paths[stroke.style][line.object], stroke, allPens[stroke.style].width);
+                addOutline(paths[stroke.pen][line.object], stroke, allPens[stroke.pen].width);
             }
         }
         return paths;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double straightOn = 0.7;   // cosine
 constexpr double nearInSpace = 4.0;  // pixels across at the ends
-constexpr double samePlace = 1e-6;   // pixels
+constexpr double samePixel = 1e-6;   // pixels
 constexpr std::uint32_t noEnd = ~0U;
 
 // Ends of lines: 2 i is line i's first point, 2 i + 1 its last.
@@ -43,9 +43,9 @@ private:
     // Out of the line at its end, over a pixel at least.
     [[nodiscard]] glm::dvec2 outward(std::uint32_t end) const {
         const auto& points = lines_[end / 2].points;
-        const glm::dvec2 from = point(end).place;
+        const glm::dvec2 from = point(end).pixel;
         for (std::size_t i = 1; i < points.size(); ++i) {
-            const glm::dvec2 along = from - (end % 2 == 0 ? points[i] : points[points.size() - 1 - i]).place;
+            const glm::dvec2 along = from - (end % 2 == 0 ? points[i] : points[points.size() - 1 - i]).pixel;
             const double length = glm::length(along);
             if (length >= 1.0 || (i + 1 == points.size() && length > 0.0)) return along / length;
         }
@@ -57,26 +57,26 @@ private:
         const Line& other = lines_[b / 2];
         if (one.type != other.type || one.visible != other.visible || one.object != other.object) return false;
         if (a / 2 == b / 2 && one.points.size() < 4) return false;
-        const glm::dvec2 gap = point(b).place - point(a).place;
+        const glm::dvec2 gap = point(b).pixel - point(a).pixel;
         const double distance = glm::length(gap);
         if (distance > widestBridge || glm::dot(outward(a), outward(b)) > -straightOn) return false;
         if (distance > 0.5 && glm::dot(outward(a), gap) < straightOn * distance) return false;
-        const double apart = glm::length(point(b).point - point(a).point);
-        return apart <= nearInSpace * screen_.footprint(point(a).point - origin_);
+        const double apart = glm::length(point(b).position - point(a).position);
+        return apart <= nearInSpace * screen_.footprint(point(a).position - origin_);
     }
 
     [[nodiscard]] std::vector<Pair> pairs() const {
         std::vector<std::uint32_t> ends;
         for (std::uint32_t i = 0; i < lines_.size(); ++i)
             if (!lines_[i].closed) ends.insert(ends.end(), {2 * i, 2 * i + 1});
-        const auto x = [&](std::uint32_t end) { return point(end).place.x; };
+        const auto x = [&](std::uint32_t end) { return point(end).pixel.x; };
         std::ranges::sort(ends, [&](std::uint32_t a, std::uint32_t b) { return x(a) != x(b) ? x(a) < x(b) : a < b; });
         std::vector<Pair> found;
         for (std::size_t i = 0; i < ends.size(); ++i) {
             for (std::size_t j = i + 1; j < ends.size() && x(ends[j]) <= x(ends[i]) + widestBridge; ++j) {
-                if (std::abs(point(ends[i]).place.y - point(ends[j]).place.y) > widestBridge) continue;
+                if (std::abs(point(ends[i]).pixel.y - point(ends[j]).pixel.y) > widestBridge) continue;
                 if (goOn(ends[i], ends[j]))
-                    found.push_back({glm::distance(point(ends[i]).place, point(ends[j]).place), ends[i], ends[j]});
+                    found.push_back({glm::distance(point(ends[i]).pixel, point(ends[j]).pixel), ends[i], ends[j]});
             }
         }
         std::ranges::stable_sort(found, {}, &Pair::distance);
@@ -86,7 +86,7 @@ private:
     void append(std::uint32_t line, bool reversed, std::vector<LinePoint>& to) const {
         auto points = lines_[line].points;
         if (reversed) std::ranges::reverse(points);
-        const bool meets = !to.empty() && glm::distance(to.back().place, points.front().place) <= samePlace;
+        const bool meets = !to.empty() && glm::distance(to.back().pixel, points.front().pixel) <= samePixel;
         to.insert(to.end(), points.begin() + (meets ? 1 : 0), points.end());
     }
 
@@ -103,7 +103,7 @@ private:
                 if (next == noEnd) break;
                 if (taken[next / 2]) {
                     line.closed = true;
-                    if (glm::distance(line.points.front().place, line.points.back().place) <= samePlace)
+                    if (glm::distance(line.points.front().pixel, line.points.back().pixel) <= samePixel)
                         line.points.pop_back();
                     break;
                 }

@@ -27,8 +27,8 @@ bool clipToNear(Segment& segment, std::array<glm::dvec3, 2>& ends, const Screen&
 }
 
 bool showsIn(const ScreenSegment& s, Size size) {
-    const glm::dvec2 low = glm::min(s.ends[0].place, s.ends[1].place);
-    const glm::dvec2 high = glm::max(s.ends[0].place, s.ends[1].place);
+    const glm::dvec2 low = glm::min(s.ends[0].pixel, s.ends[1].pixel);
+    const glm::dvec2 high = glm::max(s.ends[0].pixel, s.ends[1].pixel);
     return high.x > -margin && high.y > -margin && low.x < size.width + margin && low.y < size.height + margin;
 }
 
@@ -64,7 +64,7 @@ private:
         return {segment.curve, segment.marked, segment.hidden};
     }
     [[nodiscard]] Key key(std::uint32_t end) const { return segments_[end / 2].keys[end % 2]; }
-    [[nodiscard]] glm::dvec2 place(std::uint32_t end) const { return screen_[end / 2].ends[end % 2].place; }
+    [[nodiscard]] glm::dvec2 place(std::uint32_t end) const { return screen_[end / 2].ends[end % 2].pixel; }
     [[nodiscard]] glm::dvec2 away(std::uint32_t end) const {
         const glm::dvec2 along = place(end ^ 1U) - place(end);
         const double length = glm::length(along);

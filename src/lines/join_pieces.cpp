@@ -66,7 +66,7 @@ private:
     void addEnd(Chain::Link link, std::size_t end) {
         const ScreenSegment& s = projected_[link.segment];
         const std::size_t k = link.reversed ? 1 - end : end;
-        lines_.back().points.push_back({s.ends[k].place, s.world[k] + scene_.bounds().centre});
+        lines_.back().points.push_back({s.ends[k].pixel, s.world[k] + scene_.bounds().centre});
     }
 
     std::span<const TracedPiece> pieces_;

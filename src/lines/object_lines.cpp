@@ -50,7 +50,7 @@ struct View {
     // Across a segment in the picture, away from the surface that ends there.
     [[nodiscard]] glm::dvec2 outward(std::uint32_t s) const {
         const ScreenSegment& p = projected[s];
-        const glm::dvec2 along = p.ends[1].place - p.ends[0].place;
+        const glm::dvec2 along = p.ends[1].pixel - p.ends[0].pixel;
         const double length = glm::length(along);
         if (length == 0.0) return {0.0, 0.0};
         const glm::dvec2 normal{-along.y / length, along.x / length};
@@ -150,7 +150,7 @@ Line makeLine(const View& view, const Chain& chain, const Part& part, LineTypes 
         const Chain::Link l = chain.links[link % chain.links.size()];
         const double own = l.reversed ? 1.0 - at : at;
         const auto& ends = view.projected[l.segment].ends;
-        const glm::dvec2 place = ends[0].place + own * (ends[1].place - ends[0].place);
+        const glm::dvec2 place = ends[0].pixel + own * (ends[1].pixel - ends[0].pixel);
         line.points.push_back({place, view.pointAt(l.segment, own) + view.scene.bounds().centre});
     };
     const auto begin = static_cast<std::size_t>(part.begin);

@@ -40,7 +40,7 @@ struct CornerValues {
     VertexPaint paint;
     [[nodiscard]] std::array<float, 8> numbers() const {
         return {coordinates.x, coordinates.y, paint.color.r, paint.color.g,
-                paint.color.b, paint.color.a, paint.place.x, paint.place.y};
+                paint.color.b, paint.color.a, paint.uv.x,    paint.uv.y};
     }
 };
 

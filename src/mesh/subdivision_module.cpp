@@ -302,10 +302,10 @@ std::vector<glm::vec2> refinedCoordinates(const Far::TopologyRefiner& refiner, c
 
 std::vector<VertexPaint> refinedPaint(const Far::TopologyRefiner& refiner, const ControlMesh& control) {
     const auto colors = refinedValues<glm::dvec4>(refiner, control.paint, [](const VertexPaint& p) { return p.color; });
-    const auto places = refinedValues<glm::dvec2>(refiner, control.paint, [](const VertexPaint& p) { return p.place; });
+    const auto uvs = refinedValues<glm::dvec2>(refiner, control.paint, [](const VertexPaint& p) { return p.uv; });
     std::vector<VertexPaint> paint;
     paint.reserve(colors.size());
-    for (std::size_t c = 0; c < colors.size(); ++c) paint.push_back({glm::vec4{colors[c]}, glm::vec2{places[c]}});
+    for (std::size_t c = 0; c < colors.size(); ++c) paint.push_back({glm::vec4{colors[c]}, glm::vec2{uvs[c]}});
     return paint;
 }
 

@@ -29,7 +29,7 @@ std::vector<Line> joined(const TracedLines& traced, const Frame& frame, Size siz
         const StrokePlace& place = traced.places[i];
         pieces.push_back({{stroke.from, stroke.to},
                           {double{place.nearnessFrom}, double{place.nearnessTo}},
-                          static_cast<LineType>(1U << stroke.style),
+                          static_cast<LineType>(1U << stroke.pen),
                           faceOf(place.triangle - 1, frame.upload.firstTriangles())});
     }
     return lines::joinPieces(pieces, frame.scene, screen);

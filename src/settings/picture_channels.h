@@ -22,9 +22,9 @@ enum class Paper {
 [[nodiscard]] inline int pictureChannels(const PictureSettings& picture, Paper paper = Paper::Background) {
     const std::optional<Color> behind = colorOf(paper, picture);
     if (!behind) return 4;
-    const bool grey = behind->grey() && picture.lineColor.grey() &&
-                      std::ranges::all_of(picture.lineStyles,
-                                          [](const LineStyle& style) { return !style.color || style.color->grey(); });
+    const bool grey =
+        behind->grey() && picture.lineColor.grey() &&
+        std::ranges::all_of(picture.pens, [](const PenSettings& pen) { return !pen.color || pen.color->grey(); });
     return grey ? 1 : 3;
 }
 

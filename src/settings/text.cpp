@@ -181,24 +181,24 @@ Isolines parseIsolines(std::string_view text) {
 }
 
 // TYPE:width=W,color=C;TYPE:...
-std::array<LineStyle, lineTypeCount> parseLineStyles(std::string_view text) {
-    std::array<LineStyle, lineTypeCount> styles;
+std::array<PenSettings, lineTypeCount> parsePens(std::string_view text) {
+    std::array<PenSettings, lineTypeCount> pens;
     for (const std::string_view part : split(text, ';')) {
         const std::size_t colon = part.find(':');
         const Expected expected{"TYPE:width=W,color=C;... with one or both of width and color"};
         if (colon == std::string_view::npos) throw expected;
-        LineStyle& style = styles[static_cast<std::size_t>(parseChoice(lineTypeNames, part.substr(0, colon)))];
+        PenSettings& pen = pens[static_cast<std::size_t>(parseChoice(lineTypeNames, part.substr(0, colon)))];
         for (const std::string_view field : split(part.substr(colon + 1), ',')) {
             if (field.starts_with("width=")) {
-                style.width = parseLength(field.substr(6));
+                pen.width = parseLength(field.substr(6));
             } else if (field.starts_with("color=")) {
-                style.color = parseColor(field.substr(6));
+                pen.color = parseColor(field.substr(6));
             } else {
                 throw expected;
             }
         }
     }
-    return styles;
+    return pens;
 }
 
 std::vector<FunctionSettings> parseFunctions(std::string_view text) {
@@ -234,12 +234,12 @@ std::string textOf(const Isolines& isolines) {
     return isolines.u == isolines.v ? fmt::format("{}", isolines.u) : fmt::format("u:{},v:{}", isolines.u, isolines.v);
 }
 
-std::string textOf(const std::array<LineStyle, lineTypeCount>& styles) {
+std::string textOf(const std::array<PenSettings, lineTypeCount>& pens) {
     std::vector<std::string> parts;
-    for (std::size_t i = 0; i < styles.size(); ++i) {
+    for (std::size_t i = 0; i < pens.size(); ++i) {
         std::vector<std::string> fields;
-        if (styles[i].width) fields.push_back("width=" + textOf(*styles[i].width));
-        if (styles[i].color) fields.push_back("color=" + textOf(*styles[i].color));
+        if (pens[i].width) fields.push_back("width=" + textOf(*pens[i].width));
+        if (pens[i].color) fields.push_back("color=" + textOf(*pens[i].color));
         if (!fields.empty()) parts.push_back(fmt::format("{}:{}", lineTypeNames[i], fmt::join(fields, ",")));
     }
     return fmt::format("{}", fmt::join(parts, ";"));

@@ -27,7 +27,7 @@ inline constexpr Count isolineSteps{.max = 1000};
 /// Levels of refinement.
 inline constexpr Count subdivisionLevels{.max = 6};
 /// Sides of pictures.
-inline constexpr Count pictureSides{.min = 1, .max = PictureSettings::mostSide, .unit = "PX"};
+inline constexpr Count pictureSides{.min = 1, .max = PictureSettings::maxSide, .unit = "PX"};
 
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 
@@ -44,7 +44,7 @@ inline constexpr Count pictureSides{.min = 1, .max = PictureSettings::mostSide, 
 [[nodiscard]] PictureLength parseLength(std::string_view text);
 [[nodiscard]] PageSize parsePage(std::string_view text);
 [[nodiscard]] Isolines parseIsolines(std::string_view text);
-[[nodiscard]] std::array<LineStyle, lineTypeCount> parseLineStyles(std::string_view text);
+[[nodiscard]] std::array<PenSettings, lineTypeCount> parsePens(std::string_view text);
 [[nodiscard]] std::vector<FunctionSettings> parseFunctions(std::string_view text);
 
 /// @throws Error  (Kind::Usage) as surfaceFunction() does; files may have any name
@@ -62,7 +62,7 @@ void checkFunctions(const std::vector<FunctionSettings>&);
 [[nodiscard]] std::string textOf(const PictureLength&);
 [[nodiscard]] std::string textOf(const PageSize&);
 [[nodiscard]] std::string textOf(const Isolines&);
-[[nodiscard]] std::string textOf(const std::array<LineStyle, lineTypeCount>&);
+[[nodiscard]] std::string textOf(const std::array<PenSettings, lineTypeCount>&);
 [[nodiscard]] std::string textOf(const std::vector<FunctionSettings>&);
 template <class T>
 [[nodiscard]] std::string textOf(const std::optional<T>& value) {

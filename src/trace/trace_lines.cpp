@@ -439,8 +439,8 @@ Image<std::uint32_t> idsOfPixels(const TracedLines& traced, int samplesPerPixel)
 
 DrawnTypes drawnTypes(const PictureSettings& settings) {
     DrawnTypes types{settings.lines, {}};
-    for (std::size_t i = 0; i < settings.lineStyles.size(); ++i) {
-        if (settings.lineStyles[i] != LineStyle{}) types.styled |= static_cast<LineType>(1U << i);
+    for (std::size_t i = 0; i < settings.pens.size(); ++i) {
+        if (settings.pens[i] != PenSettings{}) types.styled |= static_cast<LineType>(1U << i);
     }
     return types;
 }

@@ -16,7 +16,7 @@ constexpr dvec2 high{100.0};
 
 std::vector<dvec2> places(const Line& line) {
     std::vector<dvec2> all;
-    for (const LinePoint& p : line.points) all.push_back(p.place);
+    for (const LinePoint& p : line.points) all.push_back(p.pixel);
     return all;
 }
 
@@ -40,7 +40,7 @@ TEST(Clip, cutsAtTheSides) {
     EXPECT_THAT(places(parts[1]), ElementsAre(dvec2{100, 20}, dvec2{0, 20}));
     EXPECT_EQ(parts[1].type, LineType::Crease);
     EXPECT_EQ(parts[1].object, 3U);
-    EXPECT_NEAR(parts[0].points[0].point.x, 0.25, 1e-12) << "a quarter of the way from point 0 to point 1";
+    EXPECT_NEAR(parts[0].points[0].position.x, 0.25, 1e-12) << "a quarter of the way from point 0 to point 1";
 }
 
 TEST(Clip, dropsWhatLiesOutside) {
@@ -74,7 +74,7 @@ TEST(Clip, keepsExactlyWhatIsInsideOfWindingLines) {
         double length = 0.0;
         for (const Line& part : clip(line, from, to)) {
             for (std::size_t i = 1; i < part.points.size(); ++i) {
-                length += glm::distance(part.points[i - 1].place, part.points[i].place);
+                length += glm::distance(part.points[i - 1].pixel, part.points[i].pixel);
             }
         }
         EXPECT_NEAR(length, expected, 0.5) << "some twenty cuts, each between samples 0.01 apart";

@@ -46,7 +46,7 @@ inline double distanceToEdge(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
 
 inline std::vector<glm::dvec2> outlineOf(const Line& line) {
     std::vector<glm::dvec2> places;
-    for (const LinePoint& p : line.points) places.push_back(p.place);
+    for (const LinePoint& p : line.points) places.push_back(p.pixel);
     if (line.closed) places.push_back(places.front());
     return places;
 }

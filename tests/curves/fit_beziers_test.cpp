@@ -42,8 +42,8 @@ TEST(FitBeziers, strayNoFurtherThanTheTolerance) {
                     const auto curves = fitBeziers(line, tolerance);
                     ASSERT_FALSE(curves.empty());
                     expectJoined(curves);
-                    EXPECT_EQ(curves.front()[0], line.points.front().place);
-                    EXPECT_EQ(curves.back()[3], line.points.back().place);
+                    EXPECT_EQ(curves.front()[0], line.points.front().pixel);
+                    EXPECT_EQ(curves.back()[3], line.points.back().pixel);
                     EXPECT_LE(furthest(outlineOf(line), drawn(curves), 0.5), tolerance);
                 }
             }

@@ -12,7 +12,7 @@ using glm::dvec2;
 
 std::vector<double> numbers(const Line& line) {
     std::vector<double> all;
-    for (const LinePoint& p : line.points) all.push_back(p.point.x);
+    for (const LinePoint& p : line.points) all.push_back(p.position.x);
     return all;
 }
 
@@ -44,7 +44,7 @@ TEST(Simplify, keepsPointsWithTheirWorldPointsInOrder) {
     line.patch = 9;
     const Line simple = simplify(line, 0.1);
     EXPECT_THAT(numbers(simple), testing::ElementsAre(0.0, 2.0, 5.0));
-    EXPECT_EQ(simple.points[1].place, (dvec2{10, 0}));
+    EXPECT_EQ(simple.points[1].pixel, (dvec2{10, 0}));
     EXPECT_EQ(simple.type, LineType::Crease);
     EXPECT_FALSE(simple.visible);
     EXPECT_EQ(simple.object, 7U);

@@ -172,7 +172,7 @@ TEST_P(Rendering, drawsAnotherSceneThatStandsWhereADeadOneStood) {
 
 TEST_P(Rendering, refusesSizesThatItCannotDraw) {
     const Scene scene = scenes::sceneOf(scenes::cube());
-    constexpr int most = PictureSettings::mostSide;
+    constexpr int most = PictureSettings::maxSide;
     for (const Size size : {Size{0, 5}, Size{5, 0}, Size{most + 1, 1}, Size{1, most + 1}}) {
         expectError(Error::Kind::Usage,
                     StrEq("size: expected 1x1 to 32768x32768 pixels, found '" + std::to_string(size.width) + "x" +
@@ -210,7 +210,7 @@ TEST_P(Rendering, refusesTilesThatItCannotDraw) {
 
 TEST_P(Rendering, drawsTheWidestAndTheTallestPicture) {
     const Scene scene = scenes::sceneOf(scenes::cube());
-    constexpr int most = PictureSettings::mostSide;
+    constexpr int most = PictureSettings::maxSide;
     for (const Size size : {Size{most, 1}, Size{1, most}}) {
         EXPECT_EQ(renderer().render(scene, frameCamera(scene, {}, size), classic(size)).picture.size, size);
     }

@@ -113,15 +113,15 @@ TEST(FreeEnds, AreThoseFarFromEveryOtherPiece) {
     }
     std::vector<bool> expected;
     for (const Line& line : lines) {
-        for (const glm::dvec2 end : {line.points.front().place, line.points.back().place}) {
+        for (const glm::dvec2 end : {line.points.front().pixel, line.points.back().pixel}) {
             expected.push_back(std::ranges::none_of(lines, [&](const Line& other) {
                 if (&other == &line) return false;
-                const glm::dvec2 a = other.points[0].place;
-                const glm::dvec2 along = other.points[1].place - a;
+                const glm::dvec2 a = other.points[0].pixel;
+                const glm::dvec2 along = other.points[1].pixel - a;
                 const double share = glm::clamp(glm::dot(end - a, along) / glm::dot(along, along), 0.0, 1.0);
                 const double distance = glm::distance(end, a + share * along);
                 const glm::dvec2 outward =
-                    glm::normalize(2.0 * end - line.points.front().place - line.points.back().place);
+                    glm::normalize(2.0 * end - line.points.front().pixel - line.points.back().pixel);
                 const double cosine = glm::dot(outward, glm::normalize(along));
                 const double ahead = glm::length(along) * (cosine > 0.0 ? 1.0 - share : share);
                 if (std::abs(cosine) > 0.7 && ahead > 1.5) return distance <= 1.5;

@@ -29,9 +29,7 @@ PictureSettings pictureOf(Size size, double width) {
     return settings;
 }
 
-Stroke strokeOf(const Line& line, std::uint8_t style = outline) {
-    return {glm::vec2{line.a}, glm::vec2{line.b}, style};
-}
+Stroke strokeOf(const Line& line, std::uint8_t pen = outline) { return {glm::vec2{line.a}, glm::vec2{line.b}, pen}; }
 
 Image<double> inkOf(std::span<const Stroke> strokes, const PictureSettings& settings) {
     return ink_measures::inkOf(paintStrokes(strokes, settings));
@@ -50,8 +48,8 @@ TEST(Pens, takeTheCommonWidthAndColourUnlessTheirTypeHasItsOwn) {
     PictureSettings settings;
     settings.lineWidth = {2.5, false};
     settings.lineColor = {1, 2, 3};
-    settings.lineStyles[crease] = {PictureLength{1.0, false}, Color{9, 9, 9}};
-    settings.lineStyles[occlusion].width = PictureLength{4.0, false};
+    settings.pens[crease] = {PictureLength{1.0, false}, Color{9, 9, 9}};
+    settings.pens[occlusion].width = PictureLength{4.0, false};
     const auto all = pens(settings);
     EXPECT_EQ(all[outline].width, 2.5);
     EXPECT_EQ(all[outline].color, (Color{1, 2, 3}));
@@ -140,8 +138,8 @@ TEST(PaintStrokes, drawnTwiceAreNoDarker) {
 
 TEST(PaintStrokes, ofAnEarlierTypeCoverThoseOfALaterOneInAnyOrder) {
     PictureSettings settings = pictureOf({21, 21}, 5.0);
-    settings.lineStyles[outline].color = Color{255, 0, 0};
-    settings.lineStyles[crease].color = Color{0, 0, 255};
+    settings.pens[outline].color = Color{255, 0, 0};
+    settings.pens[crease].color = Color{0, 0, 255};
     const Stroke across = strokeOf({{0.0, 10.5}, {21.0, 10.5}}, outline);
     const Stroke down = strokeOf({{10.5, 0.0}, {10.5, 21.0}}, crease);
     const auto picture = paintStrokes(std::array{across, down}, settings);
@@ -158,7 +156,7 @@ TEST(PaintStrokes, ofAnEarlierTypeCoverThoseOfALaterOneInAnyOrder) {
 
 TEST(PaintStrokes, ofDifferentWidthsKeepTheirOwn) {
     PictureSettings settings = pictureOf({100, 60}, 2.0);
-    settings.lineStyles[crease].width = PictureLength{6.0, false};
+    settings.pens[crease].width = PictureLength{6.0, false};
     const Line thin{{10, 15.2}, {90, 17.1}};
     const Line thick{{10, 40.2}, {90, 42.1}};
     const Image<double> ink = inkOf(std::array{strokeOf(thin), strokeOf(thick, crease)}, settings);
@@ -199,7 +197,7 @@ TEST(PaintStrokes, giveAGreyPictureWhereAllIsGrey) {
     EXPECT_EQ(picture.channels, 1);
     EXPECT_EQ(picture.at(4, 4), 0);
     EXPECT_EQ(picture.at(4, 1), 255);
-    settings.lineStyles[crease].color = Color{1, 0, 0};
+    settings.pens[crease].color = Color{1, 0, 0};
     EXPECT_EQ(paintStrokes({&stroke, 1}, settings).channels, 3);
 }
 

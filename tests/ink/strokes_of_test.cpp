@@ -48,7 +48,7 @@ TEST(StrokesOf, runThroughThePointsOfALine) {
     EXPECT_EQ(strokes[0].from, glm::vec2(10, 10));
     EXPECT_EQ(strokes[0].to, glm::vec2(50, 10));
     EXPECT_EQ(strokes[1].to, glm::vec2(50, 40));
-    EXPECT_EQ(strokes[1].style, crease);
+    EXPECT_EQ(strokes[1].pen, crease);
 }
 
 TEST(StrokesOf, joinAClosedLinesLastPointToItsFirst) {
@@ -75,7 +75,7 @@ TEST(StrokesOf, drawHiddenLinesAsTheSettingSays) {
     settings.hidden = HiddenLines::Solid;
     const auto solid = strokesOf(lines, picture(2.0), settings);
     ASSERT_EQ(solid.size(), 1U);
-    EXPECT_EQ(solid[0].style, outline + lineTypeCount);
+    EXPECT_EQ(solid[0].pen, outline + lineTypeCount);
     settings.hidden = HiddenLines::Dashed;
     const auto dashed =
         strokesOf(lines, picture(2.0), settings);  // 6 on, 4 off in pens 1 pixel wide: ten whole periods
@@ -118,8 +118,8 @@ TEST(StrokesOf, ofALineWithoutLengthAreADot) {
 
 TEST(StrokesOf, seenCoverHiddenOnesOfAnEarlierType) {
     PictureSettings settings = picture(6.0);
-    settings.lineStyles[outline].color = Color{255, 0, 0};
-    settings.lineStyles[crease].color = Color{0, 0, 255};
+    settings.pens[outline].color = Color{255, 0, 0};
+    settings.pens[crease].color = Color{0, 0, 255};
     LineSettings solid;
     solid.hidden = HiddenLines::Solid;
     Line seen = lineThrough({{50, 0}, {50, 100}});
@@ -137,8 +137,8 @@ TEST(StrokesOf, seenCoverHiddenOnesOfAnEarlierType) {
 // A line at this depth before a camera at the origin, in the picture at this height.
 Line atDepth(double from, double to, double y) {
     Line line = lineThrough({{10, y}, {110, y}});
-    line.points[0].point = {0, 0, -from};
-    line.points[1].point = {0, 0, -to};
+    line.points[0].position = {0, 0, -from};
+    line.points[1].position = {0, 0, -to};
     return line;
 }
 

@@ -140,7 +140,7 @@ TEST(Projection, CutsAtTheNearPlaneAndNothingGoesOnThere) {
     EXPECT_EQ(c.projected[0].world[0], before);
     EXPECT_EQ(c.segments[0].ends[1], behind) << "the surface's own shape stays";
     for (const ScreenSegment& s : c.projected)
-        for (const ScreenPoint& end : s.ends) EXPECT_TRUE(std::isfinite(end.place.x) && std::isfinite(end.place.y));
+        for (const ScreenPoint& end : s.ends) EXPECT_TRUE(std::isfinite(end.pixel.x) && std::isfinite(end.pixel.y));
 }
 
 TEST(Projection, LeavesOutWhatIsFarOffThePicture) {
@@ -148,8 +148,8 @@ TEST(Projection, LeavesOutWhatIsFarOffThePicture) {
                      segment({0, 0, 20}, 4, {1, 0, 20}, 5)}};
     ASSERT_THAT(c.segments, SizeIs(1));  // the one across; not that to the left, nor that behind the camera
     EXPECT_EQ(c.segments[0].keys[1], 3U);
-    EXPECT_DOUBLE_EQ(c.projected[0].ends[0].place.x, -300.0);
-    EXPECT_DOUBLE_EQ(c.projected[0].ends[0].place.y, 150.0);
+    EXPECT_DOUBLE_EQ(c.projected[0].ends[0].pixel.x, -300.0);
+    EXPECT_DOUBLE_EQ(c.projected[0].ends[0].pixel.y, 150.0);
 }
 
 TEST(Chains, OfNothingAreNone) { EXPECT_THAT(Chained{{}}.chains, IsEmpty()); }

@@ -269,7 +269,7 @@ TEST(ContourFinders, LeaveTheLinesOfAViewAsTheyAre) {
         EXPECT_EQ(every[i].type, gauss[i].type);
         ASSERT_EQ(every[i].points.size(), gauss[i].points.size());
         for (std::size_t k = 0; k < every[i].points.size(); ++k)
-            EXPECT_EQ(every[i].points[k].point, gauss[i].points[k].point);
+            EXPECT_EQ(every[i].points[k].position, gauss[i].points[k].position);
     }
 }
 

@@ -15,7 +15,7 @@ using namespace views;
 std::vector<glm::dvec3> pointsOf(const std::vector<Line>& lines) {
     std::vector<glm::dvec3> points;
     for (const Line& line : lines)
-        for (const LinePoint& p : line.points) points.push_back(p.point);
+        for (const LinePoint& p : line.points) points.push_back(p.position);
     return points;
 }
 

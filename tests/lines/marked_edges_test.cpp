@@ -25,8 +25,8 @@ Settings drawing(LineTypes types) {
 double length(const Line& line) {
     double sum = 0.0;
     for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
-        sum += glm::distance(line.points[i].point, line.points[i + 1].point);
-    if (line.closed) sum += glm::distance(line.points.back().point, line.points.front().point);
+        sum += glm::distance(line.points[i].position, line.points[i + 1].position);
+    if (line.closed) sum += glm::distance(line.points.back().position, line.points.front().position);
     return sum;
 }
 

@@ -40,10 +40,10 @@ EdgeCounts edgesOfBox(const std::vector<Line>& lines, glm::dvec3 sides, const Ca
     const auto cornerOf = [&](const LinePoint& p) {
         int corner = 0;
         for (int axis = 0; axis < 3; ++axis) {
-            EXPECT_NEAR(std::abs(p.point[axis]), 0.5 * sides[axis], exact);
-            corner |= p.point[axis] > 0.0 ? 1 << axis : 0;
+            EXPECT_NEAR(std::abs(p.position[axis]), 0.5 * sides[axis], exact);
+            corner |= p.position[axis] > 0.0 ? 1 << axis : 0;
         }
-        EXPECT_LT(glm::distance(p.place, pixel(camera, size, p.point)), exact);
+        EXPECT_LT(glm::distance(p.pixel, pixel(camera, size, p.position)), exact);
         return corner;
     };
     for (const Line& line : lines) {
@@ -98,7 +98,7 @@ TEST(ObjectLines, OfACubeKnowWhatTheyLieOn) {
     std::set<std::uint32_t> objects;
     for (const Line& line : lines) {
         objects.insert(line.object);
-        for (const LinePoint& p : line.points) EXPECT_EQ(line.object, p.point.x < 1.5 ? 1U : 2U);
+        for (const LinePoint& p : line.points) EXPECT_EQ(line.object, p.position.x < 1.5 ? 1U : 2U);
     }
     EXPECT_EQ(objects, (std::set<std::uint32_t>{1, 2}));
 }
@@ -107,7 +107,7 @@ TEST(ObjectLines, OfACubeKnowWhatTheyLieOn) {
 std::pair<double, double> radii(const Line& line, Size size) {
     std::pair range{std::numeric_limits<double>::max(), 0.0};
     for (const LinePoint& p : line.points) {
-        const double r = glm::distance(p.place, glm::dvec2{0.5 * size.width, 0.5 * size.height});
+        const double r = glm::distance(p.pixel, glm::dvec2{0.5 * size.width, 0.5 * size.height});
         range = {std::min(range.first, r), std::max(range.second, r)};
     }
     return range;
@@ -158,10 +158,10 @@ TEST(ObjectLines, OfASphereByItsEdgesRunAlongItsEdges) {
     ASSERT_THAT(lines, SizeIs(1));
     const double longest = 2.0 * std::sin(std::numbers::pi / 24.0) * std::sqrt(2.0);
     forEachPiece(lines[0], [&](const LinePoint& p, const LinePoint& q) {
-        EXPECT_LT(glm::distance(p.point, q.point), longest + 1e-6);
+        EXPECT_LT(glm::distance(p.position, q.position), longest + 1e-6);
         double nearest = 1.0;
         for (const glm::vec3& corner : mesh.positions)
-            nearest = std::min(nearest, glm::distance(glm::dvec3{corner}, p.point));
+            nearest = std::min(nearest, glm::distance(glm::dvec3{corner}, p.position));
         EXPECT_LT(nearest, 1e-6);
     });
 }
@@ -235,7 +235,7 @@ TEST(ObjectLines, OfATorusEndAtItsCusps) {
     ASSERT_GE(expected.size(), 4U);  // two curves pass through each of the last two
     std::vector<glm::dvec2> ends;
     for (const Line& line : lines)
-        if (!line.closed) ends.insert(ends.end(), {line.points.front().place, line.points.back().place});
+        if (!line.closed) ends.insert(ends.end(), {line.points.front().pixel, line.points.back().pixel});
     EXPECT_LE(ends.size(), 12U);
     for (const glm::dvec2& place : expected) {
         const auto apart = [&](glm::dvec2 end) { return glm::distance(end, place); };
@@ -271,7 +271,7 @@ TEST(ObjectLines, EndExactlyWhereABoxStandsBefore) {
         for (const double share : {std::ranges::min(shares), std::ranges::max(shares)}) {
             for (const Line& line : bars)
                 for (const LinePoint& end : {line.points.front(), line.points.back()})
-                    ends += glm::distance(end.place, p + share * (q - p)) < 1e-6 ? 1 : 0;
+                    ends += glm::distance(end.pixel, p + share * (q - p)) < 1e-6 ? 1 : 0;
         }
     }
     EXPECT_EQ(ends, 6);
@@ -291,10 +291,10 @@ TEST(ObjectLines, OfABoxThroughASphereAreAnArcOfTheirCircle) {
     double hidden = 0.0;
     for (const Line& line : thoseOf(lines, LineType::Intersection)) {
         forEachPiece(line, [&](const LinePoint& p, const LinePoint& q) {
-            EXPECT_NEAR(std::abs(p.point.y), 0.5, 1e-6);
-            EXPECT_NEAR(std::hypot(p.point.x, p.point.z), r, 7e-4);  // 1 - cos(pi / 128), steeper by 1 / r; twice
-            if (p.point.y > 0.0) (line.visible ? seen : hidden) += glm::distance(p.point, q.point);
-            if (p.point.y < 0.0) {
+            EXPECT_NEAR(std::abs(p.position.y), 0.5, 1e-6);
+            EXPECT_NEAR(std::hypot(p.position.x, p.position.z), r, 7e-4);  // 1 - cos(pi / 128), steeper by 1 / r; twice
+            if (p.position.y > 0.0) (line.visible ? seen : hidden) += glm::distance(p.position, q.position);
+            if (p.position.y < 0.0) {
                 EXPECT_FALSE(line.visible) << "below the box";
             }
         });
@@ -317,7 +317,7 @@ TEST(ObjectLines, OfSmoothContoursEndWhereTheyRunIntoAnotherPart) {
             const double inscribed = (line.object == 1 ? 0.8 : 1.0) * std::cos(std::numbers::pi / 16.0);
             forEachPiece(line, [&](const LinePoint& p, const LinePoint& q) {
                 for (const double s : {0.0, 0.5, 1.0})  // in pieces of facets' sizes
-                    EXPECT_GT(glm::distance(glm::mix(p.point, q.point, s), centre), inscribed * inscribed)
+                    EXPECT_GT(glm::distance(glm::mix(p.position, q.position, s), centre), inscribed * inscribed)
                         << "of " << line.object;
             });
         }
@@ -427,8 +427,8 @@ void expectSame(const std::vector<Line>& one, const std::vector<Line>& other) {
         EXPECT_EQ(one[i].patch, other[i].patch);
         ASSERT_EQ(one[i].points.size(), other[i].points.size());
         for (std::size_t k = 0; k < one[i].points.size(); ++k) {
-            ASSERT_EQ(one[i].points[k].place, other[i].points[k].place);
-            ASSERT_EQ(one[i].points[k].point, other[i].points[k].point);
+            ASSERT_EQ(one[i].points[k].pixel, other[i].points[k].pixel);
+            ASSERT_EQ(one[i].points[k].position, other[i].points[k].position);
         }
     }
 }
@@ -464,8 +464,8 @@ void expectSane(const std::vector<Line>& lines) {
     for (const Line& line : lines) {
         EXPECT_GE(line.points.size(), 2U);
         for (const LinePoint& p : line.points) {
-            EXPECT_TRUE(std::isfinite(p.place.x) && std::isfinite(p.place.y));
-            EXPECT_TRUE(std::isfinite(p.point.x) && std::isfinite(p.point.y) && std::isfinite(p.point.z));
+            EXPECT_TRUE(std::isfinite(p.pixel.x) && std::isfinite(p.pixel.y));
+            EXPECT_TRUE(std::isfinite(p.position.x) && std::isfinite(p.position.y) && std::isfinite(p.position.z));
         }
     }
 }
@@ -487,7 +487,7 @@ TEST(ObjectLines, FromWithinAModelAreThoseOfItsInside) {
     double across = 0.0;
     for (const Line& line : lines)
         forEachPiece(line, [&](const LinePoint& p, const LinePoint& q) {
-            if (p.point.z == -1.0 && q.point.z == -1.0) across += glm::distance(p.place, q.place);
+            if (p.position.z == -1.0 && q.position.z == -1.0) across += glm::distance(p.pixel, q.pixel);
         });
     EXPECT_NEAR(across, 4.0 * side, 1e-6);
     for (const Contour contour : bothContours) {
@@ -532,7 +532,8 @@ TEST(ObjectLines, OfManyFacesAtOneEdgeHoldTheEdgeOnce) {
     double back = 0.0;
     for (const Line& line : lines)
         forEachPiece(line, [&](const LinePoint& p, const LinePoint& q) {
-            if (std::abs(p.point.x) < 1e-9 && std::abs(q.point.x) < 1e-9) back += glm::distance(p.point, q.point);
+            if (std::abs(p.position.x) < 1e-9 && std::abs(q.position.x) < 1e-9)
+                back += glm::distance(p.position, q.position);
         });
     EXPECT_NEAR(back, 2.0, 1e-6);
 }
@@ -557,7 +558,7 @@ TEST(ObjectLines, FarFromTheOriginAreThoseNearIt) {
     for (std::size_t i = 0; i < found.size(); ++i) {
         ASSERT_EQ(found[i].points.size(), expected[i].points.size());
         for (std::size_t k = 0; k < found[i].points.size(); ++k)
-            EXPECT_LT(glm::distance(found[i].points[k].place, expected[i].points[k].place), 1e-3);  // doubles at 5e6
+            EXPECT_LT(glm::distance(found[i].points[k].pixel, expected[i].points[k].pixel), 1e-3);  // doubles at 5e6
     }
 }
 

@@ -75,7 +75,7 @@ void forEachPiece(const Line& line, Visit visit) {
 /// Pixels.
 inline double length(const Line& line) {
     double sum = 0.0;
-    forEachPiece(line, [&](const LinePoint& p, const LinePoint& q) { sum += glm::distance(p.place, q.place); });
+    forEachPiece(line, [&](const LinePoint& p, const LinePoint& q) { sum += glm::distance(p.pixel, q.pixel); });
     return sum;
 }
 

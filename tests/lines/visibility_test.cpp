@@ -181,12 +181,12 @@ glm::dvec3 along(const Line& line, bool fromEnd, double pixels) {
     std::vector<LinePoint> points = line.points;
     if (fromEnd) std::ranges::reverse(points);
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const double piece = glm::distance(points[i].place, points[i + 1].place);
+        const double piece = glm::distance(points[i].pixel, points[i + 1].pixel);
         if (piece >= pixels && piece > 0.0)
-            return points[i].point + pixels / piece * (points[i + 1].point - points[i].point);
+            return points[i].position + pixels / piece * (points[i + 1].position - points[i].position);
         pixels -= piece;
     }
-    return points.back().point;
+    return points.back().position;
 }
 
 void measureEnds(const std::vector<Line>& lines, const Judge& judge, Measured& to) {
@@ -197,8 +197,8 @@ void measureEnds(const std::vector<Line>& lines, const Judge& judge, Measured& t
             if (hidden.visible || hidden.closed) continue;
             for (const bool end : {false, true}) {
                 for (const bool hiddenEnd : {false, true}) {
-                    const glm::dvec3 p = end ? seen.points.back().point : seen.points.front().point;
-                    const glm::dvec3 q = hiddenEnd ? hidden.points.back().point : hidden.points.front().point;
+                    const glm::dvec3 p = end ? seen.points.back().position : seen.points.front().position;
+                    const glm::dvec3 q = hiddenEnd ? hidden.points.back().position : hidden.points.front().position;
                     if (p != q) continue;
                     ++to.ends;
                     const bool right = !judge.hides(along(seen, end, std::min(reach, 0.5 * length(seen)))) &&
@@ -219,16 +219,16 @@ void measure(const Scene& scene, const Camera& camera, Measured& to) {
     for (const Line& line : lines) {
         if (!line.visible) continue;
         forEachPiece(line, [&](const LinePoint& p, const LinePoint& q) {
-            sample(p.place, q.place, [&](double s) {
-                const glm::dvec2 place = p.place + s * (q.place - p.place);
+            sample(p.pixel, q.pixel, [&](double s) {
+                const glm::dvec2 place = p.pixel + s * (q.pixel - p.pixel);
                 drawn.add(place);
                 if (!drawn.inside(place)) return;
                 ++to.drawn;
                 // The point between p and q that the picture shows there: on the ray, so by depths.
-                const double a = (camera.view * glm::dvec4{p.point, 1}).z;
-                const double b = (camera.view * glm::dvec4{q.point, 1}).z;
+                const double a = (camera.view * glm::dvec4{p.position, 1}).z;
+                const double b = (camera.view * glm::dvec4{q.position, 1}).z;
                 const double t = camera.orthographic() ? s : s * a / (s * a + (1 - s) * b);
-                to.drawnHidden += judge.hides(p.point + t * (q.point - p.point)) ? 1 : 0;
+                to.drawnHidden += judge.hides(p.position + t * (q.position - p.position)) ? 1 : 0;
             });
         });
     }

@@ -28,8 +28,8 @@ struct Straight {
             const double next = x + std::abs(lengths[i]);
             ScreenSegment s{};
             const bool reversed = lengths[i] < 0.0;
-            s.ends[reversed ? 1 : 0].place = {x, 0};
-            s.ends[reversed ? 0 : 1].place = {next, 0};
+            s.ends[reversed ? 1 : 0].pixel = {x, 0};
+            s.ends[reversed ? 0 : 1].pixel = {next, 0};
             segments.push_back(s);
             chain.links.push_back({i, reversed});
             begins.push_back(x);
@@ -45,8 +45,8 @@ struct Straight {
         std::vector<Crossing> crossings;
         std::vector<std::uint32_t> first{0};
         for (std::uint32_t s = 0; s < segments.size(); ++s) {
-            const double from = segments[s].ends[0].place.x;
-            const double step = segments[s].ends[1].place.x - from;
+            const double from = segments[s].ends[0].pixel.x;
+            const double step = segments[s].ends[1].pixel.x - from;
             for (const double x : crossingsAt)
                 if (x > begins[s] && x < begins[s + 1]) crossings.push_back({s, (x - from) / step});
             std::sort(crossings.begin() + first.back(), crossings.end(), [](auto a, auto b) { return a.at < b.at; });
@@ -54,7 +54,7 @@ struct Straight {
         }
         return partChain(chain, segments, crossings, first, [&](std::uint32_t s, double at) {
             const auto& ends = segments[s].ends;
-            return look(ends[0].place.x + at * (ends[1].place.x - ends[0].place.x));
+            return look(ends[0].pixel.x + at * (ends[1].pixel.x - ends[0].pixel.x));
         });
     }
     [[nodiscard]] double x(double place) const {

@@ -506,7 +506,7 @@ TEST(Subdivide, mixesColoursAlikeHoweverFacesBend) {
         ASSERT_EQ(round.paint.size(), round.positions.size());
         for (std::size_t c = 0; c < sharp.indices.size(); ++c) {
             EXPECT_EQ(sharp.paint[sharp.indices[c]].color, round.paint[round.indices[c]].color);
-            EXPECT_EQ(sharp.paint[sharp.indices[c]].place, round.paint[round.indices[c]].place);
+            EXPECT_EQ(sharp.paint[sharp.indices[c]].uv, round.paint[round.indices[c]].uv);
         }
     }
 }
@@ -519,7 +519,7 @@ TEST(Subdivide, keepsThePlacesOfPicturesWithTheirSeams) {
             ASSERT_EQ(mesh.paint.size(), mesh.positions.size());
             EXPECT_EQ(mesh.textureCoordinates.size(), coordinates ? mesh.positions.size() : 0U);
             for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
-                const auto at = [&](std::size_t k) { return glm::dvec2{mesh.paint[mesh.indices[3 * t + k]].place}; };
+                const auto at = [&](std::size_t k) { return glm::dvec2{mesh.paint[mesh.indices[3 * t + k]].uv}; };
                 const glm::dvec2 a = at(1) - at(0);
                 const glm::dvec2 b = at(2) - at(0);
                 EXPECT_EQ(0.5 * (a.x * b.y - a.y * b.x), 4.0 / 32) << "of each face's 2 x 2, evenly";

@@ -47,7 +47,7 @@ void expectSame(const Lines& a, const Lines& b) {
         EXPECT_EQ(one.type, other.type);
         EXPECT_EQ(one.visible, other.visible);
         ASSERT_EQ(one.points.size(), other.points.size());
-        for (std::size_t k = 0; k < one.points.size(); ++k) EXPECT_EQ(one.points[k].place, other.points[k].place);
+        for (std::size_t k = 0; k < one.points.size(); ++k) EXPECT_EQ(one.points[k].pixel, other.points[k].pixel);
     }
 }
 
@@ -128,7 +128,7 @@ TEST_P(RendererLines, ofASceneThatStandsWhereADeadOneStoodAreItsOwn) {
             if (reach.empty()) camera = frameCamera(scenes::sceneOf(scenes::cube(2.0)), {}, size);
             double most = 0.0;
             for (const Line& line : renderer().lines(scene, camera, settings).lines) {
-                for (const LinePoint& p : line.points) most = std::max(most, p.point.x);
+                for (const LinePoint& p : line.points) most = std::max(most, p.position.x);
             }
             reach.push_back(most);
         }
@@ -201,8 +201,8 @@ TEST_P(RendererLines, fromImageHaveNoneWhereASteepSurfaceGoesOn) {
         Image<std::uint8_t> near{whole, 1};  // a line of the mesh, seen or hidden, within two pixels
         for (const Line& line : renderer().lines(scene, camera, settings).lines) {
             for (std::size_t i = 1; i < line.points.size(); ++i) {
-                const glm::dvec2 from = line.points[i - 1].place;
-                const glm::dvec2 way = line.points[i].place - from;
+                const glm::dvec2 from = line.points[i - 1].pixel;
+                const glm::dvec2 way = line.points[i].pixel - from;
                 const int steps = 1 + static_cast<int>(2.0 * glm::length(way));
                 for (int k = 0; k <= steps; ++k) {
                     const glm::ivec2 at{glm::floor(from + way * (static_cast<double>(k) / steps))};

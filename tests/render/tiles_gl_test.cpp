@@ -28,9 +28,9 @@ Both drawBoth(Renderer& renderer, const Scene& scene, Settings settings, CameraS
     wish.azimuthAngle = 33.0;
     wish.elevationAngle = 21.0;
     const Camera camera = frameCamera(scene, wish, settings.picture.size);
-    settings.picture.tileSize = PictureSettings::mostTileSize;
+    settings.picture.tileSize = PictureSettings::maxTileSize;
     Maps whole = renderer.render(scene, camera, settings);
-    settings.picture.tileSize = PictureSettings::leastTileSize;
+    settings.picture.tileSize = PictureSettings::minTileSize;
     return {std::move(whole), renderer.render(scene, camera, settings)};
 }
 

@@ -413,7 +413,7 @@ TEST(Validate, refusesValuesWithTheWordsOfTheCommandLine) {
     expectInvalid("style: expected one of ink, hatch, sumi, pencil, found '9'",
                   [](Settings& s) { s.style.style = static_cast<Style>(9); });
     expectInvalid("line-style: expected a number from 0.5 to 32, found 'crease:width=99'",
-                  [](Settings& s) { s.picture.lineStyles[3].width = PictureLength{99.0}; });
+                  [](Settings& s) { s.picture.pens[3].width = PictureLength{99.0}; });
 }
 
 TEST(Validate, refusesFunctionsThatNoRowAllows) {

@@ -65,7 +65,7 @@ void add(const Shape& part, std::size_t triangle, const CutOut::Piece& piece, Sh
         const glm::vec3 w{weights};
         const VertexPaint* const at[]{&part.paint[corners[0]], &part.paint[corners[1]], &part.paint[corners[2]]};
         rest.paint.push_back({w.x * at[0]->color + w.y * at[1]->color + w.z * at[2]->color,
-                              w.x * at[0]->place + w.y * at[1]->place + w.z * at[2]->place});
+                              w.x * at[0]->uv + w.y * at[1]->uv + w.z * at[2]->uv});
     }
     rest.materials.push_back(part.materials[triangle]);
     addEdges(part.edges, triangle, piece, rest.edges);
@@ -80,23 +80,22 @@ void CutOuts::apply(const Material& material, const tinygltf::Primitive& primiti
         const std::uint32_t* const corner = &part.indices[3 * triangle];
         return material.opacity * (opacities[corner[0]] + opacities[corner[1]] + opacities[corner[2]]) / 3.0;
     };
-    std::vector<glm::dvec2> places;
-    if (material.texture) places = texturePlaces(model_, *material.texture, primitive, part.positions.size());
+    std::vector<glm::dvec2> uvs;
+    if (material.texture) uvs = uvsOf(model_, *material.texture, primitive, part.positions.size());
     Shape rest;
     rest.authored = part.authored;
-    for (std::size_t t = 0; t < part.indices.size() / 3; ++t)
-        cutTriangle(material, places, opacityOf(t), part, t, rest);
+    for (std::size_t t = 0; t < part.indices.size() / 3; ++t) cutTriangle(material, uvs, opacityOf(t), part, t, rest);
     part = std::move(rest);
 }
 
-void CutOuts::cutTriangle(const Material& material, const std::vector<glm::dvec2>& places, double opacity,
+void CutOuts::cutTriangle(const Material& material, const std::vector<glm::dvec2>& uvs, double opacity,
                           const Shape& part, std::size_t triangle, Shape& rest) {
     constexpr CutOut::Piece whole{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}};
     if (opacity < material.cutoff) return;
     const std::uint32_t* const corners = &part.indices[3 * triangle];
-    CutOut* const cutOut = places.empty() ? nullptr : find(*material.texture, material.cutoff / opacity);
+    CutOut* const cutOut = uvs.empty() ? nullptr : find(*material.texture, material.cutoff / opacity);
     if (cutOut == nullptr) return add(part, triangle, whole, rest);
-    for (const CutOut::Piece& piece : cutOut->cut({places[corners[0]], places[corners[1]], places[corners[2]]}))
+    for (const CutOut::Piece& piece : cutOut->cut({uvs[corners[0]], uvs[corners[1]], uvs[corners[2]]}))
         add(part, triangle, piece, rest);
 }
 

@@ -28,7 +28,7 @@ public:
 private:
     using Alpha = std::optional<inkedge::Image<std::uint8_t>>;
 
-    void cutTriangle(const Material&, const std::vector<glm::dvec2>& places, double opacity, const Shape& part,
+    void cutTriangle(const Material&, const std::vector<glm::dvec2>& uvs, double opacity, const Shape& part,
                      std::size_t triangle, Shape& rest);
     CutOut* find(const Texture&, double threshold);
     const Alpha& opacityMap(std::uint64_t image);

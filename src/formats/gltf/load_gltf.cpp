@@ -243,16 +243,15 @@ private:
     void readPaint(const gltf::Material* material, const tinygltf::Primitive& primitive, Shape& part) {
         const std::size_t count = part.positions.size();
         const std::vector<glm::dvec4> colors = gltf::vertexColors(model_, primitive, count);
-        std::vector<glm::dvec2> places;
-        if (material != nullptr && material->texture)
-            places = gltf::texturePlaces(model_, *material->texture, primitive, count);
+        std::vector<glm::dvec2> uvs;
+        if (material != nullptr && material->texture) uvs = gltf::uvsOf(model_, *material->texture, primitive, count);
         part.paint.resize(count);
         const auto finiteOrZero = [](float x) { return std::isfinite(x) ? x : 0.0F; };
         for (std::size_t i = 0; i < count; ++i) {
             for (int c = 0; c < 4 && !colors.empty(); ++c)
                 part.paint[i].color[c] = finiteOrZero(static_cast<float>(colors[i][c]));
-            for (int c = 0; c < 2 && !places.empty(); ++c)
-                part.paint[i].place[c] = finiteOrZero(static_cast<float>(places[i][c]));
+            for (int c = 0; c < 2 && !uvs.empty(); ++c)
+                part.paint[i].uv[c] = finiteOrZero(static_cast<float>(uvs[i][c]));
         }
     }
 

@@ -40,13 +40,12 @@ const Image& imageOf(const File& file, const Texture& texture) {
     return file.images[*texture.image];
 }
 
-std::vector<glm::dvec2> texturePlaces(const tinygltf::Model& model, const Texture& texture,
-                                      const tinygltf::Primitive& primitive, std::size_t count) {
+std::vector<glm::dvec2> uvsOf(const tinygltf::Model& model, const Texture& texture,
+                              const tinygltf::Primitive& primitive, std::size_t count) {
     const std::string name = fmt::format("TEXCOORD_{}", texture.set);
-    std::vector<glm::dvec2> places =
-        readAttribute<glm::dvec2>(model, primitive.attributes, name, anyCoordinates, count);
-    for (glm::dvec2& place : places) place = texture.scale * place + texture.offset;
-    return places;
+    std::vector<glm::dvec2> uvs = readAttribute<glm::dvec2>(model, primitive.attributes, name, anyCoordinates, count);
+    for (glm::dvec2& uv : uvs) uv = texture.scale * uv + texture.offset;
+    return uvs;
 }
 
 std::vector<glm::dvec4> vertexColors(const tinygltf::Model& model, const tinygltf::Primitive& primitive,

@@ -25,8 +25,8 @@ namespace inkedge::gltf {
 
 /// What vertices say of the places in a material's picture; empty: nothing.
 /// @throws Error  (Kind::Input) if their accessor does not fit
-[[nodiscard]] std::vector<glm::dvec2> texturePlaces(const tinygltf::Model&, const Texture&, const tinygltf::Primitive&,
-                                                    std::size_t count);
+[[nodiscard]] std::vector<glm::dvec2> uvsOf(const tinygltf::Model&, const Texture&, const tinygltf::Primitive&,
+                                            std::size_t count);
 
 /// Vertex colours, linear; none: all are white.
 /// @throws Error  (Kind::Input) if their accessor does not fit

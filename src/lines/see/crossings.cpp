@@ -22,8 +22,8 @@ public:
     // Calls visit(cell) for each cell that a segment touches, and perhaps a few beside it.
     template <class Visit>
     void forEachCell(const ScreenSegment& s, Visit&& visit) const {
-        const glm::dvec2 a = s.ends[0].place / cellSize;
-        const glm::dvec2 b = s.ends[1].place / cellSize;
+        const glm::dvec2 a = s.ends[0].pixel / cellSize;
+        const glm::dvec2 b = s.ends[1].pixel / cellSize;
         const auto clampRow = [&](double y) {
             return std::clamp(static_cast<int>(std::clamp(std::floor(y), -1.0, 1e9)), 0, rows_ - 1);
         };
@@ -97,19 +97,19 @@ std::vector<Crossing> findCrossings(std::span<const Segment> segments, std::span
     for (std::uint32_t s = 0; s < segments.size(); ++s) {
         if (!segments[s].drawn) continue;
         const ScreenSegment& own = screenSegments[s];
-        const glm::dvec2 along = own.ends[1].place - own.ends[0].place;
+        const glm::dvec2 along = own.ends[1].pixel - own.ends[0].pixel;
         const Slack slack = slackOf(segments[s], footprints(segments[s].slack, own, screen), parts);
         const std::size_t before = crossings.size();
         grid.forEachCell(own, [&](std::size_t cell) {
             for (std::uint32_t i = begins[cell]; i < begins[cell + 1]; ++i) {
                 const ScreenSegment& other = screenSegments[occluders[i]];
-                const glm::dvec2 step = other.ends[1].place - other.ends[0].place;
-                const glm::dvec2 between = other.ends[0].place - own.ends[0].place;
+                const glm::dvec2 step = other.ends[1].pixel - other.ends[0].pixel;
+                const glm::dvec2 between = other.ends[0].pixel - own.ends[0].pixel;
                 const double area = cross(along, step);
                 const double u = cross(between, step) / area;
                 const double v = cross(between, along) / area;
                 if (!(u > 0.0 && u < 1.0 && v >= 0.0 && v <= 1.0)) continue;
-                if (grid.cellOf(own.ends[0].place + u * along) != cell) continue;  // each crossing once
+                if (grid.cellOf(own.ends[0].pixel + u * along) != cell) continue;  // each crossing once
                 const double ownNearness = own.ends[0].nearness + u * (own.ends[1].nearness - own.ends[0].nearness);
                 const double itsNearness =
                     other.ends[0].nearness + v * (other.ends[1].nearness - other.ends[0].nearness);

@@ -103,16 +103,16 @@ std::vector<SettingDescription> pictureRows() {
          row(
              {.name = "tile-size",
               .help = "larger pictures are drawn in parts of at most this side: less needs less memory"},
-             Count{.min = PictureSettings::leastTileSize, .max = PictureSettings::mostTileSize, .unit = "SAMPLES"},
+             Count{.min = PictureSettings::minTileSize, .max = PictureSettings::maxTileSize, .unit = "SAMPLES"},
              [](auto& s) -> auto& { return s.picture.tileSize; }),
          described(
              {.name = "lines", .help = "types of lines that are drawn; planes detector", .rangeNote = "or all, none"},
              List{lineTypeNames, "TYPE"}, lineTypes()),
-         row<parseLineStyles>(
+         row<parsePens>(
              {.name = "line-style",
               .help = "width and colour of single types of lines, as in crease:width=1,color=#555; planes detector"},
              {"TYPE:width=W,color=C;...", [] { return std::string{"types as for --lines"}; }},
-             [](auto& s) -> auto& { return s.picture.lineStyles; })});
+             [](auto& s) -> auto& { return s.picture.pens; })});
 }
 
 }  // namespace inkedge::settings
