@@ -7,15 +7,15 @@
 namespace inkedge {
 namespace {
 
-// Lists that may be left empty.
+// Keeps some values of a list, which may be empty.
 template <class Value>
 void keep(std::vector<Value>& values, const std::vector<std::uint32_t>& kept) {
     if (values.empty()) return;
-    for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];  // they ascend
+    for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];  // kept ascends
     values.resize(kept.size());
 }
 
-// @param count  values a triangle
+// @param count  values per triangle
 template <class Value>
 void reorder(std::vector<Value>& values, const std::vector<std::uint32_t>& order, std::size_t count) {
     if (values.empty()) return;

@@ -7,12 +7,12 @@
 
 namespace inkedge {
 
-/// Drops the vertices that no triangle has. Parts of a file may share one vertex array and use a part of it each; what
-/// is not drawn must not count for the bounds.
+/// Drops the vertices that no triangle uses. Meshes of a file may share one vertex array and use a part of it each;
+/// what is not drawn must not count for the bounds.
 void dropUnusedVertices(Mesh&);
 
-/// Brings some triangles before all others; both keep their order.
-/// @param first  one a triangle
+/// Moves some triangles before all others; both groups keep their order.
+/// @param first  one per triangle: whether to move it
 void bringForward(Mesh&, const std::vector<bool>& first);
 
 }  // namespace inkedge

@@ -12,13 +12,13 @@ bool isCollapsed(const MeshTopology& topology, std::uint32_t t) {
     return p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
 }
 
-// Whether just one other face has a half-edge's edge, wound alike.
+// Whether the edge of a half-edge has exactly one other face, wound alike.
 bool isOpposed(const MeshTopology& topology, std::uint32_t h) {
     const std::uint32_t twin = topology.twins[h];
     return isHalfEdge(twin) && topology.points[h] != topology.points[twin];
 }
 
-// Of the tetrahedron of a face and the mesh's origin, times 6.
+// 6 times the volume of the tetrahedron between a face and the mesh's origin.
 double signedVolume(const Mesh& mesh, std::uint32_t t) {
     const auto corner = [&](std::uint32_t k) {
         return glm::dvec3{mesh.positions[mesh.indices[3 * std::size_t{t} + k]]};
@@ -28,7 +28,7 @@ double signedVolume(const Mesh& mesh, std::uint32_t t) {
 
 }  // namespace
 
-std::vector<std::int8_t> closedParts(const Mesh& mesh, const MeshTopology& topology) {
+std::vector<std::int8_t> componentOrientations(const Mesh& mesh, const MeshTopology& topology) {
     const auto count = static_cast<std::uint32_t>(topology.originals.size());
     const auto takesPart = [&](std::uint32_t t) { return topology.originals[t] == t && !isCollapsed(topology, t); };
     UnionFind parts{count};
@@ -63,7 +63,7 @@ bool isClosedOutward(const Mesh& mesh, const MeshTopology& topology) {
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
             if (!isOpposed(topology, h)) return false;
     }
-    const std::vector<std::int8_t> closed = closedParts(mesh, topology);
+    const std::vector<std::int8_t> closed = componentOrientations(mesh, topology);
     for (std::uint32_t t = 0; t < count; ++t)
         if (!isCollapsed(topology, t) && closed[t] != 1) return false;
     return true;

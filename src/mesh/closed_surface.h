@@ -9,14 +9,14 @@
 
 namespace inkedge {
 
-/// One a face: 1 or -1 if the part that hangs together with it is closed (each edge has two faces), wound consistently,
-/// and outward (its signed volume is over 0) or inward; else 0. Faces that repeat another and those collapsed to a line
-/// or a point take no part. O(n).
-[[nodiscard]] std::vector<std::int8_t> closedParts(const Mesh&, const MeshTopology&);
+/// The orientation of each face's connected component, one per face. 1 or -1: the component is closed (each edge has
+/// two faces) and wound consistently, outward (its signed volume is over 0) or inward. 0: it is not. Faces that repeat
+/// another face, or have collapsed to a line or a point, do not count. O(n).
+[[nodiscard]] std::vector<std::int8_t> componentOrientations(const Mesh&, const MeshTopology&);
 
-/// Whether every part of a mesh that hangs together is closed (each edge has two faces), wound consistently, and
-/// outward (its signed volume is over 0): from outside only fronts of its faces are seen, unless it runs through itself
-/// so that a part is inside out. Faces collapsed to a line or a point do not matter. O(n).
+/// Whether every connected component of a mesh is closed (each edge has two faces), wound consistently, and outward
+/// (its signed volume is over 0). From outside only fronts of faces are then seen, unless the mesh runs through itself
+/// so that a component is inside out. Faces collapsed to a line or a point do not matter. O(n).
 [[nodiscard]] bool isClosedOutward(const Mesh&, const MeshTopology&);
 
 }  // namespace inkedge

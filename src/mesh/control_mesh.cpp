@@ -18,14 +18,14 @@
 namespace inkedge {
 namespace {
 
-constexpr std::uint32_t mostAround = 65'000;  // OpenSubdiv counts them with 16 bits
+constexpr std::uint32_t maxFaces = 65'000;  // OpenSubdiv counts them with 16 bits
 
 bool takesPart(const MeshTopology& topology, std::uint32_t t) {
     const std::uint32_t* const p = &topology.points[3 * std::size_t{t}];
     return topology.originals[t] == t && p[0] != p[1] && p[1] != p[2] && p[2] != p[0];
 }
 
-// Whether two faces go on into each other across the edge: one manifold, wound alike.
+// Whether an edge connects two faces of one manifold, wound alike.
 bool joins(const MeshTopology& topology, std::uint32_t h) {
     const std::uint32_t twin = topology.twins[h];
     return isHalfEdge(twin) && topology.points[h] != topology.points[twin];
@@ -36,11 +36,11 @@ bool isSharp(const Mesh& mesh, const MeshTopology& topology, std::uint32_t h) {
     return topology.creases[h] && !isSmoothByKind(mesh, h, topology.twins[h]);
 }
 
-// The corners of a point that hang together are one vertex.
+// The connected corners of a point are one vertex.
 struct Vertices {
-    std::vector<std::uint32_t> ofCorner;  // one a corner of the mesh; noFace where its triangle takes no part
-    std::vector<std::uint32_t> points;    // one a vertex
-    std::vector<std::uint32_t> corners;   // one a vertex: one of its corners
+    std::vector<std::uint32_t> ofCorner;  // one per corner of the mesh; noFace where its triangle takes no part
+    std::vector<std::uint32_t> points;    // one per vertex
+    std::vector<std::uint32_t> corners;   // one per vertex: one of its corners
 };
 
 Vertices connectedCorners(const MeshTopology& topology) {
@@ -53,7 +53,7 @@ Vertices connectedCorners(const MeshTopology& topology) {
     }
     Vertices vertices;
     vertices.ofCorner.assign(count, noFace);
-    for (std::uint32_t c = 0; c < count; ++c) {  // a set's root is its least member, so it comes first
+    for (std::uint32_t c = 0; c < count; ++c) {  // a set's root is its smallest member, so it comes first
         if (!takesPart(topology, c / 3)) continue;
         if (sets.root(c) == c) {
             vertices.ofCorner[c] = static_cast<std::uint32_t>(vertices.points.size());
@@ -66,10 +66,10 @@ Vertices connectedCorners(const MeshTopology& topology) {
     return vertices;
 }
 
-// Of a face its half-edges in the mesh.
+// The half-edges in the mesh that surround a face.
 using Loop = std::vector<std::uint32_t>;
 
-// The outline of triangles that inner edges join: none if it is not one loop around all of them.
+// The outline of triangles that inner edges join; none if the outline is not one loop around all of them.
 std::optional<Loop> outline(const Mesh& mesh, const MeshTopology& topology, const Vertices& vertices,
                             std::span<const std::uint32_t> triangles) {
     std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> edges;  // start, end, half-edge
@@ -77,7 +77,7 @@ std::optional<Loop> outline(const Mesh& mesh, const MeshTopology& topology, cons
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
             if (!joins(topology, h) || !isInner(mesh, h, topology.twins[h]))
                 edges.emplace_back(vertices.ofCorner[h], vertices.ofCorner[nextHalfEdge(h)], h);
-    if (edges.size() != triangles.size() + 2 || edges.size() >= mostAround) return {};
+    if (edges.size() != triangles.size() + 2 || edges.size() >= maxFaces) return {};
     const std::uint32_t first = std::get<0>(edges.front());
     std::ranges::sort(edges);
     Loop loop;
@@ -139,7 +139,7 @@ double cornerAngle(const Mesh& mesh, std::uint32_t corner) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-// Where a border turns so sharply that it is meant to: one face ends there, or two halves of a square.
+// Where a border has a corner on purpose: one face ends there, or two halves of a square.
 std::vector<bool> borderCorners(const ControlMesh& control, const Mesh& mesh, const MeshTopology& topology,
                                 const Vertices& vertices) {
     std::vector<std::uint32_t> faces(vertices.points.size(), 0);
@@ -159,7 +159,8 @@ std::vector<bool> borderCorners(const ControlMesh& control, const Mesh& mesh, co
     return result;
 }
 
-// A point with several vertices stays one place only if all are bent by the same two sharp edges; else none may move.
+// A point with several vertices stays one point only if all of them lie on the same two sharp edges; else none may
+// move.
 void fixSplitPoints(const Mesh& mesh, const MeshTopology& topology, const Vertices& vertices,
                     std::vector<bool>& fixed) {
     std::vector<std::uint32_t> parts(topology.pointCount, 0);
@@ -210,10 +211,10 @@ std::vector<std::pair<std::int32_t, std::int32_t>> edgesOf(const ControlMesh& co
 void refuseManyAround(const ControlMesh& control, const Mesh& mesh) {
     std::vector<std::uint32_t> faces(control.positions.size(), 0);
     for (const std::int32_t v : control.corners) ++faces[static_cast<std::size_t>(v)];
-    const auto most = std::ranges::max_element(faces);
-    if (most != faces.end() && *most >= mostAround)
+    const auto largest = std::ranges::max_element(faces);
+    if (largest != faces.end() && *largest >= maxFaces)
         load::refuse(fmt::format("mesh {}: expected fewer than {} faces around a point to subdivide, found {}",
-                                 load::quote(mesh.name), mostAround, *most));
+                                 load::quote(mesh.name), maxFaces, *largest));
 }
 
 }  // namespace
@@ -244,7 +245,7 @@ ControlMesh controlMesh(const Mesh& mesh, const MeshTopology& topology) {
     return control;
 }
 
-ControlMesh partOf(const ControlMesh& whole, const std::vector<std::uint32_t>& chosen) {
+ControlMesh subsetOf(const ControlMesh& whole, const std::vector<std::uint32_t>& chosen) {
     ControlMesh part;
     part.scheme = whole.scheme;
     std::vector<std::int32_t> renumbered(whole.positions.size(), -1);

@@ -13,7 +13,7 @@ namespace {
 
 glm::dvec3 cornerOf(const Mesh& mesh, std::uint32_t corner) { return glm::dvec3{mesh.positions[mesh.indices[corner]]}; }
 
-// By how much the faces turn across an edge, radians, over 0 where they bulge.
+// The angle between the normals of the faces at an edge, radians, over 0 where the surface bulges.
 double bend(const Mesh& mesh, const MeshTopology& topology, const std::vector<glm::dvec3>& normals,
             std::uint32_t halfEdge, std::uint32_t twin) {
     const glm::dvec3 along = cornerOf(mesh, nextHalfEdge(halfEdge)) - cornerOf(mesh, halfEdge);
@@ -25,8 +25,8 @@ double bend(const Mesh& mesh, const MeshTopology& topology, const std::vector<gl
     return std::atan2(glm::dot(glm::cross(one, other), along) / length, glm::dot(one, other));
 }
 
-// The corners around a point that hang together across edges that are no creases have one curvature: a set of them by
-// its first.
+// The corners around a point that are connected across edges that are no creases form a fan, which has one curvature. A
+// fan is named by its first corner.
 std::vector<std::uint32_t> findFans(const MeshTopology& topology) {
     const auto corners = static_cast<std::uint32_t>(topology.points.size());
     UnionFind fans{corners};
@@ -42,7 +42,7 @@ std::vector<std::uint32_t> findFans(const MeshTopology& topology) {
     return first;
 }
 
-// How much the surface bends around a point, and how much of it lies there.
+// How much the surface bends around a point, and how much of the surface's area belongs to the point.
 struct Share {
     double bend = 0.0;
     double area = 0.0;
@@ -50,7 +50,7 @@ struct Share {
     friend Share operator*(double factor, Share p) { return {factor * p.bend, factor * p.area}; }
 };
 
-// By fan.
+// One share per fan, at the index of the fan.
 std::vector<Share> measure(const Mesh& mesh, const MeshTopology& topology, const std::vector<std::uint32_t>& fans) {
     std::vector<Share> shares(fans.size());
     const std::vector<glm::dvec3> normals = makeFaceNormals(mesh);
@@ -61,8 +61,8 @@ std::vector<Share> measure(const Mesh& mesh, const MeshTopology& topology, const
         shares[fans[h]].area += glm::length(glm::cross(along, across)) / 6.0;
         const std::uint32_t twin = topology.twins[h];
         if (!isHalfEdge(twin) || topology.creases[h]) continue;
-        // A quarter of length times angle for each end: half for the mean of two curvatures, half for the two ends. The
-        // twin adds the same once more.
+        // Each end gets a quarter of length times angle: the mean of two curvatures halves it, and so do the two ends.
+        // The twin adds the same once more, hence an eighth.
         const double share = 0.125 * glm::length(along) * bend(mesh, topology, normals, h, twin);
         shares[fans[h]].bend += share;
         shares[fans[next]].bend += share;
@@ -70,25 +70,26 @@ std::vector<Share> measure(const Mesh& mesh, const MeshTopology& topology, const
     return shares;
 }
 
-// How often spread() makes a Gaussian of leastDetail.
+// How many steps of spread() make a Gaussian of minDetail.
 int stepsFor(const Mesh& mesh) {
-    constexpr double leastDetail = 0.008;  // of the mesh's extent: what is smaller is roughness
-    constexpr int most = 32;
+    constexpr double minDetail = 0.008;  // of the mesh's extent: what is smaller is roughness
+    constexpr int maxSteps = 32;
     Box box{cornerOf(mesh, 0), cornerOf(mesh, 0)};
     double length = 0.0;
     for (std::uint32_t h = 0; h < mesh.indices.size(); ++h) {
-        const glm::dvec3 place = cornerOf(mesh, h);
-        box = {glm::min(box.min, place), glm::max(box.max, place)};
-        length += glm::distance(place, cornerOf(mesh, nextHalfEdge(h)));
+        const glm::dvec3 position = cornerOf(mesh, h);
+        box = {glm::min(box.min, position), glm::max(box.max, position)};
+        length += glm::distance(position, cornerOf(mesh, nextHalfEdge(h)));
     }
     length /= static_cast<double>(mesh.indices.size());
     if (length == 0.0) return 0;
-    // A step moves half of a point's share by an edge: by a quarter of its length's square along each axis.
-    const double ratio = leastDetail * glm::distance(box.min, box.max) / length;
-    return static_cast<int>(std::min(4.0 * ratio * ratio, static_cast<double>(most)));
+    // A step moves half of a point's share by the length of an edge: its variance along each axis is a quarter of the
+    // length's square.
+    const double ratio = minDetail * glm::distance(box.min, box.max) / length;
+    return static_cast<int>(std::min(4.0 * ratio * ratio, static_cast<double>(maxSteps)));
 }
 
-// Half of what a fan has goes to those at the other ends of its edges, evenly; the sums over the mesh stay.
+// Half of each fan's share goes to the fans at the other ends of its edges, evenly. The sums over the mesh stay.
 void spread(const std::vector<std::uint32_t>& fans, const std::vector<double>& edges, std::vector<Share>& shares) {
     std::vector<Share> moved(shares.size());
     for (std::uint32_t h = 0; h < fans.size(); ++h) {
@@ -100,7 +101,7 @@ void spread(const std::vector<std::uint32_t>& fans, const std::vector<double>& e
     for (std::size_t i = 0; i < shares.size(); ++i) shares[i] = 0.5 * shares[i] + moved[i];
 }
 
-// Of each fan, counted once for each triangle at an edge.
+// The number of edges of each fan, counted once for each triangle at an edge.
 std::vector<double> countEdges(const std::vector<std::uint32_t>& fans) {
     std::vector<double> edges(fans.size(), 0.0);
     for (std::uint32_t h = 0; h < fans.size(); ++h) {

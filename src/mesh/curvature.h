@@ -9,13 +9,16 @@
 
 namespace inkedge {
 
-/// Mean curvature at each vertex, one over mesh space's unit; over 0 where the surface bulges towards its front.
-/// Vertices at one place within a patch have one curvature. Each edge of two faces bends the surface by its angle: the
-/// sum of half its length times that angle over the edges around a point, each shared by its two ends, over the point's
-/// share of its faces' area, halved; its integral over a surface is that of Steiner's formula (Cohen-Steiner and Morvan
-/// 2003). Both sums are spread over the mesh by about a Gaussian of 0.8 % of its extent, so that the roughness of a
-/// scan is none; of a mesh with edges longer than that each point has its own. Creases end what bends, as borders and
-/// edges of three faces and more do. O(n).
+/// Mean curvature at each vertex, in 1 / unit of mesh space; over 0 where the surface bulges towards its front.
+///
+/// Vertices at one position within a patch have one curvature. An edge of two faces bends the surface by the angle
+/// between the faces. At a point the edges' half lengths times angles are summed, each edge shared by its two ends; the
+/// sum is divided by the point's share of its faces' area, and halved. The integral of this over a surface is that of
+/// Steiner's formula (Cohen-Steiner and Morvan 2003).
+///
+/// Both sums are smoothed over the mesh by about a Gaussian of 0.8 % of its extent, so that the roughness of a scan
+/// does not count. A mesh whose edges are longer than that is not smoothed. Creases, borders and edges of three or more
+/// faces bend nothing. O(n).
 [[nodiscard]] std::vector<float> meanCurvatures(const Mesh&, const MeshTopology&);
 
 }  // namespace inkedge

@@ -18,10 +18,10 @@ namespace {
 
 using load::refuse;
 
-constexpr int cellSize = 128;             // texels: the lattice that triangles and the outline are cut along
-constexpr double simplification = 0.1;    // texels
-constexpr std::int64_t mostCells = 4096;  // of one triangle
-constexpr std::uint64_t mostPieces = 4'000'000;
+constexpr int cellSize = 128;            // texels: the lattice that triangles and the outline are cut along
+constexpr double simplification = 0.1;   // texels
+constexpr std::int64_t maxCells = 4096;  // of one triangle
+constexpr std::uint64_t maxPieces = 4'000'000;
 
 // ---- the outline within a cell
 
@@ -31,14 +31,14 @@ public:
     Opacity(Image<std::uint8_t> map, std::array<TextureWrap, 2> wrap) : map_{std::move(map)}, wrap_{wrap} {}
 
     [[nodiscard]] double at(std::int64_t x, std::int64_t y) const {
-        return map_.at(place(x, map_.size.width, wrap_[0]), place(y, map_.size.height, wrap_[1]));
+        return map_.at(wrapped(x, map_.size.width, wrap_[0]), wrapped(y, map_.size.height, wrap_[1]));
     }
     [[nodiscard]] glm::dvec2 texels(glm::dvec2 coordinates) const {
         return coordinates * glm::dvec2{map_.size.width, map_.size.height} - 0.5;
     }
 
 private:
-    static int place(std::int64_t i, int size, TextureWrap wrap) {
+    static int wrapped(std::int64_t i, int size, TextureWrap wrap) {
         if (wrap == TextureWrap::Clamp) return static_cast<int>(std::clamp<std::int64_t>(i, 0, size - 1));
         const std::int64_t period = wrap == TextureWrap::Mirror ? 2 * std::int64_t{size} : size;
         const std::int64_t rest = ((i % period) + period) % period;
@@ -49,7 +49,7 @@ private:
     std::array<TextureWrap, 2> wrap_;
 };
 
-// The parts of a cell that are there, as loops anticlockwise around them (x to the right, y up), holes clockwise.
+// The opaque parts of a cell, as loops anticlockwise around them (x to the right, y up), holes clockwise.
 class CellOutline {
 public:
     CellOutline(const Opacity& opacity, std::int64_t cellX, std::int64_t cellY, double threshold)
@@ -82,17 +82,17 @@ private:
     }
     [[nodiscard]] bool inside(int x, int y) const { return values_[at(x, y)] >= threshold_; }
 
-    [[nodiscard]] glm::dvec2 placeOf(int corner) const {
-        const int point = corner / 3;
-        const int x = point % (cellSize + 1);
-        const int y = point / (cellSize + 1);
-        glm::dvec2 place{x, y};
+    [[nodiscard]] glm::dvec2 pointOf(int corner) const {
+        const int gridPoint = corner / 3;
+        const int x = gridPoint % (cellSize + 1);
+        const int y = gridPoint / (cellSize + 1);
+        glm::dvec2 point{x, y};
         const auto kind = static_cast<Kind>(corner % 3);
-        if (kind == Point) return place;
+        if (kind == Point) return point;
         const double a = values_[at(x, y)];
         const double b = kind == Right ? values_[at(x + 1, y)] : values_[at(x, y + 1)];
-        place[kind == Right ? 0 : 1] += (threshold_ - a) / (b - a);
-        return place;
+        point[kind == Right ? 0 : 1] += (threshold_ - a) / (b - a);
+        return point;
     }
 
     void link(int from, int to) { next_.emplace(from, to); }
@@ -186,7 +186,7 @@ private:
             Polygon loop;
             std::vector<bool> fixed;
             for (auto link = next_.begin(); link != next_.end(); link = next_.find(takeNext(link))) {
-                loop.push_back(placeOf(link->first));
+                loop.push_back(pointOf(link->first));
                 fixed.push_back(isFixed(link->first, loop.back()));
             }
             loops.push_back(simplified(loop, fixed));
@@ -200,11 +200,11 @@ private:
         return to;
     }
 
-    // Where the outline crosses the cell's border the cell beyond has the same corner.
-    static bool isFixed(int corner, glm::dvec2 place) {
+    // A corner where the outline crosses the cell's border stays: the cell beyond has the same corner.
+    static bool isFixed(int corner, glm::dvec2 point) {
         const auto onBorder = [](double x) { return x == 0.0 || x == cellSize; };
-        if (corner % 3 != Point) return onBorder(place.x) || onBorder(place.y);
-        return onBorder(place.x) && onBorder(place.y);
+        if (corner % 3 != Point) return onBorder(point.x) || onBorder(point.y);
+        return onBorder(point.x) && onBorder(point.y);
     }
 
     // Douglas and Peucker, between the corners that stay.
@@ -300,7 +300,7 @@ double doubleArea(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
 struct CutOut::State {
     struct Cell {
         bool whole = false;
-        std::vector<Polygon> outline;  // empty: nothing, unless whole
+        std::vector<Polygon> outline;  // empty: nothing is opaque, unless whole
     };
 
     const Cell& cell(std::int64_t x, std::int64_t y) {
@@ -312,7 +312,7 @@ struct CutOut::State {
         return cells.emplace(std::pair{x, y}, std::move(made)).first->second;
     }
 
-    [[nodiscard]] bool isThere(glm::dvec2 texels) const {
+    [[nodiscard]] bool isOpaque(glm::dvec2 texels) const {
         const glm::dvec2 nearest = glm::round(texels);
         return opacity.at(static_cast<std::int64_t>(nearest.x), static_cast<std::int64_t>(nearest.y)) >= threshold;
     }
@@ -329,25 +329,25 @@ CutOut::~CutOut() = default;
 
 std::vector<CutOut::Piece> CutOut::cut(const std::array<glm::dvec2, 3>& corners) {
     constexpr double farthest = 1e9;  // texels
-    std::array<glm::dvec2, 3> places;
+    std::array<glm::dvec2, 3> inTexels;
     for (std::size_t i = 0; i < 3; ++i) {
-        places[i] = state_->opacity.texels(corners[i]);
-        if (!(std::abs(places[i].x) < farthest && std::abs(places[i].y) < farthest))
+        inTexels[i] = state_->opacity.texels(corners[i]);
+        if (!(std::abs(inTexels[i].x) < farthest && std::abs(inTexels[i].y) < farthest))
             refuse(fmt::format("expected texture coordinates near the picture, found ({}, {})", corners[i].x,
                                corners[i].y));
     }
-    const double area = doubleArea(places[0], places[1], places[2]);
+    const double area = doubleArea(inTexels[0], inTexels[1], inTexels[2]);
     constexpr double thinnest = 1e-4;  // square texels
     if (std::abs(area) < thinnest) {
-        if (!state_->isThere((places[0] + places[1] + places[2]) / 3.0)) return {};
+        if (!state_->isOpaque((inTexels[0] + inTexels[1] + inTexels[2]) / 3.0)) return {};
         return {Piece{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}}};
     }
     const auto cellOf = [](double texels) { return static_cast<std::int64_t>(std::floor(texels / cellSize)); };
-    const glm::dvec2 low = glm::min(glm::min(places[0], places[1]), places[2]);
-    const glm::dvec2 high = glm::max(glm::max(places[0], places[1]), places[2]);
+    const glm::dvec2 low = glm::min(glm::min(inTexels[0], inTexels[1]), inTexels[2]);
+    const glm::dvec2 high = glm::max(glm::max(inTexels[0], inTexels[1]), inTexels[2]);
     const std::int64_t columns = cellOf(high.x) - cellOf(low.x) + 1;
     const std::int64_t rows = cellOf(high.y) - cellOf(low.y) + 1;
-    if (columns > mostCells || rows > mostCells || columns * rows > mostCells)
+    if (columns > maxCells || rows > maxCells || columns * rows > maxCells)
         refuse("expected triangles that repeat the picture less often, found one across too many texels");
 
     std::vector<Piece> pieces;
@@ -356,12 +356,12 @@ std::vector<CutOut::Piece> CutOut::cut(const std::array<glm::dvec2, 3>& corners)
             const glm::dvec2 origin{static_cast<double>(x * cellSize), static_cast<double>(y * cellSize)};
             const State::Cell& cell = state_->cell(x, y);
             if (!cell.whole && cell.outline.empty()) continue;
-            const Polygon part = withinCell({places[0] - origin, places[1] - origin, places[2] - origin});
+            const Polygon part = withinCell({inTexels[0] - origin, inTexels[1] - origin, inTexels[2] - origin});
             if (part.size() < 3) continue;
-            const auto weights = [&](const glm::dvec2& place) {
-                const glm::dvec2 p = place + origin;
-                const glm::dvec2 w{doubleArea(p, places[1], places[2]) / area,
-                                   doubleArea(places[0], p, places[2]) / area};
+            const auto weights = [&](const glm::dvec2& point) {
+                const glm::dvec2 p = point + origin;
+                const glm::dvec2 w{doubleArea(p, inTexels[1], inTexels[2]) / area,
+                                   doubleArea(inTexels[0], p, inTexels[2]) / area};
                 return glm::clamp(glm::dvec3{w, 1.0 - w.x - w.y}, 0.0, 1.0);
             };
             const std::vector<PolygonTriangle> triangles =
@@ -374,8 +374,8 @@ std::vector<CutOut::Piece> CutOut::cut(const std::array<glm::dvec2, 3>& corners)
         }
     }
     state_->pieces += pieces.size();
-    if (state_->pieces > mostPieces)
-        refuse(fmt::format("expected a cut-out of at most {} triangles, found more", mostPieces));
+    if (state_->pieces > maxPieces)
+        refuse(fmt::format("expected a cut-out of at most {} triangles, found more", maxPieces));
     return pieces;
 }
 

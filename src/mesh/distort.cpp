@@ -12,7 +12,7 @@
 namespace inkedge {
 namespace {
 
-constexpr double angleTolerance = 1e-5;  // what rotations and even scales stored as floats are off by
+constexpr double angleTolerance = 1e-5;  // the error of rotations and even scales stored as floats
 
 bool finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -39,12 +39,12 @@ Mesh distorted(const Mesh& mesh, const glm::dmat3& m) {
     if (!std::ranges::all_of(result.positions, finite) || !finite(glm::vec3{result.origin}))
         load::refuse("mesh " + load::quote(mesh.name) +
                      ": expected finite positions, found a transform that takes them out of range");
-    // The inverse transpose up to its length, which also exists where the distortion flattens the mesh.
+    // The inverse transpose but for its scale; it also exists where the distortion flattens the mesh.
     const double sign = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
     const glm::dmat3 cofactors{sign * glm::cross(m[1], m[2]), sign * glm::cross(m[2], m[0]),
                                sign * glm::cross(m[0], m[1])};
     for (glm::vec3& n : result.normals) n = transformedNormal(cofactors, n);
-    if (sign < 0.0) {  // mirrored: keep the front in front for normals yet to be made
+    if (sign < 0.0) {  // mirrored: normals made later shall still point to the front
         for (std::size_t t = 0; t + 2 < result.indices.size(); t += 3) turnOver(result, t);
     }
     return result;

@@ -6,11 +6,11 @@
 
 namespace inkedge {
 
-/// Whether a linear map keeps angles: it turns, mirrors and scales evenly, to what floats are off by.
+/// Whether a linear map keeps angles, within the rounding of floats: it rotates, mirrors and scales evenly.
 [[nodiscard]] bool keepsAngles(const glm::dmat3&);
 
-/// A mesh with a linear map in its vertices. Where the map mirrors, the triangles are turned over: their front stays
-/// the front for normals that are yet to be made.
+/// A mesh with a linear map applied to its vertices. If the map mirrors, the triangles are turned over, so that normals
+/// made later still point to the front.
 /// @throws Error  (Kind::Input) if it takes positions out of the range of floats
 [[nodiscard]] Mesh distorted(const Mesh&, const glm::dmat3&);
 

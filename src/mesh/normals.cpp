@@ -27,8 +27,8 @@ glm::dvec3 unitOrZero(glm::dvec3 v) {
     return length > 0.0 ? v / length : glm::dvec3{0.0};
 }
 
-// For every corner the first of all that share its normal. A corner shares it with at most one other across each of its
-// triangle's two edges there, so that walking both ways finds all.
+// For every corner the first of all corners that share its normal. A corner shares its normal with at most one other
+// corner across each of the triangle's two edges there, so that walking both ways finds all.
 class SmoothingGroups {
 public:
     SmoothingGroups(const Mesh& mesh, const MeshTopology& topology, double creaseAngle)
@@ -55,7 +55,7 @@ public:
 private:
     static std::uint32_t previous(std::uint32_t h) { return nextHalfEdge(nextHalfEdge(h)); }
 
-    // Marks what is reached from a corner, until there is nothing new.
+    // Marks the corners that are reached from a corner, until none is new.
     template <class Across, class HalfEdge>
     void follow(std::uint32_t group, Across across, HalfEdge halfEdge) {
         for (std::uint32_t c = group; isSmooth(halfEdge(c));) {
@@ -67,7 +67,7 @@ private:
 
     [[nodiscard]] bool isSmooth(std::uint32_t h) const {
         const std::uint32_t twin = topology_.twins[h];
-        // Faces wound against each other have normals to opposite sides: they cannot share one.
+        // Faces wound against each other have normals to opposite sides: they cannot share a normal.
         if (!isHalfEdge(twin) || topology_.points[h] == topology_.points[twin]) return false;
         return bendCosine(topology_, h, twin) >= smoothCosine_ || isSmoothByKind(mesh_, h, twin);
     }
@@ -78,8 +78,8 @@ private:
     Corners first_;
 };
 
-// Rewrites the mesh so that a vertex is one position with one normal; that of a wanted one stays (0, 0, 0).
-// @param groups  a corner's first of its group; becomes its group's vertex, or none
+// Rewrites the mesh so that a vertex is one position with one normal; a normal that is yet to be made stays (0, 0, 0).
+// @param groups  of each corner the first corner of its group; becomes the vertex of its group, or none
 void splitVertices(Mesh& mesh, Corners& groups) {
     Corners vertexOfGroup(groups.size(), none);
     Corners keptVertex(mesh.positions.size(), none);
@@ -102,8 +102,8 @@ void splitVertices(Mesh& mesh, Corners& groups) {
     for (std::uint32_t& group : groups) group = vertexOfGroup[group];
 }
 
-// Splits vertices once more where texture coordinates or paint have a seam: a smoothing group may cross it.
-// @param before  a corner's vertex before splitVertices()
+// Splits vertices once more where texture coordinates or paint have a seam that a smoothing group crosses.
+// @param before  of each corner the vertex before splitVertices()
 void splitAtSeams(Mesh& mesh, const Corners& before) {
     std::unordered_map<std::uint64_t, std::uint32_t> vertices;  // by the vertices now and before
     std::vector<glm::vec3> positions;
@@ -139,7 +139,7 @@ std::array<double, 3> cornerAngles(const Mesh& mesh, std::size_t triangle) {
     return {between(c, a), between(a, b), between(b, c)};
 }
 
-// @param vertices  a corner's vertex whose normal its face counts for, or none
+// @param vertices  of each corner the vertex to whose normal its face contributes, or none
 void makeNormals(Mesh& mesh, const std::vector<glm::dvec3>& faces, const Corners& vertices) {
     inRanges(mesh.normals.size(), [&](std::size_t begin, std::size_t end) {
         std::vector<glm::dvec3> sums(end - begin, glm::dvec3{0.0});

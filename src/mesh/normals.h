@@ -7,14 +7,14 @@
 
 namespace inkedge {
 
-/// Makes each triangle's winding agree with its normals, so that the side which the normals point to is the front, and
-/// drops the normals that are not finite, or all if settings ask for none of the file's.
+/// Makes each triangle's winding agree with its normals, so that the normals point to the front. Drops normals that are
+/// not finite, and all normals of the file if the settings ask for none of them.
 void applyAuthoredNormals(Mesh&, const LoadSettings&);
 
-/// Gives every vertex without a normal (an empty array, or zero vectors) one: its face's, or, under Normals::Auto, a
-/// smooth one: of the faces around a point, those joined across edges that bend by no more than the crease angle share
-/// a normal, weighted by the angle of each face's corner. Vertices are split where their faces do not share. The
-/// topology stays valid: corners keep their order. O(n).
+/// Gives every vertex without a normal (an empty array, or zero vectors) a normal: that of its face or, under
+/// Normals::Auto, a smooth one. Of the faces around a point, those connected across edges that bend by no more than the
+/// crease angle share a smooth normal, in which each face is weighted by the angle of its corner. Vertices are split
+/// where their faces do not share a normal. The topology stays valid: corners keep their order. O(n).
 void completeNormals(Mesh&, const MeshTopology&, const LoadSettings&);
 
 }  // namespace inkedge

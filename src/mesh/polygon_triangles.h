@@ -17,13 +17,14 @@ using PolygonTriangle = std::array<glm::dvec2, 3>;
 /// The triangles of a convex polygon, whichever way it runs.
 [[nodiscard]] std::vector<PolygonTriangle> convexTriangles(const Polygon&);
 
-/// What loops go around, as loops that neither cross nor run along each other: an area's border anticlockwise, a hole's
-/// clockwise.
-/// @param loops  any: a place belongs to the area if they go around it, whichever way they do
+/// The area that loops enclose, as loops that neither cross nor run along each other: the border of an area
+/// anticlockwise, that of a hole clockwise.
+/// @param loops  any: a point belongs to the area if the loops' winding number there is not 0
 /// @throws Error (Kind::Input) if libGLU cannot be loaded or gives up
 [[nodiscard]] std::vector<Polygon> untangled(std::span<const Polygon> loops);
 
-/// The triangles of a polygon's part within an area. Together they have the corners of that part, and no others.
+/// The triangles of the part of a polygon that lies within an area. Their corners are those of that part, and no
+/// others.
 /// @param polygon  does not cross itself
 /// @param area     as untangled() gives it
 /// @throws Error   (Kind::Input) as untangled()

@@ -27,14 +27,15 @@ RefinedFaces refine(const ControlMesh& control, const std::string& name, int lev
     return faces;
 }
 
-// The corners of the triangles that a face is cut into, by their number in the face. A quad is cut from its first.
+// The corners of the triangles that a face is cut into, by their index in the face. A quad is cut from its first
+// corner.
 constexpr std::array<std::size_t, 6> triangleCorners{0, 1, 2, 0, 2, 3};
-constexpr std::size_t cutAfter = 2;   // whose next corner, in its triangle, lies across the quad
-constexpr std::size_t cutBefore = 3;  // the same of the other triangle
+constexpr std::size_t cutAfter = 2;   // index in triangleCorners: the edge from this corner to the next cuts the quad
+constexpr std::size_t cutBefore = 3;  // the same for the other triangle
 
 std::size_t cornersOf(SubdivisionScheme scheme) { return scheme == SubdivisionScheme::Loop ? 3 : 4; }
 
-// What the corners of a vertex may differ in.
+// The values in which corners of one vertex may differ.
 struct CornerValues {
     glm::vec2 coordinates{0.0F};
     VertexPaint paint;
@@ -44,8 +45,8 @@ struct CornerValues {
     }
 };
 
-// Makes several vertices of one where its corners differ.
-// @param ofIndices  one an index
+// Splits a vertex into several where its corners differ.
+// @param ofIndices  one per index
 void setCornerValues(Mesh& mesh, const std::vector<CornerValues>& ofIndices, const RefinedFaces& faces) {
     std::vector<std::uint32_t> order(mesh.indices.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -70,7 +71,7 @@ void setCornerValues(Mesh& mesh, const std::vector<CornerValues>& ofIndices, con
     mesh.indices = std::move(indices);
 }
 
-// Of the edge from a corner to its face's next. Which edges are sharp, refinement decides.
+// The kinds of the edge from a corner to the next of its face. Refinement decides which edges are sharp.
 EdgeKinds kindsOfEdge(const RefinedFaces& faces, std::size_t corner) {
     EdgeKinds kinds = faces.edges.empty() ? EdgeKinds{} : faces.edges[corner] - (EdgeKind::Inner | EdgeKind::Sharp);
     if (faces.creases[corner]) kinds |= EdgeKind::Sharp;
@@ -125,15 +126,15 @@ Mesh subdivided(const Mesh& mesh, const ControlMesh& control, int levels) {
     return result;
 }
 
-/// Bits: some of it is seen from its front or at right angles, some from its back.
+/// Bits: whether a part is seen from its front or at right angles, and whether a part is seen from its back.
 using Signs = std::uint8_t;
 constexpr Signs plus = 1;
 constexpr Signs minus = 2;
 constexpr Signs both = plus | minus;
 
-class View {
+class Viewpoint {
 public:
-    View(const glm::dvec3& eye, Projection projection) : eye_{eye}, projection_{projection} {}
+    Viewpoint(const glm::dvec3& eye, Projection projection) : eye_{eye}, projection_{projection} {}
     [[nodiscard]] Signs sign(const glm::dvec3& position, const glm::dvec3& normal) const {
         const glm::dvec3 along = projection_ == Projection::Perspective ? position - eye_ : eye_;
         return glm::dot(normal, along) < 0.0 ? minus : plus;
@@ -144,7 +145,7 @@ private:
     Projection projection_;
 };
 
-std::vector<Signs> signsOfFaces(const Mesh& mesh, const ControlMesh& control, const View& view) {
+std::vector<Signs> signsOfFaces(const Mesh& mesh, const ControlMesh& control, const Viewpoint& viewpoint) {
     const std::vector<glm::dvec3> faceNormals = makeFaceNormals(mesh);
     std::vector<Signs> signs(control.faceSizes.size(), 0);
     for (std::size_t t = 0; t < control.faces.size(); ++t) {
@@ -152,15 +153,15 @@ std::vector<Signs> signsOfFaces(const Mesh& mesh, const ControlMesh& control, co
         Signs& s = signs[control.faces[t]];
         for (std::size_t c = 3 * t; c < 3 * t + 3; ++c) {
             const std::uint32_t vertex = mesh.indices[c];
-            s |= view.sign(glm::dvec3{mesh.positions[vertex]}, glm::dvec3{mesh.normals[vertex]});
+            s |= viewpoint.sign(glm::dvec3{mesh.positions[vertex]}, glm::dvec3{mesh.normals[vertex]});
         }
         const glm::dvec3 normal = faceNormals[t];
-        if (normal != glm::dvec3{0.0}) s |= view.sign(glm::dvec3{mesh.positions[mesh.indices[3 * t]]}, normal);
+        if (normal != glm::dvec3{0.0}) s |= viewpoint.sign(glm::dvec3{mesh.positions[mesh.indices[3 * t]]}, normal);
     }
     return signs;
 }
 
-// Faces by a predicate of their vertices' bits, which are those of the faces around them.
+// Finds faces by the bits of their vertices. A vertex has the bits of all faces around it.
 class Neighbourhood {
 public:
     explicit Neighbourhood(const ControlMesh& control) : control_{control} {}
@@ -194,20 +195,20 @@ void subdivideMeshes(std::vector<Mesh>& meshes, const LoadSettings& settings) {
         if (control.faceSizes.empty()) continue;
         elements += refinedElements(control, settings.subdivide);
         // OpenSubdiv counts with 32 bits and a sign.
-        const double most = std::min(static_cast<double>(settings.limits.vertices),
-                                     static_cast<double>(std::numeric_limits<std::int32_t>::max()));
-        if (elements > most)
+        const double maxElements = std::min(static_cast<double>(settings.limits.vertices),
+                                            static_cast<double>(std::numeric_limits<std::int32_t>::max()));
+        if (elements > maxElements)
             load::refuse(
                 fmt::format("mesh {}: expected at most {:.0f} vertices and indices once subdivided {} times, "
                             "found {:.3g}; lower subdivide or raise max-vertices",
-                            load::quote(mesh.name), most, settings.subdivide, elements));
+                            load::quote(mesh.name), maxElements, settings.subdivide, elements));
         mesh = subdivided(mesh, control, settings.subdivide);
     }
 }
 
 RefinedContourMesh refineNear(const Mesh& mesh, const ControlMesh& control, const glm::dvec3& eye,
                               Projection projection, int levels) {
-    const View view{projection == Projection::Perspective ? eye - mesh.origin : eye, projection};
+    const Viewpoint view{projection == Projection::Perspective ? eye - mesh.origin : eye, projection};
     const Neighbourhood neighbourhood{control};
     std::vector<Signs> chosen = neighbourhood.around(signsOfFaces(mesh, control, view));
     for (Signs& s : chosen) s = s == both ? 1 : 0;
@@ -218,7 +219,7 @@ RefinedContourMesh refineNear(const Mesh& mesh, const ControlMesh& control, cons
     RefinedContourMesh result;
     if (part.empty()) return result;
 
-    RefinedFaces faces = refine(partOf(control, part), mesh.name, levels);
+    RefinedFaces faces = refine(subsetOf(control, part), mesh.name, levels);
     const std::size_t size = cornersOf(control.scheme);
     std::vector<std::uint32_t> renumbered(faces.positions.size(), noFace);
     for (std::size_t f = 0; f < faces.parents.size(); ++f) {

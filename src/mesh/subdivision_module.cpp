@@ -29,7 +29,7 @@ namespace Sdc = OpenSubdiv::Sdc;
 
 using Refiner = std::unique_ptr<Far::TopologyRefiner>;
 
-// What OpenSubdiv mixes.
+// A value of which OpenSubdiv computes weighted sums.
 template <class Vector>
 struct Mixed {
     Vector v{0.0};
@@ -38,7 +38,7 @@ struct Mixed {
 };
 using Point = Mixed<glm::dvec3>;
 
-// How many corners have values of their own; 0: there are none but positions.
+// How many corners have values of their own; 0: there are only positions.
 std::size_t cornersWithValues(const ControlMesh& control) {
     return std::max(control.coordinates.size(), control.paint.size());
 }
@@ -58,7 +58,7 @@ Refiner makeRefiner(const ControlMesh& control) {
     descriptor.cornerVertexIndices = control.sharpVertices.data();
     descriptor.cornerWeights = sharpVertices.data();
 
-    // A value for each corner: those of faces that go on into each other are the same where their ends are.
+    // The index of each corner's values. An edge is no seam if both its ends have the same values in both its faces.
     std::vector<int> ofCorners(cornersWithValues(control));
     std::iota(ofCorners.begin(), ofCorners.end(), 0);
     Far::TopologyDescriptor::FVarChannel channel;
@@ -87,7 +87,7 @@ std::vector<Point> positionsOfLastLevel(const Far::TopologyRefiner& refiner, con
     return points;
 }
 
-// What lies between two sharp edges that meet at a vertex, as Sdc sees it: a border's vertex.
+// The faces between two sharp edges that meet at a vertex, as a border's vertex for Sdc.
 class Sector {
 public:
     explicit Sector(int edges) : edges_{edges} {}
@@ -102,7 +102,7 @@ private:
     int edges_;
 };
 
-// Weights of a vertex and of what lies around it.
+// Weights of a vertex, of its edges' other ends and of its faces.
 class Mask {
 public:
     using Weight = double;
@@ -139,7 +139,7 @@ private:
     int faces_ = 0;
 };
 
-// Limit positions and normals of the last level's vertices, split where sharp edges part their faces.
+// Limit positions and normals of the last level's vertices, which are split where sharp edges separate their faces.
 class LimitSurface {
 public:
     LimitSurface(const Far::TopologyRefiner& refiner, const ControlMesh& control)
@@ -188,13 +188,13 @@ private:
         const auto faces = level_.GetVertexFaces(v);
         const int faceCount = faces.size();
         if (faceCount == 0) return;
-        if (level_.IsVertexNonManifold(v)) {  // nothing says which faces follow each other
+        if (level_.IsVertexNonManifold(v)) {  // its faces have no order around it
             for (int i = 0; i < faceCount; ++i) addSplit(v, i, 1, glm::dvec3{0.0});
             return;
         }
         const Sdc::Crease::Rule rule = level_.GetVertexRule(v);
         const std::vector<int> sharp = sharpEdges(v);
-        // A sharp edge that ends within the surface parts nothing, and bends nothing at its end.
+        // A sharp edge that ends within the surface neither separates faces at its end nor bends the surface there.
         if (rule == Sdc::Crease::RULE_SMOOTH || rule == Sdc::Crease::RULE_DART || sharp.size() < 2) {
             const auto i = static_cast<std::size_t>(v);
             addSplit(v, 0, faceCount, glm::cross(tangents1_[i].v, tangents2_[i].v));
@@ -208,7 +208,7 @@ private:
         }
     }
 
-    // Numbers around the vertex, ascending.
+    // Indices of the sharp edges in the order of edges around the vertex, ascending.
     [[nodiscard]] std::vector<int> sharpEdges(int v) const {
         std::vector<int> sharp;
         const auto edges = level_.GetVertexEdges(v);
@@ -217,12 +217,12 @@ private:
         return sharp;
     }
 
-    // Zero where the sector ends in a corner: its faces meet there as they are.
+    // Zero where the sector ends in a corner: the faces there are not smooth.
     [[nodiscard]] glm::dvec3 sectorNormal(int v, int from, int to, Sdc::Crease::Rule rule) const {
         if (rule != Sdc::Crease::RULE_CREASE) return glm::dvec3{0.0};
         const auto edges = level_.GetVertexEdges(v);
         const auto faces = level_.GetVertexFaces(v);
-        const auto places = level_.GetVertexFaceLocalIndices(v);
+        const auto indicesInFaces = level_.GetVertexFaceLocalIndices(v);
         std::vector<glm::dvec3> acrossEdges;
         std::vector<glm::dvec3> acrossFaces;
         for (int i = from; i <= to; ++i) {
@@ -231,7 +231,7 @@ private:
         }
         for (int i = from; i < to && !loop_; ++i) {
             const auto corners = level_.GetFaceVertices(faces[i % faces.size()]);
-            acrossFaces.push_back(pointAt(corners[(places[i % faces.size()] + 2) % corners.size()]));
+            acrossFaces.push_back(pointAt(corners[(indicesInFaces[i % faces.size()] + 2) % corners.size()]));
         }
         const Sector sector{to - from + 1};
         Mask position{to - from + 1};
@@ -246,17 +246,19 @@ private:
                           tangent2.apply(pointAt(v), acrossEdges, acrossFaces));
     }
 
-    // A vertex for some of the faces around v, in their order. Where the limit has no normal, the faces' is taken.
+    // Adds a vertex for some of the faces around v, in their order. Where the limit surface has no normal, the mean of
+    // the faces' normals is taken.
     void addSplit(int v, int from, int count, glm::dvec3 normal) {
         const auto faces = level_.GetVertexFaces(v);
-        const auto places = level_.GetVertexFaceLocalIndices(v);
+        const auto indicesInFaces = level_.GetVertexFaceLocalIndices(v);
         glm::dvec3 ofFaces{0.0};
         for (int i = from; i < from + count; ++i) {
             const int at = i % faces.size();
-            ofFaces += cornerNormal(faces[at], places[at]);
-            result_.corners[cornerOf(faces[at], places[at])] = static_cast<std::uint32_t>(result_.positions.size());
+            ofFaces += cornerNormal(faces[at], indicesInFaces[at]);
+            result_.corners[cornerOf(faces[at], indicesInFaces[at])] =
+                static_cast<std::uint32_t>(result_.positions.size());
         }
-        // Where the surface turns over in a cusp the limit's two tangents may run the other way around.
+        // Where the surface turns over in a cusp the two tangents of the limit may be in reverse order.
         if (glm::dot(normal, ofFaces) < 0.0) normal = -normal;
         const double tiny = 1e-9 * glm::length(ofFaces);
         if (!(glm::length(normal) > tiny)) normal = ofFaces;
@@ -274,7 +276,7 @@ private:
     RefinedFaces result_;
 };
 
-// Values of the last level's corners, from those of the control mesh's.
+// Values of the last level's corners, from those of the control mesh's corners.
 template <class Vector, class Value, class Part>
 std::vector<Vector> refinedValues(const Far::TopologyRefiner& refiner, const std::vector<Value>& ofCorners, Part part) {
     if (ofCorners.empty()) return {};
@@ -309,7 +311,7 @@ std::vector<VertexPaint> refinedPaint(const Far::TopologyRefiner& refiner, const
     return paint;
 }
 
-// What an edge is cut into is of its kinds.
+// The kinds of the last level's edges: the parts of an edge keep its kinds.
 std::vector<EdgeKinds> refinedEdges(const Far::TopologyRefiner& refiner, const ControlMesh& control) {
     if (control.edges.empty()) return {};
     const Far::TopologyLevel& first = refiner.GetLevel(0);

@@ -9,16 +9,16 @@
 
 namespace inkedge {
 
-// What the library and the module of the OpenGL Utility Library's tessellator say to each other. Linked to the library
-// itself it would cost every start, and its gl functions would come before OSMesa's.
+// The interface between the library and the module of the OpenGL Utility Library's tessellator. If that were linked to
+// the library, every start would be slower, and its gl functions would hide OSMesa's.
 struct Tessellation {
     std::vector<Polygon> loops;
     std::string failure;
 };
 struct Tessellator {
-    /// The border of what any of the loops goes around.
+    /// The border of the area that any of the loops encloses.
     Tessellation (*border)(std::span<const Polygon> loops);
-    /// Triangles, as loops of three corners, that cover what both an area's loops and another go around.
+    /// Triangles, as loops of three corners, that cover the part of an area that another loop encloses.
     Tessellation (*overlap)(std::span<const Polygon> area, const Polygon& other);
 };
 inline constexpr ModuleOf<Tessellator> tessellatorModule{{.purpose = "outlines of cut-outs",

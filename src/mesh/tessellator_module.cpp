@@ -17,11 +17,11 @@ namespace {
 
 using Callback = void (*)();
 
-// One run of the tessellator, which needs no context. Its callbacks are called from C, which no exception may pass:
-// memory that is lacking there ends the process.
+// One run of the tessellator, which needs no context. C code calls the callbacks, and no exception may pass through C
+// code: if memory runs out there, the process ends.
 class Run {
 public:
-    // Loops of what the rule says is inside, or, with GL_FALSE, triangles: as many loops of three.
+    // The border of the area that is inside by the rule or, with bordersOnly GL_FALSE, its triangles as loops of three.
     static Tessellation of(std::span<const Polygon> first, const Polygon* second, GLenum rule, GLboolean bordersOnly) {
         Run run;
         const std::unique_ptr<GLUtesselator, decltype(&gluDeleteTess)> tess{gluNewTess(), gluDeleteTess};
@@ -33,7 +33,7 @@ public:
         gluTessCallback(tess.get(), GLU_TESS_VERTEX_DATA, reinterpret_cast<Callback>(&vertex));
         gluTessCallback(tess.get(), GLU_TESS_COMBINE_DATA, reinterpret_cast<Callback>(&combine));
         gluTessCallback(tess.get(), GLU_TESS_ERROR_DATA, reinterpret_cast<Callback>(&error));
-        // With this one it gives triangles alone, no fans or strips.
+        // With an edge flag callback the tessellator yields triangles only, no fans or strips.
         if (bordersOnly == GL_FALSE)
             gluTessCallback(tess.get(), GLU_TESS_EDGE_FLAG, reinterpret_cast<Callback>(&edgeFlag));
         gluTessBeginPolygon(tess.get(), &run);
@@ -46,14 +46,14 @@ public:
 
 private:
     struct Vertex {
-        GLdouble place[3];
+        GLdouble position[3];
     };
 
     void add(GLUtesselator* tess, const Polygon& polygon) {
         gluTessBeginContour(tess);
         for (const glm::dvec2& p : polygon) {
             vertices_.push_back({{p.x, p.y, 0.0}});
-            gluTessVertex(tess, vertices_.back().place, &vertices_.back());
+            gluTessVertex(tess, vertices_.back().position, &vertices_.back());
         }
         gluTessEndContour(tess);
     }
@@ -61,17 +61,17 @@ private:
     static void begin(GLenum, void* self) noexcept { static_cast<Run*>(self)->loops_.emplace_back(); }
     static void vertex(void* vertex, void* self) noexcept {
         const auto* const v = static_cast<const Vertex*>(vertex);
-        static_cast<Run*>(self)->loops_.back().emplace_back(v->place[0], v->place[1]);
+        static_cast<Run*>(self)->loops_.back().emplace_back(v->position[0], v->position[1]);
     }
-    static void combine(GLdouble place[3], void* [4], GLfloat[4], void** made, void* self) noexcept {
+    static void combine(GLdouble position[3], void* [4], GLfloat[4], void** made, void* self) noexcept {
         auto& vertices = static_cast<Run*>(self)->vertices_;
-        vertices.push_back({{place[0], place[1], 0.0}});
+        vertices.push_back({{position[0], position[1], 0.0}});
         *made = &vertices.back();
     }
     static void error(GLenum, void* self) noexcept { static_cast<Run*>(self)->failed_ = true; }
     static void edgeFlag(GLboolean) noexcept {}
 
-    std::deque<Vertex> vertices_;  // which the tessellator points to
+    std::deque<Vertex> vertices_;  // the tessellator holds pointers to them
     std::vector<Polygon> loops_;
     bool failed_ = false;
 };
@@ -84,7 +84,7 @@ extern "C" INKEDGE_API const Tessellator* inkedge_tessellator_1() noexcept {
             return guarded([&] { return Run::of(loops, nullptr, GLU_TESS_WINDING_NONZERO, GL_TRUE); });
         },
         [](std::span<const Polygon> area, const Polygon& other) {
-            // Where both go around a place they do so twice.
+            // The winding number is 2 where both the area and the loop enclose a point.
             return guarded([&] { return Run::of(area, &other, GLU_TESS_WINDING_ABS_GEQ_TWO, GL_FALSE); });
         }};
     return &functions;

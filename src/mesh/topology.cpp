@@ -28,7 +28,7 @@ bool collapsed(const MeshTopology& topology, std::uint32_t t) {
     return p[0] == p[1] || p[1] == p[2] || p[2] == p[0];
 }
 
-// A half-edge by the points of its triangle, without the lesser of its own.
+// A half-edge, with the points of its triangle, except the smaller of the half-edge's own two points.
 struct Entry {
     std::uint32_t greaterPoint;
     std::uint32_t thirdPoint;
@@ -36,13 +36,13 @@ struct Entry {
     friend auto operator<=>(const Entry&, const Entry&) = default;
 };
 
-// Half-edges along one edge, sorted: those of triangles with the same three points stand together.
+// Joins the half-edges of one edge. They are sorted, so that triangles with the same three points follow each other.
 void joinAlongEdge(std::span<Entry> edge, MeshTopology& topology) {
     std::size_t kept = 0;
     for (const Entry& entry : edge) {
         if (kept == 0 || edge[kept - 1].thirdPoint != entry.thirdPoint)
             edge[kept++] = entry;
-        else if (entry.thirdPoint > entry.greaterPoint)  // once for the three edges, that of the least points
+        else if (entry.thirdPoint > entry.greaterPoint)  // at only one of the three edges: that of the smallest points
             topology.originals[entry.halfEdge / 3] = edge[kept - 1].halfEdge / 3;
     }
     if (kept == 2) {
@@ -53,7 +53,7 @@ void joinAlongEdge(std::span<Entry> edge, MeshTopology& topology) {
     }
 }
 
-// Finds twins and originals along the edges whose lesser point is one of a range.
+// Finds twins and originals along the edges whose smaller point is in a range.
 void joinAtPoints(std::uint32_t low, std::uint32_t high, MeshTopology& topology) {
     const auto& points = topology.points;
     const auto triangleCount = static_cast<std::uint32_t>(points.size() / 3);
@@ -68,17 +68,17 @@ void joinAtPoints(std::uint32_t low, std::uint32_t high, MeshTopology& topology)
                 if (lesser[k] >= low && lesser[k] < high) visit(lesser[k] - low, 3 * t + k);
         }
     };
-    // Counting sort by the lesser point: place[p + 1] runs from the first of p's half-edges to the first of p + 1's.
-    std::vector<std::uint32_t> place(std::size_t{high} - low + 2, 0);
-    forEachHalfEdge([&](std::uint32_t p, std::uint32_t) { ++place[p + 2]; });
-    for (std::size_t p = 2; p < place.size(); ++p) place[p] += place[p - 1];
-    std::vector<std::uint32_t> halfEdges(place.back());
-    forEachHalfEdge([&](std::uint32_t p, std::uint32_t h) { halfEdges[place[p + 1]++] = h; });
+    // Counting sort by the smaller point: next[p + 1] runs from the first of p's half-edges to the first of p + 1's.
+    std::vector<std::uint32_t> next(std::size_t{high} - low + 2, 0);
+    forEachHalfEdge([&](std::uint32_t p, std::uint32_t) { ++next[p + 2]; });
+    for (std::size_t p = 2; p < next.size(); ++p) next[p] += next[p - 1];
+    std::vector<std::uint32_t> halfEdges(next.back());
+    forEachHalfEdge([&](std::uint32_t p, std::uint32_t h) { halfEdges[next[p + 1]++] = h; });
 
     std::vector<Entry> entries;
     for (std::uint32_t p = low; p < high; ++p) {
         entries.clear();
-        for (std::uint32_t i = place[p - low]; i < place[p - low + 1]; ++i) {
+        for (std::uint32_t i = next[p - low]; i < next[p - low + 1]; ++i) {
             const std::uint32_t h = halfEdges[i];
             const std::uint32_t end = nextHalfEdge(h);
             entries.push_back({std::max(points[h], points[end]), points[nextHalfEdge(end)], h});
@@ -93,7 +93,7 @@ void joinAtPoints(std::uint32_t low, std::uint32_t high, MeshTopology& topology)
     }
 }
 
-// Collapsed triangles have no edges to be found by.
+// Finds the originals of collapsed triangles, which have no edges.
 void findCollapsedOriginals(MeshTopology& topology) {
     std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> all;
     for (std::uint32_t t = 0; t < topology.originals.size(); ++t)
@@ -120,7 +120,7 @@ std::vector<glm::dvec3> faceNormals(const Mesh& mesh, double thin) {
     return normals;
 }
 
-// The corners of two half-edges that meet at the first one's start and at its end.
+// The twin's corners at the start and at the end of a half-edge.
 struct SharedEnds {
     std::uint32_t atStart;
     std::uint32_t atEnd;
@@ -134,7 +134,7 @@ SharedEnds endsOfTwin(const MeshTopology& topology, std::uint32_t halfEdge, std:
 bool normalsSplit(const Mesh& mesh, const MeshTopology& topology, std::uint32_t halfEdge, std::uint32_t twin,
                   double creaseCosine) {
     const auto split = [&](std::uint32_t a, std::uint32_t b) {
-        // Normals wound against each other may point to opposite sides of one surface.
+        // Normals of faces wound against each other may point to opposite sides of one surface.
         const double cosine =
             static_cast<double>(glm::dot(mesh.normals[mesh.indices[a]], mesh.normals[mesh.indices[b]]));
         return (topology.points[halfEdge] == topology.points[twin] ? -cosine : cosine) < creaseCosine;
@@ -145,7 +145,7 @@ bool normalsSplit(const Mesh& mesh, const MeshTopology& topology, std::uint32_t 
 
 bool hasNormal(const MeshTopology& topology, std::uint32_t t) { return topology.faceNormals[t] != glm::dvec3{0.0}; }
 
-// A face that is too thin only connects: its neighbours are joined as if they touched each other.
+// A face that is too thin to have a normal only connects its neighbours, as if they touched each other.
 void joinAcrossThinFace(const MeshTopology& topology, std::uint32_t t, double creaseCosine, UnionFind& sets) {
     for (std::uint32_t i = 3 * t; i < 3 * t + 3; ++i) {
         const std::uint32_t a = topology.twins[i];
@@ -173,7 +173,7 @@ double bendCosine(const MeshTopology& topology, std::uint32_t halfEdge, std::uin
 }
 
 std::vector<glm::dvec3> makeFaceNormals(const Mesh& mesh) {
-    return faceNormals(mesh, leastHeight * weldToleranceOf(mesh.positions));
+    return faceNormals(mesh, minHeight * weldToleranceOf(mesh.positions));
 }
 
 MeshTopology buildTopology(const Mesh& mesh) {
@@ -194,7 +194,7 @@ MeshTopology buildTopology(const Mesh& mesh) {
         joinAtPoints(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), topology);
     });
     findCollapsedOriginals(topology);
-    topology.faceNormals = faceNormals(mesh, leastHeight * tolerance);
+    topology.faceNormals = faceNormals(mesh, minHeight * tolerance);
     return topology;
 }
 
@@ -224,7 +224,7 @@ void buildPatches(const Mesh& mesh, double creaseAngle, MeshTopology& topology) 
     }
     topology.patches.resize(triangleCount);
     topology.patchCount = 0;
-    for (std::uint32_t t = 0; t < triangleCount; ++t) {  // a set's root is its least member, so it comes first
+    for (std::uint32_t t = 0; t < triangleCount; ++t) {  // a set's root is its smallest member, so it comes first
         const std::uint32_t root = sets.root(t);
         topology.patches[t] = root == t ? topology.patchCount++ : topology.patches[root];
     }

@@ -28,9 +28,9 @@ Bounds boundsOf(std::span<const glm::vec3> positions) {
     return {low, glm::length(glm::dvec3{high} - glm::dvec3{low})};
 }
 
-// Cells are so much wider than the tolerance that what is near a point mostly lies in its own, and so much narrower
-// than a mesh's edges that they mostly hold one point. An axis has at most 1 / (cellWidth * weldTolerance) = 31,250 of
-// them.
+// Points by cells of space. Cells are so much wider than the tolerance that the neighbours of a point mostly lie in its
+// own cell, and so much narrower than a mesh's edges that they mostly hold one point. An axis has at high
+// 1 / (cellWidth * weldTolerance) = 31,250 cells.
 class CellGrid {
 public:
     CellGrid(std::span<const glm::vec3> positions, const Bounds& bounds, double tolerance)
@@ -40,10 +40,10 @@ public:
           squaredTolerance_{tolerance * tolerance},
           heads_(std::bit_ceil(positions.size() + positions.size() / 2 + 1), none),
           shift_{64 - std::countr_zero(heads_.size())} {
-        places_.reserve(positions.size());
+        points_.reserve(positions.size());
     }
 
-    // What a position's place is looked up by; apart from looking, so that memory can be fetched in between.
+    // Where a position's point is looked up. Kept apart from the look-up, so that memory can be fetched in between.
     struct Cell {
         glm::dvec3 scaled;
         std::uint64_t slot;
@@ -55,42 +55,42 @@ public:
         return cell;
     }
 
-    // The first place within the tolerance of a position, or a new one: whatever the order in cells, positions that are
-    // equal come to one.
-    std::uint32_t placeOf(std::uint32_t position, const Cell& cell) {
+    // The first point within the tolerance of a position, or a new one. Positions that are equal get the same point,
+    // whatever the order in cells.
+    std::uint32_t pointOf(std::uint32_t position, const Cell& cell) {
         constexpr double margin = 1.0 / cellWidth;  // the tolerance, in cells
-        // Towards 0 is downwards but below 0, where nothing lies.
-        const glm::uvec3 least{glm::max(cell.scaled - margin, 0.0)};
-        const glm::uvec3 most{cell.scaled + margin};
+        // Conversion rounds towards 0, which is downwards: nothing lies below 0.
+        const glm::uvec3 low{glm::max(cell.scaled - margin, 0.0)};
+        const glm::uvec3 high{cell.scaled + margin};
         const glm::vec3 p = positions_[position];
         std::uint32_t near = firstNear(cell.slot, p, none);
-        if (least != most) {
-            for (std::uint32_t x = least.x; x <= most.x; ++x)
-                for (std::uint32_t y = least.y; y <= most.y; ++y)
-                    for (std::uint32_t z = least.z; z <= most.z; ++z) near = firstNear(slot({x, y, z}), p, near);
+        if (low != high) {
+            for (std::uint32_t x = low.x; x <= high.x; ++x)
+                for (std::uint32_t y = low.y; y <= high.y; ++y)
+                    for (std::uint32_t z = low.z; z <= high.z; ++z) near = firstNear(slot({x, y, z}), p, near);
         }
         if (near != none) return near;
-        const auto place = static_cast<std::uint32_t>(places_.size());
-        places_.push_back({position, heads_[cell.slot]});
-        heads_[cell.slot] = place;
-        return place;
+        const auto point = static_cast<std::uint32_t>(points_.size());
+        points_.push_back({position, heads_[cell.slot]});
+        heads_[cell.slot] = point;
+        return point;
     }
 
-    [[nodiscard]] std::uint32_t placeCount() const { return static_cast<std::uint32_t>(places_.size()); }
+    [[nodiscard]] std::uint32_t pointCount() const { return static_cast<std::uint32_t>(points_.size()); }
 
 private:
     static constexpr double cellWidth = 64.0;  // tolerances
 
-    struct Place {
-        std::uint32_t position;  // its first
-        std::uint32_t next;      // place in the same slot, which came before
+    struct Point {
+        std::uint32_t position;  // the first of the point's
+        std::uint32_t next;      // an earlier point in the same slot
     };
 
     [[nodiscard]] std::uint32_t firstNear(std::uint64_t slot, glm::vec3 p, std::uint32_t otherwise) const {
         std::uint32_t first = otherwise;
-        for (std::uint32_t place = heads_[slot]; place != none; place = places_[place].next) {
-            const glm::dvec3 apart = glm::dvec3{positions_[places_[place].position]} - glm::dvec3{p};
-            if (glm::dot(apart, apart) <= squaredTolerance_) first = std::min(first, place);
+        for (std::uint32_t point = heads_[slot]; point != none; point = points_[point].next) {
+            const glm::dvec3 apart = glm::dvec3{positions_[points_[point].position]} - glm::dvec3{p};
+            if (glm::dot(apart, apart) <= squaredTolerance_) first = std::min(first, point);
         }
         return first;
     }
@@ -107,7 +107,7 @@ private:
     double squaredTolerance_;
     std::vector<std::uint32_t> heads_;
     int shift_;
-    std::vector<Place> places_;
+    std::vector<Point> points_;
 };
 
 }  // namespace
@@ -124,16 +124,16 @@ Weld weldByPosition(std::span<const glm::vec3> positions) {
         return weld;
     }
     CellGrid grid{positions, bounds, weld.tolerance};
-    constexpr std::uint32_t ahead = 16;  // their slots are on the way from memory
+    constexpr std::uint32_t ahead = 16;  // cells whose slots are being fetched from memory
     std::array<CellGrid::Cell, ahead> cells;
     const auto count = static_cast<std::uint32_t>(positions.size());
     for (std::uint32_t i = 0; i < std::min(count, ahead); ++i) cells[i] = grid.cellOf(i);
     for (std::uint32_t i = 0; i < count; ++i) {
         const CellGrid::Cell cell = cells[i % ahead];
         if (i + ahead < count) cells[i % ahead] = grid.cellOf(i + ahead);
-        weld.point[i] = grid.placeOf(i, cell);
+        weld.point[i] = grid.pointOf(i, cell);
     }
-    weld.pointCount = grid.placeCount();
+    weld.pointCount = grid.pointCount();
     return weld;
 }
 

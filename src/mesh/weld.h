@@ -8,16 +8,16 @@
 
 namespace inkedge {
 
-/// Vertices that stand at one place, whatever else sets them apart, get one number.
+/// Numbers of points: vertices at one position have one number, whatever else they differ in.
 struct Weld {
     std::vector<std::uint32_t>
-        point;  ///< one a position: the number of its place, 0..pointCount-1 in order of appearance
+        point;  ///< one per position: the number of its point, 0..pointCount-1 in order of appearance
     std::uint32_t pointCount = 0;
-    double tolerance = 0.0;  ///< how far apart two positions of one place may be
+    double tolerance = 0.0;  ///< how far apart two positions of one point may be
 };
 
-/// Positions that differ by no more than this share of the diagonal of their box are one place. It is about the
-/// rounding that a float leaves in a coordinate: exporters that compute a shared corner twice are off by so much.
+/// Positions that differ by no more than this share of the diagonal of their box are one point. It is about the
+/// rounding of a float coordinate, by which the results of exporters that compute a shared corner twice differ.
 inline constexpr double weldTolerance = 5e-7;
 
 /// weldTolerance of the positions' box, in their unit.

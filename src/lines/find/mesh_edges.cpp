@@ -123,7 +123,7 @@ MeshEdges findEdges(const Mesh& mesh, const MeshTopology& topology, double creas
         if (thin && takesPart(topology, h / 3)) edges.thinBorders.push_back(h);
     }
     collectMany(topology, edges);
-    edges.closed = closedParts(mesh, topology);
+    edges.closed = componentOrientations(mesh, topology);
     return edges;
 }
 

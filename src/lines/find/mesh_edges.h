@@ -31,7 +31,7 @@ struct MeshEdges {
 
     std::vector<glm::dvec3> faceNormals;  ///< as MeshTopology::faceNormals
 
-    std::vector<std::int8_t> closed;  ///< as closedParts() gives them
+    std::vector<std::int8_t> closed;  ///< as componentOrientations() gives them
 };
 
 /// Whether the file marks a half-edge, or its twin.
