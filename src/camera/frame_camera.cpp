@@ -19,7 +19,8 @@ namespace {
 constexpr double threeQuarterAzimuth = 30.0;
 constexpr double threeQuarterElevation = 20.0;
 constexpr double frameShare = 0.92;  // of the picture's width or height that a framed model fills
-constexpr double clearance = 0.1;  // of the bounds' radius: a spike sharper than the view angle cannot touch the camera
+// Of the bounds' radius: keeps the camera from a spike of the model that is sharper than the view angle.
+constexpr double clearance = 0.1;
 constexpr double nearestShare = 1e-4;   // of far: the near plane of a camera inside or beside the model
 constexpr double boundsMargin = 1.001;  // keeps the outermost vertex off the near and far planes
 
@@ -32,7 +33,7 @@ struct Axes {
     glm::dvec3 forward;
 };
 
-// @param azimuth  degrees: from where a view straight down or up is tilted there
+// @param azimuth  degrees: where a view straight down or up would come from if it were tilted
 Axes axesAlong(glm::dvec3 forward, const std::optional<glm::dvec3>& givenUp, double azimuth) {
     const glm::dvec3 unitForward = glm::normalize(forward);
     glm::dvec3 up = givenUp.value_or(glm::dvec3{0, 1, 0});
@@ -100,14 +101,13 @@ void checkForContradictions(const CameraSettings& settings) {
         "camera-index", "another camera position or direction");
 }
 
-// How far the scene reaches across the picture: over the centre line along axis, for a frustum side of slope s (0:
-// orthographic). With depth measured from the world's origin along forward, a point is inside the side if
-// axis . p - s * depth <= reach.
+// How far the scene reaches from the centre line along an axis, for a frustum side of slope s (0: orthographic). Depth
+// is measured from the world's origin along forward. A point p is inside the side if axis . p - s * depth <= reach.
 double reach(const Scene& scene, glm::dvec3 axis, double slope, glm::dvec3 forward) {
     return support(scene, axis - slope * forward);
 }
 
-// Places a camera that looks along the axes so that the model just fills the frame.
+// Moves a camera that looks along the axes to where the model just fills the frame.
 void frameAll(Camera& camera, const Scene& scene, const Axes& axes, Size size) {
     const double aspect = static_cast<double>(size.width) / size.height;
     const double slopeY = camera.orthographic() ? 0.0 : std::tan(glm::radians(camera.viewAngle) / 2.0) * frameShare;
@@ -124,7 +124,7 @@ void frameAll(Camera& camera, const Scene& scene, const Axes& axes, Size size) {
         const double height = std::max(top + bottom, (left + right) / aspect) / frameShare;
         camera.orthographicHeight = height > 0.0 ? height : 1.0;
     } else {
-        // The sides meet the reach at the camera: reach sum = -2 slope * depth of the camera.
+        // Both sides pass through the camera: the sum of their reaches is -2 slope * depth of the camera.
         const double fitting = std::max((right + left) / (2.0 * slopeX), (top + bottom) / (2.0 * slopeY));
         const double clear = support(scene, -axes.forward) + clearance * bounds.radius;
         const double behind = std::max(fitting, clear);
@@ -158,7 +158,8 @@ Camera frameCamera(const Scene& scene, const CameraSettings& settings, Size size
     checkForContradictions(settings);
     Camera camera;
     camera.viewAngle = settings.viewAngle;
-    // A height of 0 asks for a framed one; frameAll() and the zoom below want to know the kind before the height.
+    // A height of 0 asks for a framed one. frameAll() and the zoom below need to know that the camera is orthographic
+    // before its height is known.
     const bool frameHeight = settings.orthographicHeight && *settings.orthographicHeight == 0.0;
     camera.orthographicHeight = frameHeight ? 1.0 : settings.orthographicHeight.value_or(0.0);
 

@@ -20,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr int mostViews = 1'000'000;
-constexpr std::uintmax_t largestFile = std::uintmax_t{1} << 28U;  // bytes
+constexpr int maxViews = 1'000'000;
+constexpr std::uintmax_t maxFileSize = std::uintmax_t{1} << 28U;  // bytes
 
 [[noreturn]] void refuse(Error::Kind kind, const std::string& message) { throw Error{kind, message}; }
 
@@ -34,9 +34,9 @@ std::string numbered(int i, std::size_t count) {
 int countOf(const std::string& text, std::string_view digits) {
     int count = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
-    if (error != std::errc{} || end != digits.data() + digits.size() || count < 1 || count > mostViews)
+    if (error != std::errc{} || end != digits.data() + digits.size() || count < 1 || count > maxViews)
         refuse(Error::Kind::Usage,
-               fmt::format("views: expected a number of views from 1 to {}, found '{}'", mostViews, text));
+               fmt::format("views: expected a number of views from 1 to {}, found '{}'", maxViews, text));
     return count;
 }
 
@@ -80,9 +80,9 @@ Json parse(const fs::path& file) {
                fmt::format("{}: expected turntable:N, sphere:N or a file of views, found none that can "
                            "be read",
                            file.string()));
-    if (size > largestFile)
+    if (size > maxFileSize)
         refuse(Error::Kind::Input,
-               fmt::format("{}: expected at most {} bytes, found {}", file.string(), largestFile, size));
+               fmt::format("{}: expected at most {} bytes, found {}", file.string(), maxFileSize, size));
     try {
         return Json::parse(stream);
     } catch (const Json::exception&) {
@@ -105,7 +105,7 @@ bool isName(const std::string& name) {
                std::string::npos;
 }
 
-View readView(const Json& source, std::string name, const CameraSettings& base, const std::string& where) {
+View viewFrom(const Json& source, std::string name, const CameraSettings& base, const std::string& where) {
     if (!source.is_object())
         refuse(Error::Kind::Usage, fmt::format("{}: expected an object, found {}", where, source.type_name()));
     Settings settings;
@@ -129,15 +129,15 @@ View readView(const Json& source, std::string name, const CameraSettings& base, 
 
 std::vector<View> readViews(const fs::path& file, const CameraSettings& base) {
     const Json list = parse(file);
-    if (!list.is_array() || list.empty() || list.size() > mostViews)
+    if (!list.is_array() || list.empty() || list.size() > maxViews)
         refuse(Error::Kind::Usage,
-               fmt::format("{}: expected a JSON list of 1 to {} views, found {}", file.string(), mostViews,
+               fmt::format("{}: expected a JSON list of 1 to {} views, found {}", file.string(), maxViews,
                            list.is_array() ? std::to_string(list.size()) : list.type_name()));
     std::vector<View> views;
     std::set<std::string> names;
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string where = fmt::format("{}: view {}", file.string(), i);
-        views.push_back(readView(list[i], numbered(static_cast<int>(i), list.size()), base, where));
+        views.push_back(viewFrom(list[i], numbered(static_cast<int>(i), list.size()), base, where));
         if (!names.insert(views.back().name).second)
             refuse(Error::Kind::Usage,
                    fmt::format("{}: expected a name of its own, found '{}' again", where, views.back().name));

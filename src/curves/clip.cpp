@@ -14,7 +14,7 @@ bool isInside(glm::dvec2 p, glm::dvec2 low, glm::dvec2 high) {
     return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
 }
 
-// The shares of an edge between which it lies in the rectangle; Liang and Barsky 1984.
+// The part of an edge that lies in a rectangle, as shares of its length; Liang and Barsky 1984.
 std::optional<std::pair<double, double>> inside(glm::dvec2 a, glm::dvec2 b, glm::dvec2 low, glm::dvec2 high) {
     double enter = 0.0;
     double leave = 1.0;
@@ -68,7 +68,7 @@ std::vector<Line> clip(const Line& line, glm::dvec2 low, glm::dvec2 high) {
         goesOn = shares->second == 1.0;
     }
     const bool startsInside = isInside(points.front().pixel, low, high);
-    if (line.closed && startsInside && goesOn && parts.size() > 1) {  // the last part runs on into the first
+    if (line.closed && startsInside && goesOn && parts.size() > 1) {  // the last part goes on as the first
         std::vector<LinePoint>& last = parts.back().points;
         last.insert(last.end(), parts.front().points.begin() + 1, parts.front().points.end());
         std::swap(parts.front(), parts.back());

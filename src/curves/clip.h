@@ -9,8 +9,8 @@
 namespace inkedge {
 
 /// The parts of a line that lie in a rectangle, its sides included, in their order along the line. A closed line that
-/// lies in it wholly stays closed. World points of the ends that are cut are those of the ends' shares of their edges
-/// in the picture: near, but not exact in perspective. Pure, thread-safe, O(n).
+/// lies wholly in the rectangle stays closed. Where an edge is cut the world position is interpolated by the share of
+/// the edge in the picture: near the true position, but not exact in perspective. Pure, thread-safe, O(n).
 [[nodiscard]] std::vector<Line> clip(const Line&, glm::dvec2 low, glm::dvec2 high);
 
 }  // namespace inkedge

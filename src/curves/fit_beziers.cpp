@@ -15,8 +15,8 @@ namespace {
 
 using glm::dvec2;
 
-constexpr double sharpTurn = 1.0;        // radians: a corner at any scale
-constexpr double slightTurn = 0.15;      // radians: none at any scale
+constexpr double sharpTurn = 1.0;        // radians: this or more is a corner at any scale
+constexpr double slightTurn = 0.15;      // radians: this or less is no corner at any scale
 constexpr int improvements = 4;          // of the parameters, by Newton's method
 constexpr double worthImproving = 16.0;  // times the tolerance, squared distances
 constexpr double sampleStep = 1.0;       // pixels between samples of a line's edges
@@ -32,7 +32,8 @@ double turn(dvec2 a, dvec2 b, dvec2 c) {
     return std::abs(std::atan2(in.x * out.y - in.y * out.x, glm::dot(in, out)));
 }
 
-// Chords that stay within d of a smooth curve are at most 8 d / turn long; a corner is where they are longer.
+// Chords that stay within d of a smooth curve are at most 8 d / turn long. Where they are longer there is a
+// corner.
 bool isCorner(dvec2 a, dvec2 b, dvec2 c, double tolerance) {
     const double angle = turn(a, b, c);
     if (angle > sharpTurn) return true;
@@ -45,7 +46,7 @@ public:
     StretchFitter(std::span<const dvec2> samples, double tolerance, std::vector<Bezier>& curves)
         : samples_{samples}, tolerance_{tolerance}, limit_{tolerance * tolerance}, curves_{curves} {}
 
-    // Each curve goes as far as one can.
+    // Fits curves one after the other, each as long as it can be.
     // @param seam  the direction at both ends of a closed line without corners; 0 where the ends are corners
     void fit(dvec2 seam) {
         const std::size_t last = samples_.size() - 1;
@@ -57,7 +58,7 @@ public:
                 const std::size_t to = std::min(next.first + count, last);
                 return fitted({next.first, to, next.atFirst, to == last ? atEnd : -directionAcross(to)});
             };
-            std::size_t good = 1;  // samples further on: always fits
+            std::size_t good = 1;  // samples that the curve spans: one always fits
             std::optional<Bezier> best = reaching(good);
             std::size_t bad = 0;
             while (bad == 0 && next.first + good < last) {
@@ -86,7 +87,7 @@ private:
         dvec2 atLast;
     };
 
-    // How far along the line its direction is taken from: further than its noise.
+    // The length of line over which its direction is measured: longer than the line's noise.
     [[nodiscard]] double reach() const { return std::max(2.0 * sampleStep, 8.0 * tolerance_); }
 
     [[nodiscard]] std::size_t away(std::size_t from, std::size_t towards, double distance) const {
@@ -100,7 +101,7 @@ private:
         return from;
     }
 
-    // At an end, from where the line is after half the reach and after the whole: exact for a parabola.
+    // The direction at an end, from the points of the line after half the reach and the whole: exact for a parabola.
     [[nodiscard]] dvec2 directionFrom(std::size_t end, std::size_t towards) const {
         const dvec2 far = samples_[away(end, towards, reach())] - samples_[end];
         const dvec2 near = samples_[away(end, towards, 0.5 * reach())] - samples_[end];
@@ -114,7 +115,7 @@ private:
         return unitOr(unitOr(ahead, dvec2{0.0}) + unitOr(behind, dvec2{0.0}), unitOr(ahead, {1.0, 0.0}));
     }
 
-    // Nothing if no curve with these directions is near enough.
+    // The curve through a stretch; none if no curve with these directions is near enough.
     [[nodiscard]] std::optional<Bezier> fitted(const Stretch& stretch) const {
         const dvec2 a = samples_[stretch.first];
         const dvec2 b = samples_[stretch.last];
@@ -141,7 +142,7 @@ private:
         return at;
     }
 
-    // How far along the end's directions the control points lie.
+    // The curve whose control points lie along the end directions so that the sum of squared errors is smallest.
     [[nodiscard]] Bezier leastSquares(const Stretch& stretch, const std::vector<double>& at) const {
         const dvec2 a = samples_[stretch.first];
         const dvec2 b = samples_[stretch.last];
@@ -171,16 +172,16 @@ private:
             alongFirst = (x0 * c11 - x1 * c01) / determinant;
             alongLast = (c00 * x1 - c01 * x0) / determinant;
         }
-        // Out of range it is no curve of this shape; a third of the chord is the guess of Wu and Barsky.
-        const double least = 1e-3 * chord;
-        const double most = 4.0 * std::max(chord, sampleStep);
-        if (!(alongFirst > least && alongLast > least && alongFirst < most && alongLast < most)) {
+        // Out of range the solution is no curve of this shape; a third of the chord is the guess of Wu and Barsky.
+        const double minLength = 1e-3 * chord;
+        const double maxLength = 4.0 * std::max(chord, sampleStep);
+        if (!(alongFirst > minLength && alongLast > minLength && alongFirst < maxLength && alongLast < maxLength)) {
             alongFirst = alongLast = chord / 3.0;
         }
         return {a, a + alongFirst * stretch.atFirst, b + alongLast * stretch.atLast, b};
     }
 
-    // At the samples; squared pixels.
+    // The largest distance from a sample to the curve; squared pixels.
     [[nodiscard]] double worstError(const Stretch& stretch, const std::vector<double>& at, const Bezier& curve) const {
         double worst = 0.0;
         for (std::size_t i = 1; i + 1 < at.size(); ++i) {
@@ -190,7 +191,7 @@ private:
         return worst;
     }
 
-    // Whether between two samples the curve stays near the edge between them.
+    // Whether the curve stays near the edge between each two samples.
     [[nodiscard]] bool staysNear(const Stretch& stretch, const std::vector<double>& at, const Bezier& curve) const {
         constexpr int parts = 4;
         for (std::size_t i = 1; i < at.size(); ++i) {
@@ -207,7 +208,7 @@ private:
         return true;
     }
 
-    // One step of Newton's method towards the places of the curve nearest to the samples.
+    // One step of Newton's method towards the points of the curve nearest to the samples.
     void improve(const Stretch& stretch, const Bezier& curve, std::vector<double>& at) const {
         const dvec2 d0 = 3.0 * (curve[1] - curve[0]);
         const dvec2 d1 = 3.0 * (curve[2] - curve[1]);
@@ -230,7 +231,7 @@ private:
     std::vector<Bezier>& curves_;
 };
 
-// A line's points without repetitions; of a closed one, the first again at the end.
+// The points of a line without repetitions; of a closed line, the first again at the end.
 struct Path {
     std::vector<dvec2> points;
     bool closed;
@@ -248,21 +249,21 @@ Path pathOf(const Line& line) {
     return path;
 }
 
-// Corners of a line, as numbers of its points, its ends included unless it is closed and smooth there.
-// @param plain  whether points are left once the line is simplified
+// Corners of a line, as indices of its points. The ends are included unless the line is closed and smooth there.
+// @param plain  indices of the points that are left once the line is simplified
 std::vector<std::size_t> cornersOf(const Path& path, const std::vector<std::size_t>& plain, double tolerance) {
-    const auto place = [&](std::size_t i) { return path.points[plain[i]]; };
+    const auto point = [&](std::size_t i) { return path.points[plain[i]]; };
     const std::size_t last = plain.size() - 1;
     std::vector<std::size_t> corners;
-    if (!path.closed || isCorner(place(last - 1), place(0), place(1), tolerance)) corners.push_back(plain.front());
+    if (!path.closed || isCorner(point(last - 1), point(0), point(1), tolerance)) corners.push_back(plain.front());
     for (std::size_t i = 1; i < last; ++i) {
-        if (isCorner(place(i - 1), place(i), place(i + 1), tolerance)) corners.push_back(plain[i]);
+        if (isCorner(point(i - 1), point(i), point(i + 1), tolerance)) corners.push_back(plain[i]);
     }
     if (!path.closed) corners.push_back(plain.back());
     return corners;
 }
 
-// Numbers of the points that a simpler line keeps, first and last included.
+// Indices of the points that a simplified line keeps, the first and the last included.
 std::vector<std::size_t> simplified(const Path& path, double tolerance) {
     Line numbered;
     for (std::size_t i = 0; i < path.points.size(); ++i) {
@@ -279,7 +280,7 @@ std::vector<std::size_t> simplified(const Path& path, double tolerance) {
     return kept;
 }
 
-// The points from one number to another, and more between those that are far apart.
+// The points from one index to another, with more points between those that are far apart.
 std::vector<dvec2> sampled(const std::vector<dvec2>& points, std::size_t first, std::size_t last) {
     std::vector<dvec2> samples{points[first]};
     for (std::size_t i = first; i < last; ++i) {
@@ -312,7 +313,8 @@ std::vector<Bezier> fitBeziers(const Line& line, double tolerance) {
         const dvec2 p = path.points.front();
         return line.points.size() < 2 ? std::vector<Bezier>{} : std::vector<Bezier>{{p, p, p, p}};
     }
-    // Both steps stray: first to tell corners from noise, then the curve from its samples and between them.
+    // Both steps deviate from the line, so that each gets half the tolerance: simplification, which separates corners
+    // from noise, and the fitted curve.
     const double noise = 0.5 * tolerance;
     std::vector<std::size_t> plain = simplified(path, noise);
     std::vector<std::size_t> corners = cornersOf(path, plain, tolerance);

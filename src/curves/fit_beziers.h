@@ -9,13 +9,13 @@
 
 namespace inkedge {
 
-/// A cubic Bezier curve: where it starts, its two control points, where it ends.
+/// A cubic Bezier curve: its start, its two control points, its end.
 using Bezier = std::array<glm::dvec2, 4>;
 
-/// Curves through a line, each beginning where the one before ends; those of a closed line end where they begin. No
-/// place of them is further than tolerance from the line, and none of the line further from them. They meet smoothly
-/// but where the line turns more sharply than the tolerance explains; there they meet in a corner of the line. A
-/// straight part becomes one straight curve with its control points on it.
+/// Curves through a line. Each curve begins where the one before ends; the curves of a closed line end where they
+/// began. No point of the curves is further than tolerance from the line, and no point of the line further from the
+/// curves. Curves meet smoothly, except in corners of the line: where it turns more sharply than the tolerance
+/// explains. A straight part becomes one straight curve with its control points on it.
 /// @param tolerance  pixels, over 0
 /// @return  nothing if the line has fewer than two finite points
 /// Pure, thread-safe; O(n log n) on most lines.

@@ -9,7 +9,7 @@
 namespace inkedge {
 namespace {
 
-// Points of a chain that are kept in any case stand this far apart, so that no line costs the square of its points.
+// Points between two that are kept in any case. Without such points a line could take time in the square of its points.
 constexpr std::size_t longestChain = 1024;
 
 bool isFinite(const LinePoint& p) { return std::isfinite(p.pixel.x) && std::isfinite(p.pixel.y); }
@@ -22,7 +22,7 @@ double squaredDistance(glm::dvec2 p, glm::dvec2 from, glm::dvec2 to) {
     return glm::dot(offset, offset);
 }
 
-// Marks which points between two that are kept must be kept, too.
+// Marks the points to keep between two points that are kept.
 void keepBetween(const std::vector<LinePoint>& points, std::size_t first, std::size_t last, double tolerance,
                  std::vector<bool>& kept) {
     std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
@@ -44,9 +44,9 @@ void keepBetween(const std::vector<LinePoint>& points, std::size_t first, std::s
     }
 }
 
-std::size_t furthestFrom(const std::vector<LinePoint>& points, glm::dvec2 place) {
+std::size_t furthestFrom(const std::vector<LinePoint>& points, glm::dvec2 pixel) {
     const auto far = std::ranges::max_element(
-        points, {}, [&](const LinePoint& p) { return glm::dot(p.pixel - place, p.pixel - place); });
+        points, {}, [&](const LinePoint& p) { return glm::dot(p.pixel - pixel, p.pixel - pixel); });
     return static_cast<std::size_t>(far - points.begin());
 }
 

@@ -8,14 +8,14 @@ namespace inkedge::load {
 
 [[nodiscard]] constexpr bool isBlank(char c) noexcept { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-/// Less the blanks that it starts with.
+/// A text without the blanks at its start.
 [[nodiscard]] inline std::string_view trimmed(std::string_view text) noexcept {
     std::size_t start = 0;
     while (start < text.size() && isBlank(text[start])) ++start;
     return text.substr(start);
 }
 
-/// The first word, taken off the text; empty if there is none.
+/// The first word of a text, which is removed from it; empty if there is none.
 [[nodiscard]] inline std::string_view takeWord(std::string_view& text) noexcept {
     text = trimmed(text);
     std::size_t end = 0;
@@ -25,7 +25,7 @@ namespace inkedge::load {
     return word;
 }
 
-/// The number that a text is, if it is one and nothing else.
+/// The number that a whole text stands for; none if it is no number.
 template <class Number>
 [[nodiscard]] std::optional<Number> toNumber(std::string_view text) noexcept {
     if (text.starts_with('+')) text.remove_prefix(1);

@@ -17,7 +17,7 @@
 namespace inkedge {
 namespace {
 
-/// Owns libpng's two writing structures and the bytes that they produce.
+/// Owns the two structures of libpng that write, and the bytes that they produce.
 struct Encoder {
     png_structp png = nullptr;
     png_infop info = nullptr;
@@ -30,7 +30,7 @@ struct Encoder {
     ~Encoder() { png_destroy_write_struct(&png, &info); }
 };
 
-// libpng leaves an error by longjmp; no object with a destructor may live in the frames that it jumps over.
+// libpng handles an error by longjmp; no object with a destructor may live in the frames that it jumps over.
 [[noreturn]] void leave(png_structp png, png_const_charp message) {
     static_cast<Encoder*>(png_get_error_ptr(png))->failure = message;
     png_longjmp(png, 1);
@@ -78,10 +78,11 @@ std::uint32_t packed(const std::uint8_t* pixel, int channels) {
     return value;
 }
 
-/// Lines of one colour and their soft edges have no more than 256; not worth the palette's own bytes if it is small.
+/// The palette of a picture of at most 256 colours, as pictures of lines of one colour have; none if the picture has
+/// more, or is so small that the palette's own bytes are not worth it.
 std::optional<Palette> paletteOf(const Image<std::uint8_t>& image) {
-    constexpr std::size_t mostColors = 256;
-    constexpr std::size_t worthIt = 16 * mostColors;  // pixels
+    constexpr std::size_t maxColors = 256;
+    constexpr std::size_t worthIt = 16 * maxColors;  // pixels
     const auto channels = static_cast<std::size_t>(image.channels);
     const std::size_t pixels = image.pixels.size() / channels;
     if (channels == 1 || pixels < worthIt) return {};
@@ -93,7 +94,7 @@ std::optional<Palette> paletteOf(const Image<std::uint8_t>& image) {
         const std::uint8_t* const pixel = &image.pixels[i * channels];
         if (const std::uint32_t color = packed(pixel, image.channels); color != last) {
             const auto [found, added] = known.try_emplace(color, static_cast<std::uint8_t>(known.size()));
-            if (known.size() > mostColors) return {};
+            if (known.size() > maxColors) return {};
             if (added) palette.colors.push_back({pixel[0], pixel[1], pixel[2]});
             if (added && channels == 4) palette.opacities.push_back(pixel[3]);
             index = found->second;
@@ -104,21 +105,21 @@ std::optional<Palette> paletteOf(const Image<std::uint8_t>& image) {
     return palette;
 }
 
-/// Of the quick ways the one that is small on line pictures (1024 x 1024, 8-bit grey: 2.5 ms and 25 kB; libpng's own
-/// choice takes 12 ms and 27 kB) and does not fall down on the smooth ones of depths and normals.
+/// Of the quick compressions, the one that gives small files for line pictures (1024 x 1024, 8-bit grey: 2.5 ms and
+/// 25 kB; libpng's own choice takes 12 ms and 27 kB) and not too large ones for smooth pictures of depths and normals.
 void chooseQuickCompression(png_structp png) {
     png_set_compression_level(png, 1);
     png_set_compression_strategy(png, Z_RLE);
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
 }
 
-/// Samples of 8 bits, or of 16 in the byte order of this machine.
+/// Writes samples of 8 bits, or of 16 in the byte order of this machine.
 /// @return whether libpng finished; if not, encoder.failure says why
 /// @param palette  of the picture, whose indices the image then holds; or null
 template <class Sample>
 bool encode(Encoder& encoder, const Image<Sample>& image, const Palette* palette) {
     if (setjmp(png_jmpbuf(encoder.png)) != 0) return false;
-    // The picture was drawn within our own limits; libpng's guard against files from elsewhere is off.
+    // The picture was drawn within our own limits; libpng's limits, made for files from elsewhere, are off.
     png_set_user_limits(encoder.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_write_fn(encoder.png, &encoder, append, flush);
     chooseQuickCompression(encoder.png);

@@ -12,7 +12,7 @@
 
 #include "modules/open_module.h"
 
-// What the library and the module of image formats say to each other. OpenImageIO takes half a second to load.
+// The interface between the library and the module of image formats. OpenImageIO takes half a second to load.
 
 namespace inkedge::io {
 
@@ -21,12 +21,12 @@ enum class SampleType { Uint8, Half, Float };
 
 /// Channels that come from one image.
 struct Layer {
-    /// 8-bit values count as 0..1; 16- and 32-bit integers stay what they are.
+    /// 8-bit values stand for 0..1; 16- and 32-bit integers stay as they are.
     std::variant<const Image<std::uint8_t>*, const Image<float>*, const Image<std::uint16_t>*,
                  const Image<std::uint32_t>*>
         image;
     std::vector<std::string> channels;  ///< a name for each of its channels
-    SampleType stored;                  ///< what the file keeps
+    SampleType stored;                  ///< the type in the file
 };
 
 /// An entry in a file's header: one float, or 16: a 4 x 4 matrix, row-major.
@@ -47,13 +47,14 @@ struct ReadPicture {
 };
 
 struct DecodedPicture {
-    Image<std::uint8_t> image;  ///< 4 channels: RGB as in the file, and alpha, 255 where it has none; not multiplied in
+    /// 4 channels: RGB as in the file, and alpha, 255 where the file has none; not premultiplied.
+    Image<std::uint8_t> image;
     std::string failure;
 };
 
 struct Differences {
     std::uint64_t pixelsOverLevel = 0;
-    double maximum = 0.0;  ///< infinite where one picture holds a number and the other one none
+    double maximum = 0.0;  ///< infinite if one picture is NaN where the other is a number
     int maximumX = 0;
     int maximumY = 0;
     double mean = 0.0;
@@ -62,17 +63,17 @@ struct Differences {
 
 /// The module's functions; safe to call from several threads.
 struct ImageFormats {
-    /// A file in memory. The layers' images are of one size and hold at least one pixel. A channel "A" is alpha: not
-    /// premultiplied in Tiff, premultiplied in OpenExr.
+    /// Makes a file in memory. The layers' images are of one size and hold at least one pixel. A channel "A" is alpha:
+    /// not premultiplied in Tiff, premultiplied in OpenExr.
     EncodedPicture (*encode)(FileFormat, std::span<const Layer>, std::span<const HeaderEntry>);
 
-    /// The first picture of a file of any format; alpha is not multiplied in.
+    /// The first picture of a file of any format; alpha is not premultiplied.
     ReadPicture (*read)(const std::filesystem::path&);
 
-    /// A picture of 8 bits in memory: JPEG.
-    DecodedPicture (*decodeJpeg)(std::span<const std::uint8_t> bytes, std::uint64_t mostPixels);
+    /// A JPEG picture in memory.
+    DecodedPicture (*decodeJpeg)(std::span<const std::uint8_t> bytes, std::uint64_t maxPixels);
 
-    /// Differences of two pictures of one size and channel count.
+    /// The differences of two pictures of one size and channel count.
     Differences (*compare)(const Image<float>& a, const Image<float>& b, double level);
 };
 

@@ -51,7 +51,7 @@ OIIO::ImageSpec describe(FileFormat format, std::span<const Layer> layers, std::
     if (alpha != spec.channelnames.end()) spec.alpha_channel = static_cast<int>(alpha - spec.channelnames.begin());
     if (format == FileFormat::Tiff) {
         spec.attribute("oiio:UnassociatedAlpha", 1);
-        spec.channelformats.clear();  // TIFF keeps one type a picture
+        spec.channelformats.clear();  // TIFF has one type per picture
     }
     for (const HeaderEntry& entry : header) {
         spec.attribute(entry.name, entry.values.size() == 16 ? OIIO::TypeMatrix44 : OIIO::TypeFloat,
@@ -126,7 +126,7 @@ ReadPicture readFile(const std::filesystem::path& path) {
     return result;
 }
 
-/// Looks at an image without copying it.
+/// Wraps an image without copying it.
 OIIO::ImageBuf view(const Image<float>& image) {
     const OIIO::ImageSpec spec{image.size.width, image.size.height, image.channels, OIIO::TypeFloat};
     return OIIO::ImageBuf{spec, const_cast<float*>(image.pixels.data())};  // only read, but ImageBuf takes no const
@@ -141,15 +141,15 @@ Differences measure(const Image<float>& a, const Image<float>& b, double level) 
     return {found.nfail, found.maxerror, found.maxx, found.maxy, found.meanerror, {}};
 }
 
-DecodedPicture decodeJpeg(std::span<const std::uint8_t> bytes, std::uint64_t mostPixels) {
+DecodedPicture decodeJpeg(std::span<const std::uint8_t> bytes, std::uint64_t maxPixels) {
     OIIO::Filesystem::IOMemReader memory{const_cast<std::uint8_t*>(bytes.data()), bytes.size()};  // it only reads
     const auto input = OIIO::ImageInput::open("picture.jpg", nullptr, &memory);
     if (!input) return {.image = {}, .failure = oneLine(OIIO::geterror())};
     const OIIO::ImageSpec& spec = input->spec();
     const auto pixels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
-    if (pixels > mostPixels) {
+    if (pixels > maxPixels) {
         return {.image = {},
-                .failure = "at most " + std::to_string(mostPixels) + " pixels were expected, there are " +
+                .failure = "at most " + std::to_string(maxPixels) + " pixels were expected, there are " +
                            std::to_string(spec.width) + "x" + std::to_string(spec.height) + "; raise max-image-pixels"};
     }
     const auto channels = static_cast<std::size_t>(spec.nchannels);
@@ -173,8 +173,8 @@ extern "C" INKEDGE_API const ImageFormats* inkedge_image_formats_4() noexcept {
             return guarded([&] { return encodeFile(format, layers, header); });
         },
         [](const std::filesystem::path& path) { return guarded([&] { return readFile(path); }); },
-        [](std::span<const std::uint8_t> bytes, std::uint64_t mostPixels) {
-            return guarded([&] { return decodeJpeg(bytes, mostPixels); });
+        [](std::span<const std::uint8_t> bytes, std::uint64_t maxPixels) {
+            return guarded([&] { return decodeJpeg(bytes, maxPixels); });
         },
         [](const Image<float>& a, const Image<float>& b, double level) {
             return guarded([&] { return measure(a, b, level); });

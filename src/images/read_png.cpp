@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::size_t signatureSize = 8;
 
-/// Owns libpng's two reading structures and what they read from. Where a step returns false, `failure` says why.
+/// Owns the two structures of libpng that read, and the bytes that they read from. Where a step returns false,
+/// `failure` says why.
 struct Decoder {
     png_structp png = nullptr;
     png_infop info = nullptr;
@@ -42,7 +43,7 @@ struct Decoder {
     }
 };
 
-// libpng leaves an error by longjmp; no object with a destructor may live in the frames that it jumps over.
+// libpng handles an error by longjmp; no object with a destructor may live in the frames that it jumps over.
 [[noreturn]] void leave(png_structp png, png_const_charp message) {
     static_cast<Decoder*>(png_get_error_ptr(png))->failure = message;
     png_longjmp(png, 1);
@@ -66,7 +67,7 @@ Decoder::Decoder(std::span<const std::uint8_t> bytes) : whole{bytes}, rest{bytes
     }
 }
 
-/// Reads what stands before the pixels.
+/// Reads what comes before the pixels.
 bool readHeader(Decoder& decoder) {
     if (setjmp(png_jmpbuf(decoder.png)) != 0) return false;
     png_set_read_fn(decoder.png, &decoder, take);
@@ -84,8 +85,8 @@ bool askForValues(Decoder& decoder) {
     return true;
 }
 
-/// Asks for 8 bits in sRGB. Without a gamma of its own a file of 16 bits is taken for linear, one of less for sRGB: so
-/// does libpng's own simplified reading.
+/// Asks for 8 bits in sRGB. A file without a gamma of its own is taken for linear if it has 16 bits, else for sRGB, as
+/// libpng's own simplified reading does.
 bool askForLooks(Decoder& decoder, PngChannels channels) {
     if (setjmp(png_jmpbuf(decoder.png)) != 0) return false;
     constexpr int silently = 1;
@@ -115,16 +116,16 @@ bool readEnd(Decoder& decoder) {
     return true;
 }
 
-// A few bytes must not make us ask for the memory of a picture that they cannot hold.
+// Whether the bytes can hold the rows of the picture: a few bytes must not make us allocate memory for a large picture.
 bool canHoldItsRows(Decoder& decoder) {
     constexpr std::size_t highestRatio = 1100;  // deflate: 1032
-    const std::size_t most = highestRatio * decoder.whole.size() / std::max<std::size_t>(decoder.height(), 1);
-    if (png_get_rowbytes(decoder.png, decoder.info) <= most) return true;
+    const std::size_t maxRowBytes = highestRatio * decoder.whole.size() / std::max<std::size_t>(decoder.height(), 1);
+    if (png_get_rowbytes(decoder.png, decoder.info) <= maxRowBytes) return true;
     decoder.failure = "fewer bytes than its pixels need";
     return false;
 }
 
-// libpng 1.6.48 no longer looks at the last chunk's checksum, which 1.6.39 does.
+// Reads the last chunk. libpng 1.6.48 does not check the checksum of that chunk any more; 1.6.39 does.
 bool endsWhole(Decoder& decoder) {
     constexpr std::array<std::uint8_t, 12> end{0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
     const auto read = decoder.whole.first(decoder.whole.size() - decoder.rest.size());
@@ -133,7 +134,7 @@ bool endsWhole(Decoder& decoder) {
     return false;
 }
 
-/// All rows, one after the other.
+/// Reads all rows, one after the other.
 bool readPixels(Decoder& decoder, std::span<std::uint8_t> to) {
     const std::size_t rowSize = png_get_rowbytes(decoder.png, decoder.info);
     std::vector<png_bytep> rows;
@@ -154,10 +155,10 @@ void scale(const std::vector<std::uint8_t>& bytes, float largest, std::vector<fl
     load::refuse("expected a PNG picture, found: " + load::quote(decoder.failure));
 }
 
-void beginToLook(Decoder& decoder, std::uint64_t mostPixels) {
+void beginToLook(Decoder& decoder, std::uint64_t maxPixels) {
     if (!readHeader(decoder)) refuseDamaged(decoder);
-    if (std::uint64_t{decoder.width()} * decoder.height() > mostPixels)
-        load::refuse(fmt::format("expected at most {} pixels, found {}x{}; raise max-image-pixels", mostPixels,
+    if (std::uint64_t{decoder.width()} * decoder.height() > maxPixels)
+        load::refuse(fmt::format("expected at most {} pixels, found {}x{}; raise max-image-pixels", maxPixels,
                                  decoder.width(), decoder.height()));
 }
 
@@ -184,19 +185,19 @@ ReadPicture readPng(std::span<const std::uint8_t> bytes) {
     return result;
 }
 
-Image<std::uint8_t> readPngToLookAt(std::span<const std::uint8_t> bytes, std::uint64_t mostPixels,
+Image<std::uint8_t> readPngToLookAt(std::span<const std::uint8_t> bytes, std::uint64_t maxPixels,
                                     PngChannels channels) {
     Decoder decoder{bytes};
-    beginToLook(decoder, mostPixels);
+    beginToLook(decoder, maxPixels);
     if (!canHoldItsRows(decoder) || !askForLooks(decoder, channels)) refuseDamaged(decoder);
     Image<std::uint8_t> image{decoder.size(), channels == PngChannels::Rgba ? 4 : 2};
     if (!readPixels(decoder, image.pixels)) refuseDamaged(decoder);
     return image;
 }
 
-bool pngHasAlpha(std::span<const std::uint8_t> bytes, std::uint64_t mostPixels) {
+bool pngHasAlpha(std::span<const std::uint8_t> bytes, std::uint64_t maxPixels) {
     Decoder decoder{bytes};
-    beginToLook(decoder, mostPixels);
+    beginToLook(decoder, maxPixels);
     return decoder.hasAlpha();
 }
 

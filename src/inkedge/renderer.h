@@ -16,8 +16,9 @@ namespace inkedge {
 /// When a Renderer makes its context.
 enum class ContextTime {
     AtOnce,     ///< in its constructor
-    WhenNeeded  ///< in the first call that draws with it: lines from object space and pictures of them
-                ///< alone, without maps and functions, need no OpenGL on the machine
+    /// In the first call that draws with it. Lines from object space, and pictures of them alone, without maps and
+    /// functions, need no OpenGL on the machine.
+    WhenNeeded
 };
 
 /// Owns one offscreen OpenGL context and draws any number of scenes and views with it.
@@ -37,8 +38,8 @@ public:
 
     /// Draws one view: the picture and the maps that settings.maps names. What is larger than settings.picture.tileSize
     /// is drawn in parts, so that graphics memory does not limit the size; the picture and the maps themselves are held
-    /// in memory. A brush of lines from object space is held to the limits that the scene was loaded with. The upload of
-    /// the last scene and the last brush are kept for the next call.
+    /// in memory. A brush of lines from object space is held to the limits that the scene was loaded with. The upload
+    /// of the last scene and the last brush are kept for the next call.
     /// @throws Error  (Kind::Usage) if validate() refuses a setting, or the camera is unusable;
     ///                (Kind::Input) if the brush of lines from object space cannot be read, or is no PNG;
     ///                (Kind::Runtime) if there is less memory than the picture and its maps take, or the context runs

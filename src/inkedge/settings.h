@@ -148,8 +148,8 @@ enum class Contour {
 /// How the contour edges of a mesh are searched for, section 3.2.
 enum class ContourFinder {
     Every,  ///< every edge is looked at
-    /// Some edges are looked at, and those connected with a contour edge that was found. Quick on large meshes; may miss
-    /// small contours.
+    /// Some edges are looked at, and those connected with a contour edge that was found. Quick on large meshes; may
+    /// miss small contours.
     Random,
     /// A map of the edges' normals, made once, yields the edges near the contour. Orthographic views only.
     Gauss,

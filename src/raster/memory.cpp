@@ -11,7 +11,7 @@
 namespace inkedge {
 namespace {
 
-constexpr std::uint64_t worthAsking = std::uint64_t{1} << 28U;  // bytes: what is smaller is had anywhere
+constexpr std::uint64_t worthAsking = std::uint64_t{1} << 28U;  // bytes: every machine has less than this
 
 std::optional<std::uint64_t> numberIn(const char* file) {
     std::uint64_t number = 0;
@@ -19,7 +19,7 @@ std::optional<std::uint64_t> numberIn(const char* file) {
     return stream >> number ? std::optional{number} : std::nullopt;
 }
 
-// What the machine has.
+// The memory that the machine has available.
 std::optional<std::uint64_t> machineMemory() {
     std::ifstream stream{"/proc/meminfo"};
     std::optional<std::uint64_t> available;
@@ -34,12 +34,12 @@ std::optional<std::uint64_t> machineMemory() {
     return available ? std::optional{*available + swap} : std::nullopt;
 }
 
-// What is left of the container's share, if it has one.
+// What is left of the container's memory, if the container has a limit.
 std::optional<std::uint64_t> shareLeft() {
-    const auto most = numberIn("/sys/fs/cgroup/memory.max");
+    const auto limit = numberIn("/sys/fs/cgroup/memory.max");
     const auto used = numberIn("/sys/fs/cgroup/memory.current");
-    if (!most || !used) return {};
-    return *most - std::min(*most, *used);
+    if (!limit || !used) return {};
+    return *limit - std::min(*limit, *used);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 namespace inkedge {
 
-/// Bits of what may lie between a sample and a neighbour. The same stand in shaders/shared/marks.glsl.
+/// Bits of the edges between a sample and its neighbour. shaders/shared/marks.glsl has the same.
 struct PairMark {
     static constexpr unsigned background = 1;  ///< one of the two sees no surface
     static constexpr unsigned patch = 2;       ///< the patches differ

@@ -7,8 +7,8 @@
 
 namespace inkedge {
 
-/// Values of a picture's samples, laid out as in Image, of which only some may be known: where none were written they
-/// are undefined, and their memory is never touched. Copies share the values.
+/// Values of a picture's samples, in the order of Image. Values that were not written are undefined, and their memory
+/// is never touched. Copies share the values.
 template <class T>
 struct Samples {
     Size size;

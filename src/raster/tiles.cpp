@@ -13,12 +13,12 @@ struct Span {
 
 constexpr int downTo(int multiple, int value) { return value / multiple * multiple; }
 
-// Parts of one length that begin at multiples of tileMargin, the last of which ends where the picture does: hence a
-// length that leaves the same remainder as the picture's.
-std::vector<Span> spansOf(int whole, int most, int margin) {
-    if (whole <= most) return {{0, whole, 0, whole}};
+// Divides a length into spans of one length that begin at multiples of tileMargin. The last span ends where the picture
+// ends: hence the length of a span leaves the same remainder as the picture's.
+std::vector<Span> spansOf(int whole, int maxLength, int margin) {
+    if (whole <= maxLength) return {{0, whole, 0, whole}};
     const int remainder = whole % tileMargin;
-    int length = downTo(tileMargin, most - remainder) + remainder;
+    int length = downTo(tileMargin, maxLength - remainder) + remainder;
     const auto stepOf = [&](int l) { return downTo(tileMargin, l) - 2 * margin; };
     const auto countOf = [&](int l) { return 1 + (whole - l + stepOf(l) - 1) / stepOf(l); };
     const int count = countOf(length);
@@ -35,22 +35,22 @@ std::vector<Span> spansOf(int whole, int most, int margin) {
 }
 
 // The largest viewport that every OpenGL 4.5 has: GL_MAX_VIEWPORT_DIMS is at least its GL_MAX_TEXTURE_SIZE.
-constexpr int mostViewport = 16384;
+constexpr int maxViewport = 16384;
 
-// Where the viewport's piece of the picture begins.
+// Where the viewport begins in the picture.
 int viewportStart(int whole, int drawn, int drawnLength) {
-    const int start = downTo(tileMargin, std::max(0, drawn + drawnLength / 2 - mostViewport / 2));
-    return std::max(0, std::min(start, whole - mostViewport));
+    const int start = downTo(tileMargin, std::max(0, drawn + drawnLength / 2 - maxViewport / 2));
+    return std::max(0, std::min(start, whole - maxViewport));
 }
 
 }  // namespace
 
-std::vector<Tile> tilesOf(Size whole, int mostSide, int reach) {
+std::vector<Tile> tilesOf(Size whole, int maxSide, int reach) {
     const int margin = (reach + tileMargin - 1) / tileMargin * tileMargin;
-    const int most = std::max(mostSide, 4 * margin);
+    const int maxLength = std::max(maxSide, 4 * margin);
     std::vector<Tile> tiles;
-    const std::vector<Span> columns = spansOf(whole.width, most, margin);
-    for (const Span& y : spansOf(whole.height, most, margin)) {
+    const std::vector<Span> columns = spansOf(whole.width, maxLength, margin);
+    for (const Span& y : spansOf(whole.height, maxLength, margin)) {
         for (const Span& x : columns) {
             tiles.push_back({whole,
                              {x.drawn, y.drawn, {x.drawnLength, y.drawnLength}},
@@ -72,7 +72,7 @@ Rectangle viewOf(const Tile& tile) noexcept {
     const auto& [whole, drawn, kept] = tile;
     return {viewportStart(whole.width, drawn.x, drawn.size.width),
             viewportStart(whole.height, drawn.y, drawn.size.height),
-            {std::min(whole.width, mostViewport), std::min(whole.height, mostViewport)}};
+            {std::min(whole.width, maxViewport), std::min(whole.height, maxViewport)}};
 }
 
 void keep(Maps part, const Tile& tile, Maps& maps) {

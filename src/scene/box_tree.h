@@ -49,9 +49,9 @@ private:
         }
     }
 
-    std::vector<Box> boxes_;            // a node's stand next to each other
-    std::vector<std::uint32_t> order_;  // the number that each box came with
-    std::vector<Box> bounds_;           // of nodes; those below node n are 2 n + 1 and 2 n + 2
+    std::vector<Box> boxes_;            // those of a node are consecutive
+    std::vector<std::uint32_t> order_;  // the index of each box in the constructor's list
+    std::vector<Box> bounds_;           // one per node; the children of node n are 2 n + 1 and 2 n + 2
 };
 
 }  // namespace inkedge

@@ -15,7 +15,7 @@ namespace {
 
 bool finite(glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-// Lists that may be left empty have one entry an element.
+// Lists that may be empty; else they have one entry per element.
 void checkSizes(const Mesh& mesh, const std::string& who) {
     const auto expect = [&](std::size_t found, std::size_t expected, std::string_view what, std::string_view each) {
         if (found != 0 && found != expected)

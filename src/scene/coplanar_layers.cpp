@@ -22,13 +22,13 @@ namespace inkedge {
 namespace {
 
 constexpr double planeTolerance = 2e-6;   // of the scene's radius: float coordinates are no finer
-constexpr double normalStep = 1.0 / 256;  // normals are sorted into cells this wide,
-constexpr double normalTolerance = 1e-4;  // and into each cell that they are this near to
+constexpr double normalStep = 1.0 / 256;  // the width of the cells that normals are sorted into
+constexpr double normalTolerance = 1e-4;  // a normal is also sorted into each cell that is this near
 
 constexpr std::uint64_t maximumSteps = 300'000'000;  // about two seconds
 
-// Triangles in a row of one instance and one number, with normals in the same cells, whose planes lie within the
-// tolerance of each other: a flat face of a part is but a few of them.
+// Consecutive triangles of one instance with one patch number, whose normals lie in the same cells and whose planes lie
+// within the tolerance of each other. A flat face of a solid consists of few runs.
 struct Run {
     std::uint32_t cell;  // of normals, numbered over a cube
     float low;
@@ -38,14 +38,14 @@ struct Run {
     std::uint32_t count;
 };
 
-// One of two opposite normals: they name one plane. The largest component decides, so that noise cannot.
+// One of two opposite normals, which belong to one plane. The largest component decides, so that noise does not.
 glm::dvec3 canonical(glm::dvec3 n) {
     const glm::dvec3 size = glm::abs(n);
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     return n[axis] < 0.0 ? -n : n;
 }
 
-// Cells that a normal lies in or is within the tolerance of: one, seldom two to eight.
+// The cells that a normal lies in or is near to: usually one, seldom two to eight.
 struct Cells {
     glm::uvec3 low{0U};
     glm::uvec3 high{0U};
@@ -88,7 +88,7 @@ struct FlatTriangle {
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
-// Whether a line along one side of a separates it from b; overlaps thinner than the margin count as separate.
+// Whether a line along a side of a separates a from b. Overlaps thinner than the margin count as separate.
 bool separates(const FlatTriangle& a, const FlatTriangle& b, double margin) {
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec2 from = a.corners[i];
@@ -104,8 +104,8 @@ bool separates(const FlatTriangle& a, const FlatTriangle& b, double margin) {
 
 class LayerFinder {
 public:
-    LayerFinder(const PlacedMeshes& placed, const PatchNumbers& patches)
-        : placed_{placed}, patches_{patches}, layered_(patches.number.size(), false) {}
+    LayerFinder(const InstancedMeshes& instanced, const PatchNumbers& patches)
+        : instanced_{instanced}, patches_{patches}, layered_(patches.number.size(), false) {}
 
     std::vector<bool> find() {
         collectRuns();
@@ -113,7 +113,7 @@ public:
             return std::tuple{run.cell, run.low, run.instance, run.first};
         });
         for (std::size_t begin = 0; begin < runs_.size();) {
-            std::size_t end = begin + 1;  // chains of planes, each within the tolerance of the one before
+            std::size_t end = begin + 1;  // of a chain of planes, each within the tolerance of the one before
             float reach = runs_[begin].high;
             while (end < runs_.size() && runs_[end].cell == runs_[begin].cell &&
                    runs_[end].low - reach <= static_cast<float>(planeTolerance)) {
@@ -127,23 +127,23 @@ public:
 
 private:
     [[nodiscard]] WorldTriangles triangles(std::size_t instance) const {
-        return {placed_.meshOf(instance), placed_.instances[instance].transform, placed_.bounds.centre};
+        return {instanced_.meshOf(instance), instanced_.instances[instance].transform, instanced_.bounds.centre};
     }
 
     [[nodiscard]] std::uint32_t patchOf(std::uint32_t instance, std::uint32_t triangle) const {
-        return patches_.base[instance] + placed_.topologyOf(instance).patches[triangle];
+        return patches_.base[instance] + instanced_.topologyOf(instance).patches[triangle];
     }
 
     [[nodiscard]] std::uint32_t numberOf(std::uint32_t instance, std::uint32_t triangle) const {
         return patches_.number[patchOf(instance, triangle)];
     }
 
-    // Where threads' ranges cut a run in two, nothing else changes.
+    // A run at the border of two threads' ranges becomes two runs, which changes no result.
     void collectRuns() {
         std::mutex mutex;
         std::vector<std::vector<Run>> parts;
         std::size_t count = 0;
-        for (std::uint32_t i = 0; i < placed_.instances.size(); ++i) {
+        for (std::uint32_t i = 0; i < instanced_.instances.size(); ++i) {
             inRanges(triangles(i).count(), [&](std::size_t begin, std::size_t end) {
                 std::vector<Run> runs = runsOf(i, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
                 const std::scoped_lock lock{mutex};
@@ -154,7 +154,7 @@ private:
         runs_.reserve(count);
         for (std::vector<Run>& part : parts) {
             runs_.insert(runs_.end(), part.begin(), part.end());
-            part = std::vector<Run>{};  // no two copies of everything at once; = {} would keep the memory
+            part = std::vector<Run>{};  // frees the memory before the next part is copied; = {} would not
         }
     }
 
@@ -170,7 +170,7 @@ private:
             run.count = 0;
         };
         for (std::uint32_t t = begin; t < end; ++t) {
-            const std::optional<Plane> plane = planeOf(world.triangle(t), placed_.bounds.radius);
+            const std::optional<Plane> plane = planeOf(world.triangle(t), instanced_.bounds.radius);
             if (!plane) {
                 close();
                 continue;
@@ -193,14 +193,14 @@ private:
         return runs;
     }
 
-    // Overlaps among faces of about one plane.
+    // Marks the faces of about one plane that overlap.
     void findIn(std::span<const Run> group) {
         const auto numberOfRun = [&](const Run& run) { return numberOf(run.instance, run.first); };
         const std::uint32_t firstNumber = numberOfRun(group.front());
         if (std::ranges::all_of(group, [&](const Run& run) { return numberOfRun(run) == firstNumber; })) return;
 
         const std::vector<FlatTriangle> flat = flatten(group);
-        const double margin = planeTolerance * placed_.bounds.radius;
+        const double margin = planeTolerance * instanced_.bounds.radius;
         std::vector<const FlatTriangle*> active;
         for (const FlatTriangle& one : flat) {
             if (active.size() >= stepsLeft_) return markAll(group);
@@ -215,21 +215,21 @@ private:
         }
     }
 
-    // Drawing a face as a layer that is none costs time only.
+    // Marks faces without looking. A face that is drawn as a layer but is none only costs time.
     void markAll(std::span<const Run> group) {
         for (const Run& run : group)
             for (std::uint32_t t = run.first; t < run.first + run.count; ++t) layered_[patchOf(run.instance, t)] = true;
     }
 
-    // The triangle nearest to the scene's centre.
+    // The triangle of a run whose plane is nearest to the scene's centre.
     [[nodiscard]] std::array<glm::dvec3, 3> nearest(const Run& run) const {
         const WorldTriangles world = triangles(run.instance);
         std::uint32_t t = run.first;
-        while (planeOf(world.triangle(t), placed_.bounds.radius)->distance != run.low) ++t;
+        while (planeOf(world.triangle(t), instanced_.bounds.radius)->distance != run.low) ++t;
         return world.triangle(t);
     }
 
-    // In two axes of the plane, sorted along the first.
+    // The triangles in two axes of their plane, sorted along the first axis.
     [[nodiscard]] std::vector<FlatTriangle> flatten(std::span<const Run> group) const {
         const auto [a, b, c] = nearest(group.front());
         const glm::dvec3 u = glm::normalize(b - a);
@@ -252,7 +252,7 @@ private:
         return flat;
     }
 
-    const PlacedMeshes& placed_;
+    const InstancedMeshes& instanced_;
     const PatchNumbers& patches_;
     std::vector<bool> layered_;
     std::vector<Run> runs_;
@@ -261,9 +261,9 @@ private:
 
 }  // namespace
 
-std::vector<bool> findCoplanarLayers(const PlacedMeshes& placed, const PatchNumbers& patches) {
-    if (patches.count < 2 || placed.bounds.radius == 0.0) return std::vector<bool>(patches.number.size(), false);
-    return LayerFinder{placed, patches}.find();
+std::vector<bool> findCoplanarLayers(const InstancedMeshes& instanced, const PatchNumbers& patches) {
+    if (patches.count < 2 || instanced.bounds.radius == 0.0) return std::vector<bool>(patches.number.size(), false);
+    return LayerFinder{instanced, patches}.find();
 }
 
 }  // namespace inkedge

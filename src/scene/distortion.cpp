@@ -10,8 +10,8 @@
 namespace inkedge {
 namespace {
 
-// Meshes that no instance places are of no use any more.
-void dropUnplacedMeshes(Scene::Data& data) {
+// Drops the meshes that no instance uses any more.
+void dropUnusedMeshes(Scene::Data& data) {
     constexpr std::uint32_t dropped = ~0U;
     std::vector<std::uint32_t> renumbered(data.meshes.size(), dropped);
     for (const Instance& instance : data.instances) renumbered[instance.mesh] = 0;
@@ -27,24 +27,24 @@ void dropUnplacedMeshes(Scene::Data& data) {
 
 }  // namespace
 
-void bakeDistortedInstances(Scene::Data& data, std::uint64_t mostElements) {
+void bakeDistortedInstances(Scene::Data& data, std::uint64_t maxElements) {
     std::uint64_t elements = 0;
     for (Instance& instance : data.instances) {
         const glm::dmat3 linear{instance.transform};
         if (keepsAngles(linear)) continue;
         elements += data.meshes[instance.mesh].positions.size() + data.meshes[instance.mesh].indices.size();
-        if (elements > mostElements)
+        if (elements > maxElements)
             load::refuse(
                 fmt::format("expected at most {} vertices and indices in meshes that their instances distort, "
                             "found more; raise max-vertices",
-                            mostElements));
+                            maxElements));
         data.meshes.push_back(distorted(data.meshes[instance.mesh], linear));
         instance.mesh = static_cast<std::uint32_t>(data.meshes.size() - 1);
         const glm::dvec4 translation = instance.transform[3];
         instance.transform = glm::dmat4{1.0};
         instance.transform[3] = translation;
     }
-    dropUnplacedMeshes(data);
+    dropUnusedMeshes(data);
 }
 
 }  // namespace inkedge

@@ -22,21 +22,22 @@ std::array<glm::dvec3, 8> cornersOf(const Box& box) {
     return corners;
 }
 
-// The maximum of a convex measure(position, world transform) over all drawn vertices: over a box it lies at a corner.
+// The maximum of a convex measure(position, world transform) over all drawn vertices. Over a box the maximum of a
+// convex function lies at a corner.
 template <class Measure>
-double maximum(const PlacedBoxes& placed, Measure measure) {
-    double most = -std::numeric_limits<double>::infinity();
-    for (const Instance& instance : placed.instances) {
-        const Mesh& mesh = placed.meshes[instance.mesh];
+double maximum(const InstancedBoxes& instanced, Measure measure) {
+    double largest = -std::numeric_limits<double>::infinity();
+    for (const Instance& instance : instanced.instances) {
+        const Mesh& mesh = instanced.meshes[instance.mesh];
         const auto at = [&](glm::dvec3 p) {
             return measure(glm::dvec3{instance.transform * glm::dvec4{p + mesh.origin, 1.0}});
         };
         double reach = -std::numeric_limits<double>::infinity();
-        for (const glm::dvec3 corner : cornersOf(placed.boxes[instance.mesh])) reach = std::max(reach, at(corner));
-        if (reach <= most) continue;
-        for (const glm::vec3 p : mesh.positions) most = std::max(most, at(p));
+        for (const glm::dvec3 corner : cornersOf(instanced.boxes[instance.mesh])) reach = std::max(reach, at(corner));
+        if (reach <= largest) continue;
+        for (const glm::vec3 p : mesh.positions) largest = std::max(largest, at(p));
     }
-    return most;
+    return largest;
 }
 
 }  // namespace
@@ -47,26 +48,26 @@ double support(const Scene& scene, glm::dvec3 direction) {
                    [&](glm::dvec3 p) { return glm::dot(direction, p); });
 }
 
-Box boxOfAll(const PlacedBoxes& placed) {
+Box boxOfAll(const InstancedBoxes& instanced) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Box all{glm::dvec3{infinity}, glm::dvec3{-infinity}};
-    for (const Instance& instance : placed.instances) {
-        const Mesh& mesh = placed.meshes[instance.mesh];
+    for (const Instance& instance : instanced.instances) {
+        const Mesh& mesh = instanced.meshes[instance.mesh];
         const auto at = [&](glm::dvec3 p) { return glm::dvec3{instance.transform * glm::dvec4{p + mesh.origin, 1.0}}; };
         const auto addTo = [&](Box& box, glm::dvec3 p) {
             box.min = glm::min(box.min, at(p));
             box.max = glm::max(box.max, at(p));
         };
         Box reach = all;
-        for (const glm::dvec3 corner : cornersOf(placed.boxes[instance.mesh])) addTo(reach, corner);
+        for (const glm::dvec3 corner : cornersOf(instanced.boxes[instance.mesh])) addTo(reach, corner);
         if (reach.min == all.min && reach.max == all.max) continue;
         for (const glm::vec3 p : mesh.positions) addTo(all, p);
     }
     return all;
 }
 
-double farthestDistance(const PlacedBoxes& placed, glm::dvec3 point) {
-    return std::sqrt(maximum(placed, [&](glm::dvec3 p) { return glm::dot(p - point, p - point); }));
+double farthestDistance(const InstancedBoxes& instanced, glm::dvec3 point) {
+    return std::sqrt(maximum(instanced, [&](glm::dvec3 p) { return glm::dot(p - point, p - point); }));
 }
 
 }  // namespace inkedge

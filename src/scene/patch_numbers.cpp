@@ -13,21 +13,21 @@
 
 namespace inkedge {
 
-PatchNumbers numberPatches(const PlacedMeshes& placed, double creaseAngle) {
+PatchNumbers numberPatches(const InstancedMeshes& instanced, double creaseAngle) {
     PatchNumbers patches;
     std::uint32_t total = 0;
-    for (std::size_t i = 0; i < placed.instances.size(); ++i) {
+    for (std::size_t i = 0; i < instanced.instances.size(); ++i) {
         patches.base.push_back(total);
-        total += placed.topologyOf(i).patchCount;
+        total += instanced.topologyOf(i).patchCount;
     }
     UnionFind joined{total};
-    joinAcrossSeams(placed, patches.base, creaseAngle, joined);
+    joinAcrossSeams(instanced, patches.base, creaseAngle, joined);
     patches.number.resize(total);
-    for (std::uint32_t p = 0; p < total; ++p) {  // a root is the least of its set, so it comes first
+    for (std::uint32_t p = 0; p < total; ++p) {  // a set's root is its smallest member, so it comes first
         const std::uint32_t root = joined.root(p);
         patches.number[p] = root == p ? ++patches.count : patches.number[root];
     }
-    patches.layered = findCoplanarLayers(placed, patches);
+    patches.layered = findCoplanarLayers(instanced, patches);
     return patches;
 }
 

@@ -38,8 +38,8 @@ bool isSingleSided(const Mesh& mesh, const Scene::Data& data) {
     return std::ranges::none_of(mesh.materials, [&](std::uint32_t m) { return isDoubleSided(data.materials, m); });
 }
 
-// Brings the triangles of single-sided materials to the front.
-// @return how many they are
+// Moves the triangles of single-sided materials before all others.
+// @return how many there are
 std::uint32_t sortBySides(Mesh& mesh, const std::vector<Material>& materials) {
     std::vector<bool> single(mesh.indices.size() / 3, true);
     for (std::size_t t = 0; t < mesh.materials.size(); ++t) single[t] = !isDoubleSided(materials, mesh.materials[t]);
@@ -58,9 +58,9 @@ Box boxOf(const std::vector<glm::vec3>& positions) {
     return {low, high};
 }
 
-Sphere sphereAround(const Box& box, const PlacedBoxes& placed) {
+Sphere sphereAround(const Box& box, const InstancedBoxes& instanced) {
     const glm::dvec3 centre = 0.5 * (box.min + box.max);
-    const Sphere sphere{centre, farthestDistance(placed, centre)};
+    const Sphere sphere{centre, farthestDistance(instanced, centre)};
     if (!std::isfinite(sphere.radius)) refuse("expected finite bounds, found coordinates that overflow");
     return sphere;
 }
@@ -108,11 +108,11 @@ PreparedScene prepare(Scene::Data data, const LoadSettings& settings) {
         scene.oneSided.push_back(made.oneSided);
         scene.hidesItsBacks.push_back(made.hidesItsBacks);
     }
-    const PlacedBoxes boxes{data.meshes, scene.meshBoxes, data.instances};
+    const InstancedBoxes boxes{data.meshes, scene.meshBoxes, data.instances};
     scene.box = boxOfAll(boxes);
     scene.bounds = sphereAround(scene.box, boxes);
-    const PlacedMeshes placed{data.meshes, scene.topologies, data.instances, scene.bounds};
-    scene.patchNumbers = numberPatches(placed, settings.creaseAngle);
+    const InstancedMeshes instanced{data.meshes, scene.topologies, data.instances, scene.bounds};
+    scene.patchNumbers = numberPatches(instanced, settings.creaseAngle);
     for (MeshTopology& topology : scene.topologies)
         topology.faceNormals = std::vector<glm::dvec3>{};  // a third of all that is kept; = {} would keep its memory
     scene.triangleCount = trianglesOf(data);

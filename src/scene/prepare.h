@@ -6,7 +6,7 @@
 
 namespace inkedge {
 
-/// Checks a scene's data, brings its meshes into the form that is drawn, and works out what belongs to all of them.
+/// Checks a scene's data, brings its meshes into the form that is drawn, and computes what they have together.
 /// @throws Error  as the constructor of Scene
 [[nodiscard]] PreparedScene prepare(Scene::Data data, const LoadSettings& settings);
 

@@ -8,31 +8,31 @@
 #include <inkedge/scene.h>
 
 #include "mesh/topology.h"
+#include "scene/instanced_meshes.h"
 #include "scene/patch_numbers.h"
-#include "scene/placed_meshes.h"
 #include "scene/scene_face.h"
 
 namespace inkedge {
 
-/// What a Scene holds: its data, checked and made ready to be drawn, and what is worked out of them once. For the
+/// What a Scene holds: its data, checked and made ready to be drawn, and what is computed from the data once. For the
 /// library's own rooms.
 struct PreparedScene {
     Scene::Data data;
-    std::vector<Box> meshBoxes;            ///< one a mesh: of its positions, less its origin
-    std::vector<MeshTopology> topologies;  ///< one a mesh, without its faceNormals
-    std::vector<std::uint32_t> oneSided;   ///< one a mesh: how many of its triangles, the first ones
-    std::vector<bool> hidesItsBacks;       ///< one a mesh
+    std::vector<Box> meshBoxes;            ///< one per mesh: of its positions, less its origin
+    std::vector<MeshTopology> topologies;  ///< one per mesh, without its faceNormals
+    std::vector<std::uint32_t> oneSided;   ///< one per mesh: Scene::oneSidedTriangles()
+    std::vector<bool> hidesItsBacks;       ///< one per mesh: Scene::hidesItsBacks()
     Box box;                               ///< of everything drawn, in world space
-    Sphere bounds;                         ///< likewise
+    Sphere bounds;                         ///< around everything drawn, in world space
     LoadSettings loadedWith;               ///< what the constructor was given
     std::uint64_t triangleCount = 0;       ///< of all instances
     PatchNumbers patchNumbers;
-    double milliseconds = 0.0;  ///< that it took to make all this
+    double milliseconds = 0.0;  ///< that preparation took
 };
 
 [[nodiscard]] const std::shared_ptr<const PreparedScene>& preparedOf(const Scene&) noexcept;
 
-/// How mesh i's triangles hang together.
+/// How the triangles of mesh i are connected.
 [[nodiscard]] inline const MeshTopology& topologyOf(const Scene& scene, std::size_t i) {
     return preparedOf(scene)->topologies[i];
 }
@@ -40,12 +40,12 @@ struct PreparedScene {
 /// The patches of all instances.
 [[nodiscard]] inline const PatchNumbers& patchNumbersOf(const Scene& scene) { return preparedOf(scene)->patchNumbers; }
 
-[[nodiscard]] inline PlacedMeshes placedMeshesOf(const Scene& scene) {
+[[nodiscard]] inline InstancedMeshes instancedMeshesOf(const Scene& scene) {
     const PreparedScene& prepared = *preparedOf(scene);
     return {prepared.data.meshes, prepared.topologies, prepared.data.instances, prepared.bounds};
 }
 
-/// The same for all copies of one scene and for no other scene alive.
+/// An identity that all copies of one scene share, and no other living scene has.
 [[nodiscard]] inline std::weak_ptr<const void> identityOf(const Scene& scene) { return preparedOf(scene); }
 
 /// The number of a face's patch.

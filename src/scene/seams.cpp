@@ -16,17 +16,18 @@ namespace {
 
 constexpr double seamTolerance = 5e-5;  // of the scene's radius: 1/40 pixel of a model framed at 1024 pixels
 
-// Only a soup of faces in each other's way needs more; seams beyond are then drawn.
+// Only very many unconnected faces that overlap each other need more steps. Seams that are then missed are drawn.
 std::uint64_t maximumSteps(std::size_t borders) { return 40'000'000 + 100 * std::uint64_t{borders}; }
 
 std::vector<BorderEdge> collectBorders(
-    const PlacedMeshes& placed, const std::function<const std::vector<glm::dvec3>&(std::uint32_t mesh)>& faceNormals) {
+    const InstancedMeshes& instanced,
+    const std::function<const std::vector<glm::dvec3>&(std::uint32_t mesh)>& faceNormals) {
     std::vector<BorderEdge> borders;
-    for (std::uint32_t i = 0; i < placed.instances.size(); ++i) {
-        const Instance& instance = placed.instances[i];
-        const MeshTopology& topology = placed.topologyOf(i);
+    for (std::uint32_t i = 0; i < instanced.instances.size(); ++i) {
+        const Instance& instance = instanced.instances[i];
+        const MeshTopology& topology = instanced.topologyOf(i);
         const std::vector<glm::dvec3>& normals = faceNormals(instance.mesh);
-        const WorldTriangles triangles{placed.meshOf(i), instance.transform, placed.bounds.centre};
+        const WorldTriangles triangles{instanced.meshOf(i), instance.transform, instanced.bounds.centre};
         for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
             if (topology.twins[h] != noHalfEdge || normals[h / 3] == glm::dvec3{0.0}) continue;
             if (topology.originals[h / 3] != h / 3) continue;  // a face that repeats another has no twins of its own
@@ -53,10 +54,10 @@ std::vector<Box> boxesOf(const std::vector<BorderEdge>& edges) {
 
 }  // namespace
 
-Borders::Borders(const PlacedMeshes& placed,
+Borders::Borders(const InstancedMeshes& instanced,
                  const std::function<const std::vector<glm::dvec3>&(std::uint32_t mesh)>& faceNormals)
-    : edges_{collectBorders(placed, faceNormals)},
-      tolerance_{seamTolerance * placed.bounds.radius},
+    : edges_{collectBorders(instanced, faceNormals)},
+      tolerance_{seamTolerance * instanced.bounds.radius},
       boxes_{boxesOf(edges_)},
       tree_{boxes_},
       stepsLeft_{maximumSteps(edges_.size())} {}
@@ -75,7 +76,7 @@ std::optional<SharedLength> runAlong(const BorderEdge& one, const BorderEdge& ot
     const double begin = std::max(std::min(s, e), 0.0);
     const double end = std::min(std::max(s, e), longLength);
     if (end - begin <= tolerance) return {};
-    // The same on the shorter one, whose a lies at s and whose b lies at e.
+    // The same stretch on the shorter segment, whose a lies at s and whose b lies at e.
     const double shares[2]{std::clamp((begin - s) / (e - s), 0.0, 1.0), std::clamp((end - s) / (e - s), 0.0, 1.0)};
     SharedLength shared{};
     shared.from[swap ? 1 : 0] = begin / longLength;
@@ -85,15 +86,15 @@ std::optional<SharedLength> runAlong(const BorderEdge& one, const BorderEdge& ot
     return shared;
 }
 
-void joinAcrossSeams(const PlacedMeshes& placed, const std::vector<std::uint32_t>& base, double creaseAngle,
+void joinAcrossSeams(const InstancedMeshes& instanced, const std::vector<std::uint32_t>& base, double creaseAngle,
                      UnionFind& joined) {
-    // Faces that go on across the seam at a bend under the crease angle point away from each other by more than this.
+    // The cosine between the `into` directions of two faces that bend by less than the crease angle is under this.
     const double oppositeCosine = -std::cos(glm::radians(creaseAngle));
-    Borders borders{placed, [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& {
-                        return placed.topologies[mesh].faceNormals;
+    Borders borders{instanced, [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& {
+                        return instanced.topologies[mesh].faceNormals;
                     }};
     const auto patchOf = [&](const BorderEdge& edge) {
-        return base[edge.instance] + placed.topologyOf(edge.instance).patches[edge.halfEdge / 3];
+        return base[edge.instance] + instanced.topologyOf(edge.instance).patches[edge.halfEdge / 3];
     };
     for (std::uint32_t i = 0; i < borders.edges().size(); ++i) {
         const BorderEdge& border = borders.edges()[i];

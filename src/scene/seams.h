@@ -7,11 +7,11 @@
 
 #include "base/union_find.h"
 #include "scene/box_tree.h"
-#include "scene/placed_meshes.h"
+#include "scene/instanced_meshes.h"
 
 namespace inkedge {
 
-/// A border of an instance's mesh, in world space less the centre of PlacedMeshes::bounds.
+/// A border edge of an instance's mesh, in world space less the centre of InstancedMeshes::bounds.
 struct BorderEdge {
     std::uint32_t instance;
     std::uint32_t halfEdge;
@@ -20,17 +20,19 @@ struct BorderEdge {
     glm::dvec3 into;  ///< unit, in the face's plane, across the edge into the face
 };
 
-/// All borders of a scene, but for those of faces that repeat others or are too thin.
+/// All border edges of a scene, except those of faces that repeat others or are too thin.
 class Borders {
 public:
     /// @param faceNormals  for each mesh as MeshTopology::faceNormals
-    Borders(const PlacedMeshes&, const std::function<const std::vector<glm::dvec3>&(std::uint32_t mesh)>& faceNormals);
+    Borders(const InstancedMeshes&,
+            const std::function<const std::vector<glm::dvec3>&(std::uint32_t mesh)>& faceNormals);
 
     [[nodiscard]] const std::vector<BorderEdge>& edges() const noexcept { return edges_; }
-    /// How far apart two borders that run along each other may be: 1/20,000 of the scene's radius.
+    /// The distance within which two borders run along each other: 1/20,000 of the scene's radius.
     [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
 
-    /// Calls visit(j) for the borders j > i near border i; of a soup of faces in each other's way for some only.
+    /// Calls visit(j) for the borders j > i near border i. Where very many unconnected faces overlap each other the
+    /// search ends early, and some are missed.
     template <class Visit>
     void forEachNear(std::uint32_t i, Visit&& visit) {
         const Box box{boxes_[i].min - tolerance_, boxes_[i].max + tolerance_};
@@ -47,20 +49,21 @@ private:
     std::uint64_t stepsLeft_;
 };
 
-/// Where two segments run along each other: shares of each one's length from its a, from <= to.
+/// The stretch along which two segments run along each other: as shares of each one's length from its a, from <= to.
 struct SharedLength {
     double from[2];
     double to[2];
 };
 
-/// None if they are further apart than the tolerance or share no more than it.
+/// The shared stretch of two segments; none if they are further apart than the tolerance, or share no more than that.
 [[nodiscard]] std::optional<SharedLength> runAlong(const BorderEdge&, const BorderEdge&, double tolerance);
 
 /// Joins the patches on both sides of every seam: two mesh borders that run along each other within 1/20,000 of the
-/// scene's radius, bent there by less than the crease angle. O(b log b + pairs of borders that are near each other).
-/// @param base    where each instance's patches begin
-/// @param joined  sets of all instances' patches
-void joinAcrossSeams(const PlacedMeshes&, const std::vector<std::uint32_t>& base, double creaseAngle,
+/// scene's radius, where the surfaces bend by less than the crease angle. O(b log b + pairs of borders near each
+/// other).
+/// @param base    PatchNumbers::base
+/// @param joined  sets of the patches of all instances
+void joinAcrossSeams(const InstancedMeshes&, const std::vector<std::uint32_t>& base, double creaseAngle,
                      UnionFind& joined);
 
 }  // namespace inkedge

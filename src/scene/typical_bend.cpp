@@ -15,15 +15,15 @@
 namespace inkedge {
 namespace {
 
-constexpr std::size_t mostLooked = 1U << 18U;  // half-edges of a scene
+constexpr std::size_t maxSamples = 1U << 18U;  // half-edges of a scene
 constexpr double flat = 0.05;                  // degrees: rounding bends faces by less
 
-glm::dvec3 place(const Mesh& mesh, std::size_t corner) { return mesh.positions[mesh.indices[corner]]; }
+glm::dvec3 position(const Mesh& mesh, std::size_t corner) { return mesh.positions[mesh.indices[corner]]; }
 
 glm::dvec3 faceNormal(const Mesh& mesh, std::size_t halfEdge) {
     const std::size_t first = halfEdge / 3 * 3;
-    const glm::dvec3 a = place(mesh, first);
-    return glm::cross(place(mesh, first + 1) - a, place(mesh, first + 2) - a);
+    const glm::dvec3 a = position(mesh, first);
+    return glm::cross(position(mesh, first + 1) - a, position(mesh, first + 2) - a);
 }
 
 double bendBetween(const glm::dvec3& one, const glm::dvec3& other) {
@@ -43,7 +43,8 @@ void collect(const Mesh& mesh, const MeshTopology& topology, std::size_t stride,
         if (!isHalfEdge(twin) || topology.creases[h]) continue;
         if (isInner(mesh, static_cast<std::uint32_t>(h), twin)) continue;
         const double bend = bendBetween(faceNormal(mesh, h), faceNormal(mesh, twin));
-        const double length = glm::distance(place(mesh, h), place(mesh, nextHalfEdge(static_cast<std::uint32_t>(h))));
+        const double length =
+            glm::distance(position(mesh, h), position(mesh, nextHalfEdge(static_cast<std::uint32_t>(h))));
         if (bend > flat && length > 0.0) edges.push_back({bend, length});
     }
 }
@@ -53,7 +54,7 @@ void collect(const Mesh& mesh, const MeshTopology& topology, std::size_t stride,
 double typicalBend(const Scene& scene) {
     std::size_t all = 0;
     for (std::size_t i = 0; i < scene.meshes().size(); ++i) all += topologyOf(scene, i).twins.size();
-    std::size_t stride = all / mostLooked + 1;
+    std::size_t stride = all / maxSamples + 1;
     if (stride % 3 == 0) ++stride;  // else one side only of every triangle
     std::vector<Edge> edges;
     for (std::size_t i = 0; i < scene.meshes().size(); ++i)

@@ -260,7 +260,7 @@ TEST(Support, isTheFarthestReachAlongADirection) {
     EXPECT_NEAR(support(scene, {-1, 0, 0}), -5.0 + std::sqrt(2.0), exact);
     EXPECT_NEAR(support(scene, {0, 0, 3}), 3.0, exact);
     const PreparedScene& prepared = *preparedOf(scene);
-    const PlacedBoxes boxes{prepared.data.meshes, prepared.meshBoxes, prepared.data.instances};
+    const InstancedBoxes boxes{prepared.data.meshes, prepared.meshBoxes, prepared.data.instances};
     EXPECT_NEAR(farthestDistance(boxes, {5, 0, 0}), std::sqrt(3.0), exact);
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t maximumElements = std::uint64_t{1} << 28;
 
-// Where numbers lie, once all of them are known to lie there.
+// Where numbers lie in memory, once all of them are known to be there.
 struct Source {
     const std::uint8_t* start = nullptr;
     std::uint64_t stride = 0;  // from element to element, bytes
@@ -41,16 +41,16 @@ double normalized(T value) {
         return std::max(static_cast<double>(value) / static_cast<double>(std::numeric_limits<T>::max()), -1.0);
 }
 
-// Calls write(place, value) for every number.
+// Calls write(index, value) for every number.
 template <class T, class Write>
 void forEachNumber(const Source& source, Write&& write) {
-    std::uint64_t place = 0;
+    std::uint64_t index = 0;
     for (std::uint64_t i = 0; i < source.count; ++i)
         for (std::uint64_t c = 0; c < source.components; ++c)
-            write(place++, valueAt<T>(source.start + i * source.stride + c * sizeof(T)));
+            write(index++, valueAt<T>(source.start + i * source.stride + c * sizeof(T)));
 }
 
-// Integers as they are.
+// Converts integers without scaling.
 template <class T>
 void copyIntegers(const Source& source, std::uint32_t* numbers) {
     forEachNumber<T>(source, [&](std::uint64_t i, T value) { numbers[i] = value; });
@@ -111,7 +111,7 @@ void checkExpected(const Accessor& accessor, const Expected& expected) {
     refuse(fmt::format("expected {} of {}, found {} of {}", expected.type.name, names, accessor.type.name, found));
 }
 
-// The distance between elements, once all of them are known to lie within their bytes.
+// The distance between elements; checks that all of them lie within their bytes.
 std::uint64_t checkedStride(const Elements& elements, std::uint64_t count, std::uint64_t elementSize) {
     const std::uint64_t stride = elements.stride == 0 ? elementSize : elements.stride;
     const std::uint64_t size = elements.bytes.size();
@@ -126,7 +126,7 @@ std::uint64_t checkedStride(const Elements& elements, std::uint64_t count, std::
     return stride;
 }
 
-// Where an accessor's own numbers lie; without a start they are zeros.
+// Where an accessor's own numbers lie. Without a start all of them are zeros.
 Source sourceOf(const Accessor& accessor, const Expected& expected) {
     checkExpected(accessor, expected);
     if (accessor.count > maximumElements)
@@ -142,11 +142,11 @@ Source sourceOf(const Accessor& accessor, const Expected& expected) {
 template <class Number>
 void readSparse(const Accessor& accessor, const Accessor::Sparse& sparse, std::vector<Number>& numbers) {
     const std::uint64_t components = accessor.type.components;
-    const Accessor places{scalar, sparse.indexComponent, false, sparse.count, sparse.indices, {}};
+    const Accessor indexSource{scalar, sparse.indexComponent, false, sparse.count, sparse.indices, {}};
     const Accessor replacements{accessor.type, accessor.component, accessor.normalized,
                                 sparse.count,  sparse.values,      {}};
     const std::vector<double> at =
-        readNumbers(places, {scalar, {Component::Uint8, Component::Uint16, Component::Uint32}});
+        readNumbers(indexSource, {scalar, {Component::Uint8, Component::Uint16, Component::Uint32}});
     const std::vector<double> values = readNumbers(replacements, {accessor.type, {accessor.component}});
     for (std::size_t i = 0; i < at.size(); ++i) {
         if (!(at[i] < static_cast<double>(accessor.count)))
@@ -158,15 +158,15 @@ void readSparse(const Accessor& accessor, const Accessor::Sparse& sparse, std::v
     }
 }
 
-[[noreturn]] void refuseIndex(double number, std::size_t place, double restart, std::uint64_t vertexCount) {
+[[noreturn]] void refuseIndex(double number, std::size_t index, double restart, std::uint64_t vertexCount) {
     if (number == restart)
-        refuse(fmt::format("expected vertex indices, found the primitive restart value {} at index {}", number, place));
-    refuse(fmt::format("expected vertex indices below {}, found {} at index {}", vertexCount, number, place));
+        refuse(fmt::format("expected vertex indices, found the primitive restart value {} at index {}", number, index));
+    refuse(fmt::format("expected vertex indices below {}, found {} at index {}", vertexCount, number, index));
 }
 
 }  // namespace
 
-std::span<const std::uint8_t> partOf(std::span<const std::uint8_t> buffer, std::uint64_t offset, std::uint64_t length) {
+std::span<const std::uint8_t> slice(std::span<const std::uint8_t> buffer, std::uint64_t offset, std::uint64_t length) {
     if (offset > buffer.size() || length > buffer.size() - offset)
         refuse(
             fmt::format("expected {} bytes from byte {}, found a buffer of {} bytes", length, offset, buffer.size()));

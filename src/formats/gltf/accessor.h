@@ -47,19 +47,19 @@ struct Accessor {
     std::optional<Sparse> sparse;
 };
 
-/// What a use of an accessor takes.
+/// The types that a use of an accessor allows.
 struct Expected {
     ElementType type;
     std::initializer_list<Component> components;
 };
 
-/// Part of a buffer.
-/// @throws Error  (Kind::Input) if it does not lie within the buffer
-[[nodiscard]] std::span<const std::uint8_t> partOf(std::span<const std::uint8_t> buffer, std::uint64_t offset,
-                                                   std::uint64_t length);
+/// A part of a buffer.
+/// @throws Error  (Kind::Input) if the part does not lie within the buffer
+[[nodiscard]] std::span<const std::uint8_t> slice(std::span<const std::uint8_t> buffer, std::uint64_t offset,
+                                                  std::uint64_t length);
 
-/// Reads count x components numbers, element by element; normalized integers become -1..1 or 0..1, sparse values are in
-/// place.
+/// Reads count x components numbers, element by element. Normalized integers become -1..1 or 0..1. Sparse values are
+/// applied.
 /// @throws Error  (Kind::Input) if the accessor is not as expected, has over 2^28 elements, reaches beyond its bytes,
 ///                or a sparse index is out of range
 [[nodiscard]] std::vector<double> readNumbers(const Accessor&, const Expected&);

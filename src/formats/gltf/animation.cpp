@@ -38,7 +38,7 @@ const tinygltf::Animation& find(const tinygltf::Model& model, std::string_view w
                             list.empty() ? "none, as the file has no animations" : "one of " + list, quote(wanted))};
 }
 
-// The keys before and after a time, and how far it is from one to the other.
+// The keys before and after a time, and how far the time is from the one to the other.
 struct Moment {
     std::size_t before;
     std::size_t after;
@@ -54,7 +54,7 @@ Moment momentAt(const std::vector<double>& times, double time) {
     return {next - 1, next, (time - times[next - 1]) / step, step};
 }
 
-// A sampler's value at a time, width numbers.
+// The value of a sampler at a time: `width` numbers.
 class Sampler {
 public:
     Sampler(const tinygltf::Model& model, const tinygltf::AnimationSampler& source, const Expected& expected)
@@ -124,7 +124,7 @@ private:
     std::size_t width_ = 0;
 };
 
-// Writes what a channel says at a time into its node; false if it drives something that is not read.
+// Sets a node to what a channel says at a time; false if the channel drives something that is not read.
 bool apply(tinygltf::Model& model, const tinygltf::Animation& animation, const tinygltf::AnimationChannel& channel,
            double time) {
     struct Target {

@@ -2,7 +2,7 @@
 
 #include "formats/gltf/accessor.h"
 
-/// In which forms the attributes of glTF's vertices and instances may be stored.
+/// The types in which the attributes of glTF's vertices and instances may be stored.
 namespace inkedge::gltf {
 
 // KHR_mesh_quantization included.

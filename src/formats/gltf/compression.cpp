@@ -36,13 +36,13 @@ const Module& moduleOf(std::string_view extension) {
 
 class Decompression {
 public:
-    Decompression(Json& document, std::vector<Bytes>& buffers, std::uint64_t mostBytes)
-        : document_{document}, buffers_{buffers}, bytesLeft_{mostBytes} {}
+    Decompression(Json& document, std::vector<Bytes>& buffers, std::uint64_t maxBytes)
+        : document_{document}, buffers_{buffers}, bytesLeft_{maxBytes} {}
 
     void run() {
         const std::size_t views = sizeOf(member(document_, "bufferViews"));
         for (std::size_t i = 0; i < views; ++i)
-            within(label("bufferView", i), [&] { readView(document_["bufferViews"][i]); });
+            within(label("bufferView", i), [&] { readMeshopt(document_["bufferViews"][i]); });
         const std::size_t meshes = sizeOf(member(document_, "meshes"));
         for (std::size_t i = 0; i < meshes; ++i) readMesh(i);
     }
@@ -50,7 +50,7 @@ public:
 private:
     // ---- EXT_meshopt_compression
 
-    void readView(Json& view) {
+    void readMeshopt(Json& view) {
         const Json& compressed = extension(view, meshopt);
         if (compressed.is_null() || !readsCompression(meshopt)) {
             if (liesInFallback(view)) refuse("expected data of its own, found a buffer that stands in for some");
@@ -65,7 +65,7 @@ private:
     }
 
     Bytes decoded(const Json& compressed) {
-        const MeshoptView view{number(compressed, "count"), number(compressed, "byteStride"),
+        const MeshoptData view{number(compressed, "count"), number(compressed, "byteStride"),
                                text(compressed, "mode", ""), text(compressed, "filter", "NONE")};
         Bytes bytes = decodeMeshopt(view, bytesOf(compressed), bytesLeft_);
         bytesLeft_ -= bytes.size();
@@ -85,7 +85,7 @@ private:
         }
     }
 
-    // Primitives that hold the same data in the same way share what comes out.
+    // Primitives with the same data and the same attributes share the decompressed data.
     void readPrimitive(Json& primitive) {
         if (!readsCompression(draco)) return checkPlainData(primitive);
         const Mode mode{static_cast<int>(number(primitive, "mode", static_cast<std::uint64_t>(Mode::Triangles)))};
@@ -99,7 +99,7 @@ private:
         primitive.erase("extensions");
     }
 
-    // The members that a primitive has in place of the extension.
+    // The members of a primitive without the extension.
     Json plainForm(const Json& primitive, Mode mode) {
         if (mode == Mode::TriangleFan) refuse("expected mode TRIANGLES or TRIANGLE_STRIP, found TRIANGLE_FAN");
         const Json& compressed = extension(primitive, draco);
@@ -127,7 +127,7 @@ private:
         return id.get<std::uint32_t>();
     }
 
-    // The new accessor is the old one, but for its data.
+    // Adds an accessor that differs from the old one in its data only.
     std::size_t addAttribute(const Json& attributes, const std::string& name, DracoMesh::Attribute attribute,
                              std::uint64_t vertexCount) {
         Json accessor = entry(document_, "accessors", number(attributes, name.c_str()));
@@ -153,7 +153,7 @@ private:
                                  {"type", scalar.name}});
     }
 
-    // Accessors of a compressed primitive may have no data of their own.
+    // Checks a primitive that may be read without the extension: its accessors must have data of their own.
     void checkPlainData(const Json& primitive) const {
         const Json& position = member(member(primitive, "attributes"), "POSITION");
         if (position.is_null()) return;
@@ -163,19 +163,19 @@ private:
 
     // ---- buffers
 
-    // A bufferView of no buffer is the reader's to refuse, should anything use it.
+    // A bufferView without a buffer is refused by the reader, if anything uses it.
     bool liesInFallback(const Json& view) const {
         const Json& index = member(view, "buffer");
         const Json& buffers = member(document_, "buffers");
         return index.is_number_unsigned() && index < sizeOf(buffers) && isFallback(buffers[index.get<std::size_t>()]);
     }
 
-    // The part of a buffer that a bufferView or the like means.
+    // The bytes of a bufferView, or of an extension with the members of one.
     std::span<const std::uint8_t> bytesOf(const Json& view) const {
         const std::uint64_t buffer = number(view, "buffer");
         if (isFallback(entry(document_, "buffers", buffer)))
             refuse("expected data, found a buffer that stands in for some");
-        return partOf(buffers_.at(buffer), number(view, "byteOffset", 0), number(view, "byteLength"));
+        return slice(buffers_.at(buffer), number(view, "byteOffset", 0), number(view, "byteLength"));
     }
 
     std::span<const std::uint8_t> bytesOfView(std::uint64_t view) const {
@@ -225,8 +225,8 @@ bool isFallback(const Json& buffer) {
            (readsCompression(meshopt) || !buffer.contains("uri"));
 }
 
-void decompress(Json& document, std::vector<Bytes>& buffers, std::uint64_t mostBytes) {
-    Decompression{document, buffers, mostBytes}.run();
+void decompress(Json& document, std::vector<Bytes>& buffers, std::uint64_t maxBytes) {
+    Decompression{document, buffers, maxBytes}.run();
 }
 
 }  // namespace inkedge::gltf

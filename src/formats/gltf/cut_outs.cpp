@@ -17,7 +17,7 @@ using load::within;
 
 namespace {
 
-// Of COLOR_0, where it has an alpha; none: all are 1.
+// The alpha of COLOR_0, one per vertex; empty: all are 1.
 std::vector<double> vertexOpacities(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
                                     std::size_t count) {
     const auto color = primitive.attributes.find("COLOR_0");
@@ -29,7 +29,7 @@ std::vector<double> vertexOpacities(const tinygltf::Model& model, const tinygltf
     return opacities;
 }
 
-// What is said of an edge goes for the pieces' edges that lie on it.
+// Edges of a piece that lie on an edge of the triangle have its kinds.
 void addEdges(const std::vector<EdgeKinds>& of, std::size_t triangle, const CutOut::Piece& piece,
               std::vector<EdgeKinds>& rest) {
     constexpr double nothing = 1e-9;  // what rounding leaves of a weight
@@ -99,7 +99,7 @@ void CutOuts::cutTriangle(const Material& material, const std::vector<glm::dvec2
         add(part, triangle, piece, rest);
 }
 
-// None where the picture has no alpha or the threshold is nothing.
+// Null if the picture has no alpha or the threshold is 0.
 CutOut* CutOuts::find(const Texture& texture, double threshold) {
     constexpr double opaque = 255.0;
     if (!texture.image) refuse("expected its picture as PNG or JPEG, found it in another form only");
@@ -120,7 +120,7 @@ const CutOuts::Alpha& CutOuts::opacityMap(std::uint64_t image) {
         refuse(fmt::format("expected an image below {}, found {}", file_.images.size(), image));
     return within(label("image", image), [&]() -> const Alpha& {
         const load::Bytes bytes = pictureBytes(model_, path_, file_.images[image], bytesLeft_);
-        return maps_.emplace(image, decodeOpacity(bytes, mostPixels_)).first->second;
+        return maps_.emplace(image, decodeOpacity(bytes, maxPixels_)).first->second;
     });
 }
 

@@ -15,13 +15,14 @@
 
 namespace inkedge::gltf {
 
-/// The cut-outs of a file's materials with a mask, made when first asked for. What it is made from must outlive it.
+/// The cut-outs of a file's materials with a mask, each made when it is first used. The constructor's arguments must
+/// outlive this.
 class CutOuts {
 public:
     CutOuts(const tinygltf::Model& model, const File& file, const std::filesystem::path& path, const LoadLimits& limits)
-        : model_{model}, file_{file}, path_{path}, mostPixels_{limits.imagePixels}, bytesLeft_{file.bytesLeft} {}
+        : model_{model}, file_{file}, path_{path}, maxPixels_{limits.imagePixels}, bytesLeft_{file.bytesLeft} {}
 
-    /// Leaves of a part what its material's mask lets be seen.
+    /// Keeps only the opaque parts of a primitive's triangles.
     /// @throws Error  (Kind::Input) if the mask's picture cannot be read
     void apply(const Material&, const tinygltf::Primitive&, Shape& part);
 
@@ -36,7 +37,7 @@ private:
     const tinygltf::Model& model_;
     const File& file_;
     const std::filesystem::path& path_;
-    std::uint64_t mostPixels_;
+    std::uint64_t maxPixels_;
     std::uint64_t bytesLeft_;
     std::map<std::uint64_t, Alpha> maps_;
     std::map<std::tuple<std::uint64_t, Wrap, Wrap, double>, std::unique_ptr<CutOut>> cutOuts_;

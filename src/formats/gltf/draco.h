@@ -12,7 +12,7 @@
 
 namespace inkedge::gltf {
 
-/// A mesh out of KHR_draco_mesh_compression.
+/// A mesh decoded from KHR_draco_mesh_compression.
 struct DracoMesh {
     struct Attribute {
         std::uint64_t components = 0;  ///< an element
@@ -20,7 +20,7 @@ struct DracoMesh {
         std::vector<std::uint8_t> bytes;  ///< one element a vertex, tightly packed
     };
     std::uint64_t vertexCount = 0;
-    std::vector<std::uint32_t> indices;  ///< three a triangle
+    std::vector<std::uint32_t> indices;  ///< three per triangle
     std::vector<Attribute> attributes;   ///< in the order asked for
 };
 
@@ -30,7 +30,7 @@ struct DracoExpected {
     std::optional<std::uint64_t> triangleCount;  ///< none: any
 };
 
-// What the library and the module of Draco say to each other.
+// The interface between the library and the Draco module.
 struct DecodedDraco {
     DracoMesh mesh;
     std::string failure;
@@ -45,7 +45,7 @@ inline constexpr ModuleOf<DracoFunctions> dracoModule{{.purpose = "KHR_draco_mes
                                                        .option = "INKEDGE_DRACO",
                                                        .remedy = "give a model that is not compressed"}};
 
-/// @param bytesLeft  the most that may come out, in bytes
+/// @param bytesLeft  the maximum size of the result, in bytes
 /// @throws Error     (Kind::Input) if the data are no Draco mesh of bitstream 2.2, are damaged, lack an attribute, are
 ///                   not as expected, hold over 2^24 triangles or over bytesLeft bytes, or the module is missing
 [[nodiscard]] inline DracoMesh decodeDraco(std::span<const std::uint8_t> data, const DracoExpected& expected,

@@ -20,7 +20,7 @@ using namespace load;
 
 namespace {
 
-// Draco takes about 100 bytes a triangle while it decodes, before it has looked at more than their number.
+// Draco allocates about 100 bytes per triangle as soon as it has read the number of triangles.
 constexpr std::uint32_t maximumTriangles = std::uint32_t{1} << 24;
 
 draco::DecoderBuffer bufferOver(std::span<const std::uint8_t> data) {
@@ -41,7 +41,8 @@ draco::DracoHeader readHeader(draco::DecoderBuffer& buffer) {
     return header;
 }
 
-// What the data say before anything is decoded; Draco bitstream specification 2.2, sections 3 to 5.
+// The number of triangles that the data say before anything is decoded; Draco bitstream specification 2.2, sections 3
+// to 5.
 std::uint32_t encodedTriangles(std::span<const std::uint8_t> data) {
     draco::DecoderBuffer buffer = bufferOver(data);
     const draco::DracoHeader header = readHeader(buffer);

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* extensionName = "EXT_mesh_primitive_edge_visibility";
 
 struct Edge {
-    std::uint64_t vertices;  // the lesser one in the upper half
+    std::uint64_t vertices;  // the smaller one in the upper half
     bool found = false;      // on a triangle
 };
 
@@ -31,7 +31,8 @@ int accessorIn(const tinygltf::Value& object, const char* name) {
     return index.GetNumberAsInt();
 }
 
-// Of each edge of each triangle, those left out included: 0 hidden, 1 silhouette, 2 hard, 3 hard and said before.
+// One value per edge of each triangle, those left out included: 0 hidden, 1 silhouette, 2 hard, 3 hard and already
+// given in another triangle.
 std::vector<std::uint8_t> readVisibility(const tinygltf::Model& model, const tinygltf::Value& extension,
                                          std::size_t triangles) {
     const std::vector<double> bytes =
@@ -45,7 +46,7 @@ std::vector<std::uint8_t> readVisibility(const tinygltf::Model& model, const tin
     return edges;
 }
 
-// Strings of vertices, the largest value of the component type between them.
+// Reads strings of vertices, which the largest value of the component type separates.
 void readLineString(const tinygltf::Model& model, const tinygltf::Value& line, std::size_t vertexCount,
                     std::vector<Edge>& edges) {
     const int accessor = accessorIn(line, "indices");

@@ -14,14 +14,14 @@ namespace inkedge::gltf {
 
 /// What EXT_mesh_primitive_edge_visibility says of a primitive's edges.
 struct EdgeVisibility {
-    /// One an index of triangleList(), of the edge from that corner to its triangle's next: EdgeKind::Marked, to be
-    /// drawn always; EdgeKind::Inner, to be drawn never, or only as silhouette: the surface is smooth there; or
-    /// neither. Empty: the primitive does not have the extension.
+    /// One per index of triangleList(): the kinds of the edge from that corner to the next of its triangle.
+    /// EdgeKind::Marked: always drawn. EdgeKind::Inner: never drawn, or only as a silhouette, for the surface is smooth
+    /// there. Empty: the primitive does not have the extension.
     std::vector<EdgeKinds> kinds;
-    std::size_t lost = 0;  ///< line strings' edges that belong to no triangle drawn
+    std::size_t lost = 0;  ///< edges of line strings that belong to no drawn triangle
 };
 
-/// Materials, and normals for silhouettes, are not read.
+/// Reads the extension, without its materials and its normals for silhouettes.
 /// @param corners  the primitive's vertex indices in the order of the file
 /// @throws Error  (Kind::Input) if the extension has neither visibility nor lineStrings; if an accessor is missing, not
 ///                of the type it should be or not of the size; if an index is out of range

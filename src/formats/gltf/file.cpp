@@ -72,7 +72,7 @@ Chunks splitGlb(std::span<const std::uint8_t> bytes) {
     return chunks;
 }
 
-// tinygltf takes 12.0 for a missing value where it reads an integer, and cuts integers to 32 bits.
+// tinygltf takes 12.0 for a missing value where an integer is expected, and cuts integers to 32 bits.
 void normalizeNumber(Json& value) {
     constexpr std::int64_t largest = std::numeric_limits<std::int32_t>::max();
     if (value.is_number_float()) {
@@ -86,7 +86,7 @@ void normalizeNumber(Json& value) {
     }
 }
 
-// Before parsing, since a nested value takes many times the memory of its text.
+// Checks the depth before parsing, since a nested value takes many times the memory of its text.
 void checkDepth(std::string_view text) {
     int depth = 0;
     bool inString = false;
@@ -145,7 +145,7 @@ void checkVersion(const Json& document) {
     if (!minimum.empty() && minimum != "2.0") refuse("expected glTF 2.0, found minVersion " + quote(minimum));
 }
 
-// tinygltf takes 0 for an optional number that is none or below 0: these would be read as if they were not there.
+// tinygltf ignores an optional number that is below 0 or no number: such a number is refused here.
 void checkExtents(const Json& object) {
     if (!object.is_object()) return;
     for (const char* name : {"byteOffset", "byteLength", "byteStride", "count"}) {
@@ -164,7 +164,7 @@ void checkExtents(const Json& document, const char* list, const char* kind) {
     for (std::size_t i = 0; i < found->size(); ++i) within(label(kind, i), [&] { checkExtents((*found)[i]); });
 }
 
-// Extensions that bear on the shape and are read, and those that do not bear on it.
+// Whether an extension is read, or does not change the shape.
 bool isRead(std::string_view extension) {
     constexpr std::array names{
         "KHR_mesh_quantization"sv,  "EXT_mesh_gpu_instancing"sv, "KHR_texture_transform"sv,
@@ -221,7 +221,7 @@ Bytes bufferBytes(const fs::path& model, const Json& buffer, std::optional<Bytes
     return std::move(*binaryChunk);
 }
 
-// A byte in place of a buffer that nothing reads, as no buffer may be empty.
+// One byte for a buffer that nothing reads, as no buffer may be empty.
 Bytes standIn(Json& buffer, std::size_t number) {
     if (!readsCompression("EXT_meshopt_compression"))
         refuse("it stands in for data compressed with EXT_meshopt_compression, " +
@@ -231,7 +231,7 @@ Bytes standIn(Json& buffer, std::size_t number) {
     return {0};
 }
 
-// Takes the buffers' bytes, leaving numbers in place of their URIs.
+// Takes the bytes of the buffers, and replaces their URIs by numbers.
 std::vector<Bytes> takeBuffers(const fs::path& model, Json& document, std::optional<Bytes> binaryChunk,
                                std::uint64_t& bytesLeft) {
     std::vector<Bytes> buffers;
@@ -257,7 +257,7 @@ std::vector<Bytes> takeBuffers(const fs::path& model, Json& document, std::optio
     return buffers;
 }
 
-// The bytes of a chunk, moved to the front of the file's.
+// The bytes of a chunk, moved to the front of the file's bytes.
 Bytes keepOnly(Bytes&& bytes, std::span<const std::uint8_t> chunk) {
     const auto start = chunk.data() - bytes.data();
     bytes.resize(static_cast<std::size_t>(start) + chunk.size());

@@ -12,28 +12,28 @@
 
 namespace inkedge::gltf {
 
-/// A glTF file and its buffers in memory. The JSON is made safe for a parser that trusts its input: it nests no deeper
-/// than 500, holds only what geometry needs, no number stands as 12.0 where 12 is meant, integers fit 32 bits (larger
-/// ones become the largest), buffer i's uri is the number i, and no geometry is compressed.
+/// A glTF file and its buffers in memory. The JSON is made safe for a parser that trusts its input. It nests no deeper
+/// than 500 and holds only what geometry needs. Whole numbers are written as 12, never 12.0, and fit 32 bits (larger
+/// ones become the largest). The uri of buffer i is the number i. No geometry is compressed.
 struct File {
     std::string json;
     std::vector<load::Bytes> buffers;  ///< each of the byteLength that the JSON gives
-    std::vector<Material> materials;   ///< not in the JSON any more
-    std::vector<Image> images;         ///< likewise; not read yet
+    std::vector<Material> materials;   ///< removed from the JSON
+    std::vector<Image> images;         ///< removed from the JSON; their pixels are not read yet
     std::vector<std::string> warnings;
     std::vector<std::string> extensions;  ///< extensionsUsed
     std::uint64_t bytesLeft = 0;          ///< of limits.fileSize
 };
 
-/// Reads a .glb or .gltf file, told apart by content, with its buffers.
-/// An extension that is used but not required, and not read, is warned of.
+/// Reads a .glb or .gltf file with its buffers; the content decides which of the two it is. An extension that is used
+/// but not required, and not read, gives a warning.
 /// @throws Error  (Kind::Input) if a file is missing, unreadable, truncated or no glTF 2.0, lies outside the model's
 ///                folder, all of them together, or what compressed data come to, are over the limits, an extension is
 ///                required that is not read, or compressed data are damaged
 [[nodiscard]] File readFile(const std::filesystem::path& model, const LoadLimits&);
 
-/// What a uri of the model stands for: a data URI's bytes, or those of a file in the model's folder, whose size is
-/// taken off bytesLeft.
+/// The bytes of a uri of the model: of a data URI, or of a file in the model's folder, whose size is subtracted from
+/// bytesLeft.
 /// @throws Error  (Kind::Input) as readFile()
 [[nodiscard]] load::Bytes readUri(const std::filesystem::path& model, const std::string& uri, std::uint64_t& bytesLeft);
 

@@ -14,7 +14,7 @@ namespace inkedge::gltf {
 using load::refuse;
 using load::within;
 
-std::vector<glm::dmat4> copiesOf(const tinygltf::Model& model, const tinygltf::Node& node, std::uint64_t most) {
+std::vector<glm::dmat4> copiesOf(const tinygltf::Model& model, const tinygltf::Node& node, std::uint64_t maxCopies) {
     const auto extension = node.extensions.find("EXT_mesh_gpu_instancing");
     if (extension == node.extensions.end()) return {glm::dmat4{1.0}};
     const tinygltf::Value& attributes = member(extension->second, "attributes");
@@ -23,9 +23,9 @@ std::vector<glm::dmat4> copiesOf(const tinygltf::Model& model, const tinygltf::N
         std::vector<Vector> vectors;
         const tinygltf::Value& index = member(attributes, name);
         if (index.IsInt()) {
-            if (const std::uint64_t copies = elementCount(model, index.GetNumberAsInt(), name); copies > most)
+            if (const std::uint64_t copies = elementCount(model, index.GetNumberAsInt(), name); copies > maxCopies)
                 refuse(fmt::format("expected at most {} more instances in the scene, found {}; raise max-instances",
-                                   most, copies));
+                                   maxCopies, copies));
             vectors = readVectors<Vector>(model, index.GetNumberAsInt(), name, expected);
             if (count && *count != vectors.size())
                 refuse(fmt::format("{}: expected as many instances as before, {}, found {}", name, *count,

@@ -12,16 +12,18 @@ namespace inkedge::gltf {
 
 using Json = nlohmann::json;
 
-/// A value for a message.
+/// A value as text for a message.
 [[nodiscard]] std::string found(const Json&);
 
-/// An object's member; null if there is none or it is no object.
+/// A member of an object; null if there is none, or object is no object.
 [[nodiscard]] const Json& member(const Json& object, const char* key);
 
-/// @throws Error  (Kind::Input) if the member is there but no number of at least 0, or is not and there is no otherwise
+/// @param otherwise  the value if the member is missing; none: it must not be missing
+/// @throws Error     (Kind::Input) if the member is no number of at least 0, or is missing and must not be
 [[nodiscard]] std::uint64_t number(const Json& object, const char* key, std::optional<std::uint64_t> otherwise = {});
 
-/// @throws Error  (Kind::Input) if the member is there but no string
+/// @param otherwise  the text if the member is missing
+/// @throws Error     (Kind::Input) if the member is no string
 [[nodiscard]] std::string text(const Json& object, const char* key, const char* otherwise);
 
 /// An object's extension; null if it has none of that name.

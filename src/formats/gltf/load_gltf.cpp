@@ -51,8 +51,9 @@ std::vector<std::string> namesOf(const std::vector<T>& all) {
     return names;
 }
 
-// Primitives may share accessors, but a small file must not ask for much memory.
-std::uint64_t mostElements(const tinygltf::Model& model) {
+// A limit on vertices and indices by the file's size: primitives may share accessors, but a small file must not take
+// much memory.
+std::uint64_t elementLimit(const tinygltf::Model& model) {
     std::uint64_t bytes = 0;
     for (const tinygltf::Buffer& buffer : model.buffers) bytes += buffer.data.size();
     return (std::uint64_t{1} << 24U) + 16 * bytes;
@@ -68,10 +69,10 @@ public:
           file_{file},
           path_{path},
           settings_{settings},
-          nodes_{gltf::placeNodes(model, settings.limits)},
+          nodes_{gltf::nodeTransforms(model, settings.limits)},
           sceneNodes_(model.nodes.size(), noNode),
           cutOuts_{model, file, path, settings.limits},
-          elementsLeft_{std::min(settings.limits.vertices, mostElements(model))} {}
+          elementsLeft_{std::min(settings.limits.vertices, elementLimit(model))} {}
 
     Scene::Data load() {
         for (const gltf::Material& material : file_.materials)
@@ -80,8 +81,8 @@ public:
         for (const auto& [number, shown] : gltf::nodesOfScene(model_, nodes_, settings_.scene)) {
             addNode(number);
             within(nodeLabel(model_, number), [&, node = number, visible = shown] {
-                if (model_.nodes[node].camera != -1) placeCamera(node);
-                if (model_.nodes[node].mesh != -1 && visible) placeMesh(node);
+                if (model_.nodes[node].camera != -1) addCamera(node);
+                if (model_.nodes[node].mesh != -1 && visible) addInstances(node);
             });
         }
         warnOfModes();
@@ -97,7 +98,7 @@ private:
                                parent == -1 ? noNode : sceneNodes_[static_cast<std::size_t>(parent)]});
     }
 
-    void placeCamera(std::size_t node) {
+    void addCamera(std::size_t node) {
         const int index = model_.nodes[node].camera;
         const tinygltf::Camera& source = at(model_.cameras, index, "a camera");
         SceneCamera camera{nameOf(node, source.name), gltf::rigid(nodes_.toWorld[node]), SceneCamera{}.viewAngle, 0.0};
@@ -107,7 +108,7 @@ private:
             data_.cameras.push_back(std::move(camera));
     }
 
-    void placeMesh(std::size_t node) {
+    void addInstances(std::size_t node) {
         const tinygltf::Node& source = model_.nodes[node];
         const tinygltf::Mesh& mesh = at(model_.meshes, source.mesh, "a mesh");
         Pose pose{source.weights.empty() ? mesh.weights : source.weights, {}};
@@ -118,12 +119,13 @@ private:
         if (!drawn) return;
         const std::string name = nameOf(node, mesh.name);
         const std::uint32_t part = sceneNodes_[node];
-        if (!pose.joints.empty()) return place({name, *drawn, glm::dmat4{1.0}, part});  // a skin places its mesh itself
+        if (!pose.joints.empty())
+            return addInstance({name, *drawn, glm::dmat4{1.0}, part});  // a skin holds its own transforms
         for (const glm::dmat4& copy : gltf::copiesOf(model_, source, instancesLeft()))
-            place({name, *drawn, nodes_.toWorld[node] * copy, part});
+            addInstance({name, *drawn, nodes_.toWorld[node] * copy, part});
     }
 
-    void place(Instance instance) {
+    void addInstance(Instance instance) {
         if (!finite(instance.transform)) refuse("expected instances with finite transforms, found an infinite one");
         if (instancesLeft() == 0)
             refuse(fmt::format("expected at most {} instances in the scene, found more; raise max-instances",
@@ -150,7 +152,7 @@ private:
         });
     }
 
-    // The mesh's place in the scene's list; none if it draws no triangle. Nodes in one pose share it.
+    // The index of a mesh in the scene's list; none if it draws no triangle. Nodes in one pose share the mesh.
     std::optional<std::uint32_t> meshInPose(int index, const Pose& pose) {
         if (!pose.joints.empty()) return makeMesh(index, pose);
         const std::pair key{index, pose.weights};
@@ -180,7 +182,7 @@ private:
         return static_cast<std::uint32_t>(data_.meshes.size() - 1);
     }
 
-    // A warning starts with warnedAs; with none, the primitive has been warned of before.
+    // Warnings start with warnedAs. If that is empty the primitive's warnings have been given before.
     Shape readPrimitive(const tinygltf::Primitive& primitive, const Pose& pose, const std::string& warnedAs) {
         Shape part;
         const auto position = primitive.attributes.find("POSITION");
@@ -255,7 +257,7 @@ private:
         }
     }
 
-    // What the materials are painted with. A picture that cannot be read leaves its material's colour.
+    // Reads the materials' colours and pictures. A material whose picture cannot be read keeps its colour.
     void readPaints() {
         std::map<std::uint64_t, std::shared_ptr<const Image<std::uint8_t>>> pictures;
         std::uint64_t bytesLeft = file_.bytesLeft;
@@ -282,7 +284,7 @@ private:
         }
     }
 
-    // None, too, where the file leaves it out: what is drawn does not depend on it.
+    // Null if the primitive has no material, or one that the file does not have: the shape does not depend on it.
     const gltf::Material* materialOf(const tinygltf::Primitive& primitive) const {
         if (primitive.material < -1)
             refuse(fmt::format("expected a material of at least 0, found {}", primitive.material));
@@ -300,7 +302,7 @@ private:
                material->alpha == gltf::Material::Alpha::Blend;
     }
 
-    // A cut-out that cannot be made is drawn whole: one picture less is no reason to draw nothing.
+    // A cut-out whose picture cannot be read is drawn whole, with a warning.
     void cutOut(const gltf::Material& material, const tinygltf::Primitive& primitive, Shape& part) {
         try {
             cutOuts_.apply(material, primitive, part);
@@ -321,9 +323,9 @@ private:
     }
 
     void spend(std::size_t elements) {
-        if (elements > elementsLeft_ && mostElements(model_) < settings_.limits.vertices)
+        if (elements > elementsLeft_ && elementLimit(model_) < settings_.limits.vertices)
             refuse(fmt::format("expected at most {} vertices and indices from so small a file, found more",
-                               mostElements(model_)));
+                               elementLimit(model_)));
         if (elements > elementsLeft_)
             refuse(fmt::format("expected at most {} vertices and indices in the scene, found more; raise max-vertices",
                                settings_.limits.vertices));
@@ -352,13 +354,13 @@ private:
     const std::filesystem::path& path_;
     const LoadSettings& settings_;
     gltf::Nodes nodes_;
-    std::vector<std::uint32_t> sceneNodes_;  // one a node of the file: its number in the scene
+    std::vector<std::uint32_t> sceneNodes_;  // one per node of the file: its index in the scene
     gltf::CutOuts cutOuts_;
     Scene::Data data_;
     std::map<std::pair<int, std::vector<double>>, std::optional<std::uint32_t>> meshes_;  // by mesh and morph weights
-    std::set<int> seen_;                               // meshes whose ignored primitives are counted
+    std::set<int> seen_;                               // meshes whose ignored primitives have been counted
     std::map<std::string_view, std::size_t> ignored_;  // primitives by mode
-    std::set<int> uncut_;                              // materials warned of
+    std::set<int> uncut_;                              // materials that a warning names
     std::uint64_t elementsLeft_;
 };
 

@@ -6,11 +6,11 @@
 
 namespace inkedge {
 
-/// Reads a scene of a glTF 2.0 file; .glb is told from .gltf by content. External buffers are read only from the
-/// model's own folder. Every mesh's triangles (lists, strips and fans) become one triangle list; morph targets stand at
-/// their default weights and skins in their default pose unless an animation is set. Materials of alpha mode MASK are
-/// cut out along their outline. Data compressed with KHR_draco_mesh_compression or EXT_meshopt_compression are read
-/// where the build has the libraries for it. Nodes hidden by KHR_node_visibility are left out.
+/// Reads a scene of a glTF 2.0 file, .glb or .gltf by its content. External buffers are read only from the model's own
+/// folder. The triangles of a mesh (lists, strips and fans) become one triangle list. Morph targets have their default
+/// weights and skins their default pose unless an animation is set. Materials of alpha mode MASK are cut out along
+/// their outline. Data compressed with KHR_draco_mesh_compression or EXT_meshopt_compression are read if the build has
+/// the libraries for it. Nodes hidden by KHR_node_visibility are left out.
 ///
 /// Normals are the file's, unit length, (0, 0, 0) where it has none; a mesh without any has no normals at all. Points
 /// and lines are left out with one warning. A file without triangles gives no meshes and no instances.

@@ -64,7 +64,7 @@ Material::Alpha alphaOf(const std::string& mode) {
     refuse("expected OPAQUE, MASK or BLEND as alphaMode, found " + quote(mode));
 }
 
-// Factor and texture of the base colour.
+// Reads factor and texture of the base colour.
 void readBaseColor(const Json& document, const Json& source, Material& material) {
     const Json& specular = extension(source, "KHR_materials_pbrSpecularGlossiness");
     const Json& color = specular.is_null() ? member(source, "pbrMetallicRoughness") : specular;

@@ -13,7 +13,7 @@
 
 namespace inkedge::gltf {
 
-/// How coordinates outside a texture find their place in it: sampler.wrapS and wrapT.
+/// Which texel texture coordinates outside 0..1 stand for: sampler.wrapS and wrapT.
 enum class Wrap : int { Clamp = 33071, Mirror = 33648, Repeat = 10497 };
 
 /// A picture of the file.
@@ -26,7 +26,7 @@ struct Image {
 struct Texture {
     std::optional<std::uint64_t> image;  ///< into the document's; none: in a form that is not read
     std::uint64_t set = 0;               ///< TEXCOORD_n
-    glm::dmat2 scale{1.0};  ///< KHR_texture_transform, with its rotation: place = scale * coordinates + offset
+    glm::dmat2 scale{1.0};  ///< KHR_texture_transform, with its rotation: uv = scale * coordinates + offset
     glm::dvec2 offset{0.0};
     Wrap wrapS = Wrap::Repeat;
     Wrap wrapT = Wrap::Repeat;
@@ -37,9 +37,9 @@ struct Material {
     enum class Alpha { Opaque, Mask, Blend };
     std::string name;
     Alpha alpha = Alpha::Opaque;
-    double cutoff = 0.5;             ///< Mask: there is nothing where the opacity is less
+    double cutoff = 0.5;             ///< Mask: the surface has a hole where the opacity is less
     double opacity = 1.0;            ///< of the base colour's factor
-    std::optional<Texture> texture;  ///< of the base colour: its alpha is a factor of the opacity
+    std::optional<Texture> texture;  ///< of the base colour: the opacity is multiplied by its alpha
     glm::dvec3 color{1.0};           ///< of the base colour's factor, linear
     std::string unpainted;           ///< why colour and texture are not known; Opaque and Blend only
     bool doubleSided = false;

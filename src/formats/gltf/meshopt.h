@@ -10,21 +10,21 @@
 
 namespace inkedge::gltf {
 
-/// A bufferView's data in EXT_meshopt_compression, as the file describes it, unchecked.
-struct MeshoptView {
+/// What the file says of a bufferView's data in EXT_meshopt_compression, unchecked.
+struct MeshoptData {
     std::uint64_t count = 0;   ///< elements
-    std::uint64_t stride = 0;  ///< bytes an element takes once decompressed
+    std::uint64_t stride = 0;  ///< bytes of a decompressed element
     std::string mode;          ///< "ATTRIBUTES", "TRIANGLES" or "INDICES"
     std::string filter = "NONE";
 };
 
-// What the library and the module of meshoptimizer say to each other.
+// The interface between the library and the meshoptimizer module.
 struct DecodedMeshopt {
     std::vector<std::uint8_t> bytes;
     std::string failure;
 };
 struct MeshoptFunctions {
-    DecodedMeshopt (*decode)(const MeshoptView&, std::span<const std::uint8_t> data, std::uint64_t bytesLeft);
+    DecodedMeshopt (*decode)(const MeshoptData&, std::span<const std::uint8_t> data, std::uint64_t bytesLeft);
 };
 inline constexpr ModuleOf<MeshoptFunctions> meshoptModule{{.purpose = "EXT_meshopt_compression",
                                                            .file = "inkedge_meshopt.so",
@@ -33,11 +33,11 @@ inline constexpr ModuleOf<MeshoptFunctions> meshoptModule{{.purpose = "EXT_mesho
                                                            .option = "INKEDGE_MESHOPT",
                                                            .remedy = "give a model that is not compressed"}};
 
-/// The count * stride bytes that the data stand for.
-/// @param bytesLeft  the most that may come out, in bytes
+/// Decompresses count * stride bytes.
+/// @param bytesLeft  the maximum size of the result, in bytes
 /// @throws Error     (Kind::Input) if a parameter is not one that the extension allows, the result has over bytesLeft
 ///                   bytes, the data are damaged or cannot hold so much, or the module is missing
-[[nodiscard]] inline std::vector<std::uint8_t> decodeMeshopt(const MeshoptView& view,
+[[nodiscard]] inline std::vector<std::uint8_t> decodeMeshopt(const MeshoptData& view,
                                                              std::span<const std::uint8_t> data,
                                                              std::uint64_t bytesLeft) {
     constexpr Error::Kind kind = Error::Kind::Input;

@@ -25,7 +25,7 @@ using Decode = int (*)(void* destination, std::size_t count, std::size_t stride,
                        std::size_t size);
 using Filter = void (*)(void* buffer, std::size_t count, std::size_t stride);
 
-Decode decoderOf(const MeshoptView& view) {
+Decode decoderOf(const MeshoptData& view) {
     const bool indices = view.stride == 2 || view.stride == 4;
     if (view.mode == "ATTRIBUTES") {
         if (view.stride == 0 || view.stride % 4 != 0 || view.stride > 256)
@@ -41,7 +41,7 @@ Decode decoderOf(const MeshoptView& view) {
     return meshopt_decodeIndexBuffer;
 }
 
-Filter filterOf(const MeshoptView& view) {
+Filter filterOf(const MeshoptData& view) {
     struct Known {
         std::string_view name;
         Filter filter;
@@ -64,7 +64,7 @@ Filter filterOf(const MeshoptView& view) {
     refuse("expected filter NONE, OCTAHEDRAL, QUATERNION or EXPONENTIAL, found " + quote(view.filter));
 }
 
-void checkSize(const MeshoptView& view, std::uint64_t dataSize, std::uint64_t bytesLeft) {
+void checkSize(const MeshoptData& view, std::uint64_t dataSize, std::uint64_t bytesLeft) {
     if (view.count == 0) refuse("expected a count of at least 1, found 0");
     if (view.count > bytesLeft / view.stride)
         refuse(
@@ -76,7 +76,7 @@ void checkSize(const MeshoptView& view, std::uint64_t dataSize, std::uint64_t by
                            view.count * view.stride / highestRatio, view.count, view.stride, dataSize));
 }
 
-DecodedMeshopt decode(const MeshoptView& view, std::span<const std::uint8_t> data, std::uint64_t bytesLeft) {
+DecodedMeshopt decode(const MeshoptData& view, std::span<const std::uint8_t> data, std::uint64_t bytesLeft) {
     const Decode decoder = decoderOf(view);
     const Filter filter = filterOf(view);
     checkSize(view, data.size(), bytesLeft);
@@ -92,7 +92,7 @@ DecodedMeshopt decode(const MeshoptView& view, std::span<const std::uint8_t> dat
 
 extern "C" INKEDGE_API const MeshoptFunctions* inkedge_meshopt_1() noexcept {
     static constexpr MeshoptFunctions functions{
-        [](const MeshoptView& view, std::span<const std::uint8_t> data, std::uint64_t bytesLeft) {
+        [](const MeshoptData& view, std::span<const std::uint8_t> data, std::uint64_t bytesLeft) {
             return guarded([&] { return decode(view, data, bytesLeft); });
         }};
     return &functions;

@@ -15,7 +15,7 @@ namespace {
 
 using Buffers = std::vector<std::vector<std::uint8_t>>;
 
-// tinygltf 2.9 has a callback for a file's size, 2.7 none.
+// tinygltf 2.9 has a callback for the size of a file, 2.7 has not.
 template <class Callbacks>
 void serveSizes(Callbacks& served) {
     if constexpr (requires { served.GetFileSizeInBytes; }) {
@@ -34,7 +34,7 @@ tinygltf::FsCallbacks servedFrom(Buffers& buffers) {
         *bytes = std::move(static_cast<Buffers*>(all)->at(std::stoul(name)));
         return true;
     };
-    // Newer ones ask for a size as well, and read nothing unless all are set, that for writing too.
+    // Newer versions also ask for a size, and read nothing unless all callbacks are set, even that for writing.
     tinygltf::FsCallbacks served{};
     served.FileExists = exists;
     served.ExpandFilePath = expand;
@@ -47,7 +47,7 @@ tinygltf::FsCallbacks servedFrom(Buffers& buffers) {
     return served;
 }
 
-// The first line of tinygltf's errors that is one: a skin may do without inverse bind matrices.
+// The first line of tinygltf's errors that is an error: that a skin has no inverse bind matrices is none.
 std::string firstError(std::string_view errors) {
     while (!errors.empty()) {
         const std::string_view line = errors.substr(0, errors.find('\n'));
@@ -62,7 +62,7 @@ Elements elementsOf(const tinygltf::Model& model, int bufferView, std::uint64_t 
     const tinygltf::BufferView& view = at(model.bufferViews, bufferView, "a bufferView");
     return within(label("bufferView", static_cast<std::size_t>(bufferView)), [&] {
         const tinygltf::Buffer& buffer = at(model.buffers, view.buffer, "a buffer");
-        return Elements{partOf(buffer.data, view.byteOffset, view.byteLength), offset, stride};
+        return Elements{slice(buffer.data, view.byteOffset, view.byteLength), offset, stride};
     });
 }
 
@@ -85,14 +85,14 @@ ElementType elementType(int type) {
     }
 }
 
-// A small file must not ask for much memory.
+// A small file must not take much memory: an accessor without data has at most as many elements as the buffers bytes.
 void checkBare(const tinygltf::Model& model, std::uint64_t count) {
     std::uint64_t bytes = 1U << 16U;
     for (const tinygltf::Buffer& buffer : model.buffers) bytes = std::max<std::uint64_t>(bytes, buffer.data.size());
     if (count > bytes) refuse(fmt::format("expected at most {} elements without data, found {}", bytes, count));
 }
 
-// The file's own numbers were seen to be at least 0.
+// The file's numbers have been checked to be at least 0.
 Accessor describe(const tinygltf::Model& model, const tinygltf::Accessor& source) {
     Accessor accessor{
         elementType(source.type), Component{source.componentType}, source.normalized, source.count, {}, {}};
@@ -112,7 +112,7 @@ Accessor describe(const tinygltf::Model& model, const tinygltf::Accessor& source
     return accessor;
 }
 
-// Names an accessor and what it is for in whatever goes wrong with it.
+// Puts the name and the use of an accessor before the message of an error.
 template <class Read>
 auto withAccessor(const tinygltf::Model& model, int index, std::string_view use, Read&& read) {
     return within(std::string{use}, [&] {
@@ -134,7 +134,7 @@ tinygltf::Model parse(std::string json, Buffers buffers) {
     std::string warnings;
     const bool parsed =
         parser.LoadASCIIFromString(&model, &errors, &warnings, json.data(), static_cast<unsigned int>(json.size()), "");
-    // Some errors only make it leave an element out.
+    // tinygltf reports some errors, but succeeds without the element.
     const std::string error = firstError(errors);
     if (!parsed || !error.empty()) refuse("expected glTF 2.0, found: " + error);
     return model;

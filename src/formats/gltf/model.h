@@ -23,10 +23,10 @@
 #include "formats/gltf/accessor.h"
 #include "formats/gltf/file.h"
 
-/// tinygltf's model, which nobody has checked, read with checks.
+/// Reads tinygltf's model, whose indices and sizes nobody has checked, with checks.
 namespace inkedge::gltf {
 
-/// @throws Error  (Kind::Input) if tinygltf finds it no glTF 2.0
+/// @throws Error  (Kind::Input) if tinygltf does not take the text for glTF 2.0
 [[nodiscard]] tinygltf::Model parse(std::string json, std::vector<std::vector<std::uint8_t>> buffers);
 
 /// @throws Error  (Kind::Input) if the index is out of range
@@ -37,19 +37,20 @@ const T& at(const std::vector<T>& all, int index, std::string_view kind) {
     return all[static_cast<std::size_t>(index)];
 }
 
-/// An object's member; null if there is none or it is no object, of which tinygltf's own Get() may not be asked.
+/// A member of an object; null if there is none, or object is no object, for which tinygltf's own Get() must not be
+/// called.
 [[nodiscard]] const tinygltf::Value& member(const tinygltf::Value& object, const char* key);
 
 [[nodiscard]] std::string nodeLabel(const tinygltf::Model&, std::size_t node);
 
 [[nodiscard]] bool finite(const glm::dmat4&);
 
-/// A bufferView's bytes.
-/// @throws Error  (Kind::Input) if it does not lie within its buffer
+/// The bytes of a bufferView.
+/// @throws Error  (Kind::Input) if the bufferView does not lie within its buffer
 [[nodiscard]] std::span<const std::uint8_t> viewBytes(const tinygltf::Model&, int bufferView);
 
-/// gltf::readNumbers() of an accessor of the model; what goes wrong names it and its use ("POSITION"). An accessor
-/// without data may have no more elements than the buffers have bytes, so that a small file cannot ask for much memory.
+/// gltf::readNumbers() of an accessor of the model. Errors name the accessor and its use ("POSITION"). An accessor
+/// without data may have no more elements than the buffers have bytes, so that a small file cannot take much memory.
 [[nodiscard]] std::vector<double> readNumbers(const tinygltf::Model&, int accessor, std::string_view use,
                                               const Expected&);
 
@@ -70,7 +71,7 @@ std::vector<Vector> readVectors(const tinygltf::Model& model, int accessor, std:
     return vectors;
 }
 
-/// One vector for each of count vertices, or none if the attribute is missing.
+/// The vectors of an attribute, one per vertex; empty if the attribute is missing.
 template <class Vector>
 std::vector<Vector> readAttribute(const tinygltf::Model& model, const std::map<std::string, int>& attributes,
                                   const std::string& name, const Expected& expected, std::size_t count) {

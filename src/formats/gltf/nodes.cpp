@@ -40,7 +40,7 @@ glm::dmat4 localTransform(const tinygltf::Node& node) {
     return compose(translation, rotation, scale);
 }
 
-// Every node's parent, -1 for roots.
+// The parent of every node, -1 for roots.
 std::vector<int> parentsOf(const tinygltf::Model& model) {
     std::vector<int> parents(model.nodes.size(), -1);
     for (std::size_t node = 0; node < model.nodes.size(); ++node) {
@@ -90,7 +90,7 @@ glm::dmat4 compose(const glm::dvec3& translation, const glm::dvec4& rotation, co
     return matrix;
 }
 
-Nodes placeNodes(const tinygltf::Model& model, const LoadLimits& limits) {
+Nodes nodeTransforms(const tinygltf::Model& model, const LoadLimits& limits) {
     if (model.nodes.size() > limits.nodes)
         refuse(fmt::format("expected at most {} nodes, found {}; raise max-nodes", limits.nodes, model.nodes.size()));
     Nodes nodes{parentsOf(model), std::vector<glm::dmat4>(model.nodes.size())};

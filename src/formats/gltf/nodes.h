@@ -20,15 +20,15 @@ struct Nodes {
     std::vector<glm::dmat4> toWorld;  ///< node space -> world
 };
 
-/// Checks that the nodes form trees and places them. Follows children without recursion, as chains may be long.
+/// Checks that the nodes form trees, and computes their transforms. Works without recursion, as chains may be long.
 /// @throws Error  (Kind::Input) if a node has two parents, is among its own descendants, has no finite affine
 ///                transform, or there are more of them, or they hang deeper, than the limits allow
-[[nodiscard]] Nodes placeNodes(const tinygltf::Model&, const LoadLimits&);
+[[nodiscard]] Nodes nodeTransforms(const tinygltf::Model&, const LoadLimits&);
 
 /// A node of the scene that is drawn.
 struct DrawnNode {
     std::size_t node;
-    bool visible;  ///< false: it or one above it is hidden by KHR_node_visibility
+    bool visible;  ///< false: KHR_node_visibility hides the node or an ancestor
 };
 
 /// The nodes of a scene, parents before their children.

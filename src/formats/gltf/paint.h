@@ -15,15 +15,16 @@ namespace inkedge::gltf {
 
 [[nodiscard]] TextureWrap wrapOf(Wrap);
 
-/// A picture's file. What is read from beside the model is taken off bytesLeft.
+/// The bytes of a picture's file. The size of a file beside the model is subtracted from bytesLeft.
 /// @throws Error  (Kind::Input) if it is missing or larger
 [[nodiscard]] load::Bytes pictureBytes(const tinygltf::Model&, const std::filesystem::path& model, const Image&,
                                        std::uint64_t& bytesLeft);
 
+/// The picture of a texture.
 /// @throws Error  (Kind::Input) if the file does not have it as PNG or JPEG
 [[nodiscard]] const Image& imageOf(const File&, const Texture&);
 
-/// What vertices say of the places in a material's picture; empty: nothing.
+/// Texture coordinates, one per vertex, after KHR_texture_transform; empty: the primitive has none.
 /// @throws Error  (Kind::Input) if their accessor does not fit
 [[nodiscard]] std::vector<glm::dvec2> uvsOf(const tinygltf::Model&, const Texture&, const tinygltf::Primitive&,
                                             std::size_t count);

@@ -25,7 +25,7 @@ void addScaled(std::vector<glm::dvec3>& vectors, const std::vector<glm::dvec3>& 
     for (std::size_t i = 0; i < offsets.size() && i < vectors.size(); ++i) vectors[i] += weight * offsets[i];
 }
 
-// A vertex's joint matrix, glTF 2.0, section 3.7.3.3: the sum of its joints' by weight.
+// The joint matrix of a vertex, glTF 2.0, section 3.7.3.3: the weighted sum of its joints' matrices.
 glm::dmat4 blend(const std::vector<glm::dmat4>& joints, const glm::dvec4& chosen, const glm::dvec4& weights) {
     const double sum = weights.x + weights.y + weights.z + weights.w;
     const glm::dvec4 shares = sum > 0.0 && std::isfinite(sum) ? weights / sum : glm::dvec4{1, 0, 0, 0};
@@ -39,14 +39,14 @@ glm::dmat4 blend(const std::vector<glm::dmat4>& joints, const glm::dvec4& chosen
     return matrix;
 }
 
-// The inverse transpose, whatever the matrix's determinant, but for its positive scale.
+// The inverse transpose up to a positive scale, which also exists for a determinant of 0.
 glm::dmat3 normalTransform(const glm::dmat3& matrix) {
     const glm::dmat3 cofactors{glm::cross(matrix[1], matrix[2]), glm::cross(matrix[2], matrix[0]),
                                glm::cross(matrix[0], matrix[1])};
     return glm::dot(matrix[0], cofactors[0]) < 0.0 ? -cofactors : cofactors;
 }
 
-// Where only one of two has values, the other's are nothing.
+// Appends values. If only one of the two lists has any, the other's become zero.
 template <class T>
 void appendOrFill(std::vector<T>& all, std::size_t countBefore, const std::vector<T>& more, std::size_t count) {
     if (all.empty() && more.empty()) return;

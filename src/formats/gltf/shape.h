@@ -10,19 +10,19 @@
 
 namespace inkedge::gltf {
 
-/// Triangles as the file has them, before they move to their origin.
+/// Triangles as the file has them, before Mesh::origin is subtracted.
 struct Shape {
     std::vector<glm::dvec3> positions;
     std::vector<glm::dvec3> normals;  ///< as many; (0, 0, 0) where the file has none
     std::vector<std::uint32_t> indices;
-    std::vector<std::uint32_t> materials;  ///< one a triangle; 0: none
-    std::vector<glm::vec2> coordinates;    ///< one a position, or none
+    std::vector<std::uint32_t> materials;  ///< one per triangle; 0: none
+    std::vector<glm::vec2> coordinates;    ///< one per position, or none
     std::vector<VertexPaint> paint;        ///< likewise
-    std::vector<EdgeKinds> edges;          ///< one an index, or none: Mesh::edges
-    bool authored = false;                 ///< some normals are the file's
+    std::vector<EdgeKinds> edges;          ///< one per index, or none: Mesh::edges
+    bool authored = false;                 ///< whether any normal is the file's
 };
 
-/// How a mesh is bent out of the shape that the file stores.
+/// How morph targets and skins change a mesh.
 struct Pose {
     std::vector<double> weights;     ///< of the morph targets; empty: none is on
     std::vector<glm::dmat4> joints;  ///< joint -> world; empty: no skin
@@ -36,13 +36,13 @@ void morph(const tinygltf::Model&, const tinygltf::Primitive&, const std::vector
 /// @throws Error  (Kind::Input) if joints or weights are missing or do not fit
 void skin(const tinygltf::Model&, const tinygltf::Primitive&, const std::vector<glm::dmat4>& joints, Shape& part);
 
-/// @throws Error  (Kind::Input) if one is not finite as a float
+/// @throws Error  (Kind::Input) if a position is not finite as a float
 void checkPositions(const std::vector<glm::dvec3>&);
 
-/// Of length 1; (0, 0, 0) where there is no direction.
+/// Scales normals to length 1; those without a direction become (0, 0, 0).
 void normalize(std::vector<glm::dvec3>& normals);
 
-/// Adds a primitive's triangles to its mesh's.
+/// Adds the triangles of a primitive to those of its mesh.
 void append(Shape&, Shape part);
 
 [[nodiscard]] Mesh meshOf(Shape, const std::string& name);

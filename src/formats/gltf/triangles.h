@@ -11,7 +11,7 @@ namespace inkedge::gltf {
 /// primitive.mode
 enum class Mode : int { Points, Lines, LineLoop, LineStrip, Triangles, TriangleStrip, TriangleFan };
 
-/// "TRIANGLE_STRIP".
+/// The name of a mode: "TRIANGLE_STRIP".
 /// @throws Error  (Kind::Input) if glTF has no such mode
 [[nodiscard]] std::string_view name(Mode);
 
@@ -23,10 +23,10 @@ enum class Mode : int { Points, Lines, LineLoop, LineStrip, Triangles, TriangleS
 /// @param corners  the primitive's vertex indices in the order of the file; a rest too short for a triangle is not used
 [[nodiscard]] std::vector<std::uint32_t> triangleList(Mode mode, std::vector<std::uint32_t> corners);
 
-/// Of each of the triangles that triangleList() gives its place among all of the primitive's, those left out included.
+/// For each triangle of triangleList() its index among all triangles of the primitive, those left out included.
 [[nodiscard]] std::vector<std::uint32_t> triangleNumbers(Mode mode, std::span<const std::uint32_t> corners);
 
-/// How many those are.
+/// How many triangles a primitive has, those left out included.
 [[nodiscard]] constexpr std::size_t triangleCount(Mode mode, std::size_t cornerCount) noexcept {
     return mode == Mode::Triangles ? cornerCount / 3 : cornerCount < 3 ? 0 : cornerCount - 2;
 }

@@ -21,7 +21,7 @@ void CornerTree::build(std::span<const glm::dvec2> points, std::vector<std::uint
     for (std::uint32_t node = 0; node < nodes_.size(); ++node) split(node);
 }
 
-// A leaf is small, or all its points are at one place.
+// Splits a node, unless it is small or all its points are equal: then it is a leaf.
 void CornerTree::split(std::uint32_t number) {
     Node node = nodes_[number];
     node.low = node.high = points_[order_[node.begin]];
@@ -79,8 +79,8 @@ std::uint32_t CornerTree::within(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, std::
             open.push_back(node.left + 1);
             continue;
         }
-        const bool onePlace = node.low == node.high;
-        for (std::uint32_t i = node.begin; i < node.begin + (onePlace ? 1 : node.alive); ++i) {
+        const bool onePoint = node.low == node.high;
+        for (std::uint32_t i = node.begin; i < node.begin + (onePoint ? 1 : node.alive); ++i) {
             const glm::dvec2 p = points_[order_[i]];
             ++steps;
             if (p == a || p == b || p == c) continue;

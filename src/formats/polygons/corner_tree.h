@@ -13,16 +13,16 @@ namespace inkedge::load {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// A tree over points in the plane that says whether one of them lies in a triangle. Points can be taken out.
+/// A tree over points in the plane that finds a point in a triangle. Points can be removed.
 class CornerTree {
 public:
-    /// @param points  the plane's; must outlive the tree
+    /// @param points  all points of the plane; must outlive the tree
     /// @param chosen  into points: those that the tree holds
     void build(std::span<const glm::dvec2> points, std::vector<std::uint32_t> chosen);
 
     void remove(std::uint32_t point);
 
-    /// Any point within the triangle a, b, c (anticlockwise) or on its border, but for those at its corners.
+    /// Any point within the triangle a, b, c (anticlockwise) or on its border, except points at its corners.
     /// @param steps  counts the nodes and points that were looked at
     /// @return       into points, or none
     [[nodiscard]] std::uint32_t within(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, std::uint64_t& steps) const;
@@ -42,8 +42,8 @@ private:
 
     std::span<const glm::dvec2> points_;
     std::vector<std::uint32_t> order_;
-    std::vector<std::uint32_t> leaf_;  // one a point of the plane; none: not held
-    std::vector<std::uint32_t> slot_;  // likewise: its place in order_
+    std::vector<std::uint32_t> leaf_;  // one per point of the plane; none: not held
+    std::vector<std::uint32_t> slot_;  // one per point of the plane: its index in order_
     std::vector<Node> nodes_;
 };
 

@@ -7,7 +7,7 @@ namespace inkedge::load {
 /// The formats that loadPolygons() reads.
 enum class PolygonFormat { Obj, Stl, Ply };
 
-/// Whether texture coordinates are of use.
+/// Whether texture coordinates are needed.
 enum class Coordinates { Skip, Read };
 
 [[nodiscard]] constexpr std::string_view name(PolygonFormat format) noexcept {

@@ -55,15 +55,15 @@ class Builder {
 public:
     Builder(PolygonFile file, PolygonFormat format) : file_{std::move(file)}, format_{format} {}
 
-    Scene::Data build(const std::string& name, std::uint64_t mostElements) {
-        if (vertexCount() + file_.corners.size() > mostElements)
+    Scene::Data build(const std::string& name, std::uint64_t maxElements) {
+        if (vertexCount() + file_.corners.size() > maxElements)
             refuse(
-                fmt::format("expected at most {} vertices and corners, found more; raise max-vertices", mostElements));
+                fmt::format("expected at most {} vertices and corners, found more; raise max-vertices", maxElements));
         measure();
         checkFaces();
         checkCoordinates();
         file_.faceSizes.empty() ? takeTriangles() : cutPolygons();
-        placePositions();
+        convertPositions();
         takeNormals();
         mesh_.textureCoordinates = std::move(file_.textureCoordinates);
         mesh_.name = name;
@@ -102,21 +102,21 @@ private:
         if (!coarse && isFine()) roundPositions();
     }
 
-    // Floats do: a file of text and one of floats give the same mesh.
+    // Where floats are precise enough, so that a file of text and one of floats give the same mesh.
     void roundPositions() {
         file_.positions.reserve(file_.finePositions.size());
         for (const glm::dvec3& p : file_.finePositions) file_.positions.emplace_back(p);
         file_.finePositions = {};
         low_ = glm::dvec3{std::numeric_limits<double>::max()};
         high_ = glm::dvec3{std::numeric_limits<double>::lowest()};
-        // Of the floats, as they are kept: the origin must be what a file of floats gives.
+        // From the rounded floats: the origin must be the same as that of a file of floats.
         for (const glm::vec3& p : file_.positions) {
             low_ = glm::min(low_, glm::dvec3{p});
             high_ = glm::max(high_, glm::dvec3{p});
         }
     }
 
-    // Of floats as far off as the vertices.
+    // The spacing of floats at the vertices.
     [[nodiscard]] double spacing() const {
         const glm::dvec3 largest = glm::max(glm::abs(low_), glm::abs(high_));
         return std::max({largest.x, largest.y, largest.z}) * double{std::numeric_limits<float>::epsilon()};
@@ -150,10 +150,11 @@ private:
         if (!file_.faceMaterials.empty()) mesh_.materials.push_back(file_.faceMaterials[face]);
     }
 
-    // Of OBJ and STL, whose corners have vertices of their own, triangles without an extent are kept.
+    // Whether triangles with a repeated vertex are left out. OBJ and STL keep them: their corners have vertices of
+    // their own.
     [[nodiscard]] bool leavesOutRepeats() const { return format_ == PolygonFormat::Ply; }
 
-    // The file's corners become the indices, without a copy unless a triangle repeats a vertex.
+    // Makes the file's corners the indices, without a copy unless a triangle repeats a vertex.
     void takeTriangles() {
         std::vector<std::uint32_t> corners = std::move(file_.corners);
         const auto repeats = [&](std::size_t t) {
@@ -174,17 +175,17 @@ private:
     void cutPolygons() {
         mesh_.indices.reserve(file_.corners.size());
         load::PolygonCutter cutter;
-        std::vector<glm::dvec3> places;
+        std::vector<glm::dvec3> points;
         std::size_t first = 0;
         for (std::size_t face = 0; face < file_.faceCount; first += sizeOf(face), ++face) {
             const std::span<const std::uint32_t> corners{&file_.corners[first], sizeOf(face)};
-            places.clear();
-            for (const std::uint32_t corner : corners) places.push_back(position(corner));
-            for (const load::PolygonCutter::Triangle& t : cutter.cut(places)) addPart(face, corners, t);
+            points.clear();
+            for (const std::uint32_t corner : corners) points.push_back(position(corner));
+            for (const load::PolygonCutter::Triangle& t : cutter.cut(points)) addPart(face, corners, t);
         }
     }
 
-    // A triangle of a face: an edge that does not lead to the face's next corner only cuts it.
+    // Adds a triangle of a face. An edge that does not lead to the next corner of the face only cuts the face.
     void addPart(std::size_t face, std::span<const std::uint32_t> corners, const load::PolygonCutter::Triangle& part) {
         const std::uint32_t a = corners[part[0]];
         const std::uint32_t b = corners[part[1]];
@@ -199,12 +200,12 @@ private:
 
     // ---- vertices
 
-    void placePositions() {
+    void convertPositions() {
         if (vertexCount() == 0) return;
         mesh_.origin = 0.5 * (low_ + high_);
         const std::size_t count = vertexCount();
-        std::vector<glm::vec3> placed(isFine() ? count : 0);
-        std::vector<glm::vec3>& to = isFine() ? placed : file_.positions;
+        std::vector<glm::vec3> converted(isFine() ? count : 0);
+        std::vector<glm::vec3>& to = isFine() ? converted : file_.positions;
         for (std::size_t i = 0; i < count; ++i) to[i] = glm::vec3{position(i) - mesh_.origin};
         mesh_.positions = std::move(to);
         file_.finePositions = {};
@@ -235,7 +236,7 @@ private:
     PolygonFormat format_;
     glm::dvec3 low_{std::numeric_limits<double>::max()};
     glm::dvec3 high_{std::numeric_limits<double>::lowest()};
-    bool warnsOfFloats_ = false;  // that far from the origin they cannot tell the model's points apart well enough
+    bool warnsOfFloats_ = false;  // so far from the origin floats are too coarse for the model
     Mesh mesh_;
     Scene::Data data_;
 };

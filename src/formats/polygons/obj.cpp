@@ -17,7 +17,7 @@
 namespace inkedge::load {
 namespace {
 
-// One v, vt and vn that corners name together, each counted from 1; 0: none.
+// The v, vt and vn that a corner names, each counted from 1; 0: none.
 struct Vertex {
     std::uint32_t position = 0;
     std::uint32_t texture = 0;
@@ -28,7 +28,7 @@ struct Vertex {
 class Reader {
 public:
     Reader(std::string_view content, Coordinates coordinates)
-        : rest_{content}, coordinates_{coordinates}, mostElements_{content.size() / shortestLine} {}
+        : rest_{content}, coordinates_{coordinates}, maxElements_{content.size() / shortestLine} {}
 
     PolygonFile read() {
         try {
@@ -47,7 +47,7 @@ public:
 private:
     static constexpr std::size_t shortestLine = 5;  // "vt 0\n"
 
-    // The highest number in a face, and where it stands.
+    // The highest index in a face, and its line.
     struct Highest {
         std::uint64_t number = 0;
         std::size_t line = 0;
@@ -62,7 +62,7 @@ private:
         return withoutComment(line);
     }
 
-    // A comment starts where a word does: names may hold a #.
+    // A # starts a comment only at the start of a word: names may hold a #.
     static std::string_view withoutComment(std::string_view line) {
         for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1))
             if (at == 0 || isBlank(line[at - 1])) return line.substr(0, at);
@@ -153,14 +153,14 @@ private:
         file_.endFace(corners_.size(), material_);
     }
 
-    // The number of the vertex that a corner names, a new one if it is the first to. Of a position with very many
-    // vertices only the latest are looked at.
+    // The index of the vertex that a corner names; a new vertex if no earlier corner named it. Of a position with very
+    // many vertices only the latest are looked at.
     std::uint32_t vertexOf(const Vertex& corner) {
         if (corner.position > firstVertices_.size()) firstVertices_.resize(corner.position, 0);
         std::uint32_t& first = firstVertices_[corner.position - 1];
-        constexpr int most = 32;
+        constexpr int maxLooked = 32;
         std::uint32_t vertex = first;
-        for (int i = 0; vertex != 0 && i < most; ++i) {
+        for (int i = 0; vertex != 0 && i < maxLooked; ++i) {
             const Vertex& known = vertices_[vertex - 1];
             if (known.texture == corner.texture && known.normal == corner.normal) return vertex - 1;
             vertex = known.next;
@@ -192,16 +192,17 @@ private:
         return part;
     }
 
-    // Counted from 1; negative ones from the last so far. Positive ones may lie ahead: the highest is checked at the
-    // end, and one beyond all that the file can hold is noted only.
+    // An index counted from 1. Negative indices count back from the last element so far. Positive ones may name an
+    // element that comes later: the highest is checked at the end. An index that no file of this size can have is only
+    // noted.
     std::uint32_t index(std::string_view text, std::uint64_t count, std::string_view kind, Highest& highest) const {
         const std::optional<std::int64_t> number = toNumber<std::int64_t>(text);
         if (!number) refuse(fmt::format("expected the number of {}, found {}", kind, quote(text)));
-        const std::int64_t place = *number < 0 ? static_cast<std::int64_t>(count) + 1 + *number : *number;
-        if (place <= 0) refuse(fmt::format("expected {} from 1 or from -1 to -{}, found {}", kind, count, *number));
-        const auto found = static_cast<std::uint64_t>(place);
+        const std::int64_t counted = *number < 0 ? static_cast<std::int64_t>(count) + 1 + *number : *number;
+        if (counted <= 0) refuse(fmt::format("expected {} from 1 or from -1 to -{}, found {}", kind, count, *number));
+        const auto found = static_cast<std::uint64_t>(counted);
         if (found > highest.number) highest = {found, line_};
-        return found > mostElements_ ? 1 : static_cast<std::uint32_t>(found);
+        return found > maxElements_ ? 1 : static_cast<std::uint32_t>(found);
     }
 
     static void checkIndex(const Highest& highest, std::uint64_t count, std::string_view kind) {
@@ -214,7 +215,7 @@ private:
         material_ = materials_.try_emplace(std::string{takeWord(line)}, next).first->second;
     }
 
-    // Now that nothing lies ahead any more.
+    // Fills the vertices, once all elements are known.
     void fillVertices() {
         const auto has = [&](std::uint32_t Vertex::*part) {
             return std::ranges::any_of(vertices_, [&](const Vertex& vertex) { return vertex.*part != 0; });
@@ -233,7 +234,7 @@ private:
 
     std::string_view rest_;
     Coordinates coordinates_;
-    std::uint64_t mostElements_;  // of a kind that the file can hold
+    std::uint64_t maxElements_;  // of a kind that the file can hold
     PolygonFile file_;
     std::size_t line_ = 0;
     std::string joined_;
@@ -244,7 +245,7 @@ private:
     Highest normal_;
     Highest texture_;
     std::vector<Vertex> vertices_;
-    std::vector<std::uint32_t> firstVertices_;  // one a position: counted from 1, 0: none
+    std::vector<std::uint32_t> firstVertices_;  // one per position: counted from 1, 0: none
     std::vector<Vertex> corners_;               // of the face at hand
     std::map<std::string, std::uint32_t> materials_;
     std::uint32_t material_ = 0;

@@ -8,10 +8,10 @@
 namespace inkedge::load {
 
 /// Reads an OBJ file. Corners that name the same v, vt and vn are one vertex; vertices are numbered in the order of
-/// their first use. A face has normals, and coordinates if they are of use, if all its corners have them. Free-form
-/// curves and surfaces and what does not bear on the shape are left out. O(n).
+/// their first use. A face has normals if all its corners have them, and so for texture coordinates if they are needed.
+/// Free-form curves and surfaces, and what does not change the shape, are left out. O(n).
 /// @throws Error  (Kind::Input) if the file is no text, holds no face, line or point, or a line with v, vn, f, or vt if
-///                it is of use, is not as it should be; the message names the line
+///                it is needed, is malformed; the message names the line
 [[nodiscard]] PolygonFile readObj(std::string_view content, Coordinates coordinates = Coordinates::Skip);
 
 }  // namespace inkedge::load

@@ -37,7 +37,7 @@ struct Property {
     std::string_view name;
     std::optional<Type> length;            // of a list
     Type type;                             // of the number, or of a list's
-    std::optional<std::size_t> slot = {};  // where its number goes in Numbers; none: nowhere, or it is a list
+    std::optional<std::size_t> slot = {};  // the index of its number in Numbers; none: not read, or a list
 };
 
 struct Element {
@@ -114,7 +114,7 @@ void readLine(std::string_view line, Header& header) {
     }
 }
 
-// Takes the header off the content.
+// Reads the header and removes it from the content.
 Header takeHeader(std::string_view& content) {
     const std::string_view whole = content;
     std::string_view line = takeLine(content);
@@ -145,12 +145,12 @@ bool isStrips(const Element& element) { return element.name == "tristrips"; }
 
 bool isFaces(const Element& element) { return element.name == "face" || isStrips(element); }
 
-// By their usual names; lists of a face's corners are not read.
+// Whether a property is a texture coordinate, by its usual names. Lists per corner of a face are not read.
 bool isTexture(const Property& property) {
     return !property.length && isOneOf(property.name, {"u", "s", "texture_u", "v", "t", "texture_v"});
 }
 
-// What of a vertex is read: its position, normal and texture coordinates.
+// The numbers of a vertex that are read: its position, normal and texture coordinates.
 using Numbers = std::array<double, 8>;
 constexpr std::size_t firstOfNormal = 3;
 constexpr std::size_t firstOfTexture = 6;
@@ -194,7 +194,7 @@ void checkHeader(const Header& header) {
 
 struct EndOfData {};
 
-// Numbers in text, whatever their lines.
+// Numbers in text, wherever lines end.
 class TextData {
 public:
     explicit TextData(std::string_view rest) : rest_{rest} {}
@@ -273,7 +273,7 @@ private:
     bool isBigEndian_;
 };
 
-// Indices that no vertex can have become the highest number, which is refused once the vertices are known.
+// Indices that no vertex can have become the highest index, which is refused once the vertices are known.
 std::uint32_t toIndex(std::int64_t number) {
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
     return number < 0 || number > std::int64_t{none} ? none : static_cast<std::uint32_t>(number);
@@ -349,7 +349,7 @@ private:
         file_.endFace(length);
     }
 
-    // Every index from the third on makes a triangle with the two before it. -1 ends a strip and starts another.
+    // Every index from the third on makes a triangle with the two before it. -1 ends a strip and starts a new one.
     void readStrip(const Property& property) {
         std::array<std::uint32_t, 2> last{};
         std::uint64_t count = 0;

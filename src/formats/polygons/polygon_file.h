@@ -9,15 +9,16 @@
 
 namespace inkedge::load {
 
-/// What an OBJ, STL or PLY file says of its surface, not yet checked against itself.
+/// What an OBJ, STL or PLY file says of its surface. Indices are not yet checked.
 struct PolygonFile {
     std::vector<glm::vec3> positions;           ///< of a file of floats
-    std::vector<glm::dvec3> finePositions;      ///< of a file of text or doubles, in place of the others
-    std::vector<glm::vec3> normals;             ///< one a position, of any length; (0, 0, 0): none; may be empty
-    std::vector<glm::vec2> textureCoordinates;  ///< one a position, v = 0 at the top; may be empty
+    std::vector<glm::dvec3> finePositions;      ///< of a file of text or doubles: instead of positions
+    std::vector<glm::vec3> normals;             ///< one per position, of any length; (0, 0, 0): none; may be empty
+    std::vector<glm::vec2> textureCoordinates;  ///< one per position, v = 0 at the top; may be empty
     std::vector<std::uint32_t> corners;         ///< into positions, face after face
-    std::vector<std::uint32_t> faceSizes;       ///< one a face, at least 3; empty: all are triangles
-    std::vector<std::uint32_t> faceMaterials;   ///< one a face: from 1 in the order of first use, 0: none; empty: all 0
+    std::vector<std::uint32_t> faceSizes;       ///< one per face, at least 3; empty: all are triangles
+    std::vector<std::uint32_t>
+        faceMaterials;  ///< one per face: from 1 in the order of first use, 0: none; empty: all 0
     std::uint64_t faceCount = 0;
     std::uint64_t points = 0;  ///< left out
     std::uint64_t lines = 0;   ///< left out

@@ -7,7 +7,7 @@
 namespace inkedge::load {
 namespace {
 
-// Newell's sum: the polygon's normal, twice its area long.
+// Newell's sum: the normal of a polygon, with twice its area as length.
 glm::dvec3 normalOf(std::span<const glm::dvec3> corners) {
     glm::dvec3 sum{0.0};
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
@@ -41,7 +41,7 @@ void PolygonCutter::cutQuad(std::span<const glm::dvec3> corners) {
         triangles_ = {{0, 1, 2}, {0, 2, 3}};
 }
 
-// Ear clipping, in the plane that the polygon comes closest to.
+// Ear clipping in the plane that fits the polygon best.
 void PolygonCutter::cutPolygon(std::span<const glm::dvec3> corners) {
     const auto count = static_cast<std::uint32_t>(corners.size());
     flatten(corners);
@@ -55,7 +55,7 @@ void PolygonCutter::cutPolygon(std::span<const glm::dvec3> corners) {
     std::vector<std::uint32_t> hollow;
     for (std::uint32_t i = 0; i < count; ++i)
         if (area(i) <= 0.0) hollow.push_back(i);
-    hollow_.build(flat_, std::move(hollow));
+    reflex_.build(flat_, std::move(hollow));
     candidates_.clear();
     for (std::uint32_t i = 0; i < count; ++i) candidates_.insert(candidates_.end(), i);
     waiting_.clear();
@@ -84,8 +84,8 @@ double PolygonCutter::area(std::uint32_t corner) const {
     return twiceArea(flat_[previous_[corner]], flat_[corner], flat_[next_[corner]]);
 }
 
-// The first ear from a corner on. A corner that is none is looked at again when its triangle has changed, or when what
-// lay in it is gone.
+// The first ear from a corner on. A corner that is no ear is looked at again when its triangle has changed, or when the
+// corner that lay in the triangle is gone.
 std::uint32_t PolygonCutter::nextEar(std::uint32_t corner) {
     while (!candidates_.empty()) {
         auto found = candidates_.lower_bound(corner);
@@ -94,21 +94,21 @@ std::uint32_t PolygonCutter::nextEar(std::uint32_t corner) {
         if (isEar(candidate)) return candidate;
         candidates_.erase(found);
     }
-    return leastBadEar(corner);
+    return forcedEar(corner);
 }
 
 bool PolygonCutter::isEar(std::uint32_t corner) {
     spend(1);
     if (area(corner) <= 0.0) return false;
     std::uint64_t steps = 0;
-    const std::uint32_t other = hollow_.within(flat_[previous_[corner]], flat_[corner], flat_[next_[corner]], steps);
+    const std::uint32_t other = reflex_.within(flat_[previous_[corner]], flat_[corner], flat_[next_[corner]], steps);
     spend(steps);
     if (other != CornerTree::none) waiting_.emplace(other, corner);
     return other == CornerTree::none;
 }
 
-// Where there is no ear: a corner on a line, whose triangle covers nothing, or else a convex one.
-std::uint32_t PolygonCutter::leastBadEar(std::uint32_t corner) {
+// The corner to cut where there is no ear: one on a straight line, whose triangle has no area, or else a convex one.
+std::uint32_t PolygonCutter::forcedEar(std::uint32_t corner) {
     const std::uint32_t first = corner;
     std::uint32_t convex = corner;
     do {
@@ -128,7 +128,7 @@ void PolygonCutter::cutOff(std::uint32_t ear) {
     next_[before] = after;
     previous_[after] = before;
     gone_[ear] = true;
-    hollow_.remove(ear);
+    reflex_.remove(ear);
     candidates_.erase(ear);
     candidates_.insert({before, after});
     const auto [first, last] = waiting_.equal_range(ear);

@@ -14,12 +14,12 @@
 
 namespace inkedge::load {
 
-/// Cuts polygons into triangles, those of one file after each other.
+/// Cuts the polygons of one file into triangles, one after the other.
 ///
-/// A polygon of n corners gives n - 2 triangles, wound as it is, that use all its corners: where corners lie on a line,
-/// some have no area, which keeps the polygon's edges whole. A quad is cut from its first corner, as modelling
-/// programs show it, or, if it is concave, from its hollow corner. Larger polygons may be concave and bent; one that
-/// crosses itself is cut somehow.
+/// A polygon of n corners gives n - 2 triangles with the polygon's winding, which use all its corners. Where corners
+/// lie on a straight line some triangles have no area, so that the polygon's edges stay whole. A quad is cut from its
+/// first corner, as modelling programs show it, or from its reflex corner if it is concave. Larger polygons may be
+/// concave and bent; the triangles of one that crosses itself are arbitrary.
 class PolygonCutter {
 public:
     using Triangle = std::array<std::uint32_t, 3>;  ///< into the polygon's corners
@@ -37,16 +37,17 @@ private:
     void spend(std::uint64_t steps);
     [[nodiscard]] double area(std::uint32_t corner) const;
     [[nodiscard]] bool isEar(std::uint32_t corner);
-    [[nodiscard]] std::uint32_t leastBadEar(std::uint32_t corner);
+    [[nodiscard]] std::uint32_t forcedEar(std::uint32_t corner);
     [[nodiscard]] std::uint32_t nextEar(std::uint32_t corner);
 
     std::vector<Triangle> triangles_;
-    std::vector<glm::dvec2> flat_;  // the corners, seen so that the polygon runs anticlockwise
+    std::vector<glm::dvec2> flat_;  // the corners, projected so that the polygon runs anticlockwise
     std::vector<std::uint32_t> previous_;
     std::vector<std::uint32_t> next_;
-    CornerTree hollow_;                   // corners that may lie in an ear: not convex when the polygon was whole
+    CornerTree reflex_;                   // corners that may lie in an ear: not convex when the polygon was whole
     std::set<std::uint32_t> candidates_;  // corners that may be ears
-    std::unordered_multimap<std::uint32_t, std::uint32_t> waiting_;  // by what lay in their triangle
+    std::unordered_multimap<std::uint32_t, std::uint32_t>
+        waiting_;  // corners, by the corner that lay in their triangle
     std::vector<bool> gone_;
     std::uint64_t stepsLeft_ = 200'000'000;
 };

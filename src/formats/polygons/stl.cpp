@@ -17,22 +17,22 @@
 namespace inkedge::load {
 namespace {
 
-using View = std::span<const std::uint8_t>;
+using ByteSpan = std::span<const std::uint8_t>;
 
 constexpr std::size_t headerSize = 80;
-constexpr std::size_t dataStart = headerSize + 4;  // with the number of triangles
+constexpr std::size_t dataStart = headerSize + 4;  // after the number of triangles
 constexpr std::size_t triangleSize = 50;
 constexpr std::size_t normalSize = 12;
 
-std::uint32_t wordAt(View bytes, std::size_t at) {
+std::uint32_t wordAt(ByteSpan bytes, std::size_t at) {
     std::uint32_t word = 0;
     for (std::size_t i = 0; i < 4; ++i) word |= std::uint32_t{bytes[at + i]} << (8 * i);
     return word;
 }
 
-std::uint64_t binarySize(View bytes) { return dataStart + std::uint64_t{wordAt(bytes, headerSize)} * triangleSize; }
+std::uint64_t binarySize(ByteSpan bytes) { return dataStart + std::uint64_t{wordAt(bytes, headerSize)} * triangleSize; }
 
-// Writers differ in case.
+// Compares a word whatever its case, in which writers differ.
 bool is(std::string_view word, std::string_view lowerCase) {
     return std::ranges::equal(word, lowerCase, [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; });
 }
@@ -115,8 +115,8 @@ private:
     PolygonFile file_;
 };
 
-// How many triangles are read: those that the header counts, or all there are.
-std::size_t triangleCount(View bytes, PolygonFile& file) {
+// How many triangles are read: as many as the header says, or all there are.
+std::size_t triangleCount(ByteSpan bytes, PolygonFile& file) {
     const std::uint64_t size = binarySize(bytes);
     const std::uint64_t said = wordAt(bytes, headerSize);
     const std::size_t found = (bytes.size() - dataStart) / triangleSize;
@@ -131,7 +131,7 @@ std::size_t triangleCount(View bytes, PolygonFile& file) {
     return found;
 }
 
-PolygonFile readBinary(View bytes) {
+PolygonFile readBinary(ByteSpan bytes) {
     PolygonFile file;
     const std::size_t count = triangleCount(bytes, file);
     file.positions.reserve(3 * count);
@@ -156,7 +156,7 @@ PolygonFile readBinary(View bytes) {
 
 }  // namespace
 
-PolygonFile readStl(View bytes) {
+PolygonFile readStl(ByteSpan bytes) {
     constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
     std::string_view content = textOf(bytes);
     const bool exact = bytes.size() > dataStart && binarySize(bytes) == bytes.size();

@@ -7,8 +7,8 @@
 
 namespace inkedge::load {
 
-/// Reads an STL file, binary or text. Facet normals are left out. A text that ends after a whole facet, and a binary
-/// file whose header counts none or too many of the facets there, are read with a warning. O(n).
+/// Reads an STL file, binary or text. Facet normals are left out. There is a warning if a text ends after a whole
+/// facet, and if the header of a binary file says no facets or more than there are. O(n).
 /// @throws Error  (Kind::Input) if the file is no STL, is truncated or has no facet, or if text is malformed; the
 ///                message then names the facet
 [[nodiscard]] PolygonFile readStl(std::span<const std::uint8_t> bytes);

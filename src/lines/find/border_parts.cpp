@@ -61,7 +61,7 @@ void addThinBorders(const Scene& scene, std::span<const MeshEdges> meshes, std::
 }  // namespace
 
 std::vector<BorderPart> findBorderParts(const Scene& scene, std::span<const MeshEdges> meshes) {
-    Borders borders{placedMeshesOf(scene),
+    Borders borders{instancedMeshesOf(scene),
                     [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& { return meshes[mesh].faceNormals; }};
     const std::vector<std::vector<Cover>> covers = findCovers(scene, borders);
     std::vector<BorderPart> parts;

@@ -9,12 +9,12 @@
 
 namespace inkedge {
 
-/// Prepared meshes and where they stand: what seams, layers and patches' numbers are worked out from.
-struct PlacedMeshes {
+/// Instances of prepared meshes: what seams, layers and patch numbers are computed from.
+struct InstancedMeshes {
     std::span<const Mesh> meshes;
-    std::span<const MeshTopology> topologies;  ///< one a mesh
+    std::span<const MeshTopology> topologies;  ///< one per mesh
     std::span<const Instance> instances;
-    Sphere bounds;  ///< around everything placed, in world space
+    Sphere bounds;  ///< around all instances, in world space
 
     [[nodiscard]] const Mesh& meshOf(std::size_t instance) const { return meshes[instances[instance].mesh]; }
     [[nodiscard]] const MeshTopology& topologyOf(std::size_t instance) const {
