@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 // Edges of the depth map and of the normal map. CPU definition: reference.h, detectEdges(); measure_edges.frag is the
-// same for one pixel. One invocation decides 4 x 4 pixels, which share what they fetch and the sums along rows:
+// same for one pixel. One invocation decides 4 x 4 pixels, which share texels and the sums along rows:
 //
 //   . . . . . . . .    a row of samples (.) gives four derivatives and four smoothed values;
 //   . . . . . . . .    as soon as 2 RADIUS + 1 rows of these are there, they give a row of pixels (#).
@@ -13,13 +13,13 @@
 layout(location = 4) uniform float depthThreshold;
 layout(location = 5) uniform float normalThreshold;
 
-// Two bits a pixel: depth edge, normal edge; row by row, the first pixel lowest.
+// Two bits per pixel: depth edge, normal edge; row by row, the first pixel in the lowest bits.
 layout(location = 0) out uint marks;
 
 const int SIDE = 4;
 const int SPAN = SIDE + 2 * RADIUS;
 
-// Row r of samples; rows are counted from the uppermost that the block needs.
+// Row r of samples; rows are counted from the top row that the block needs.
 vec4 alongX[SPAN * SIDE];
 vec4 acrossX[SPAN * SIDE];
 

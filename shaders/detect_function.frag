@@ -1,13 +1,13 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 
-// Edges of a surface function's values, 4 x 4 pixels an invocation, as in detect_edges.frag. CPU definition:
+// Edges of a surface function's values, 4 x 4 pixels per invocation, as in detect_edges.frag. CPU definition:
 // reference.h, functionMagnitude(); measure_function.frag is the same for one pixel.
 #include "shared/function_edges.glsl"
 
 layout(location = 0) uniform float threshold;
 
-layout(location = 0) out uint marks;  // two bits a pixel, of which the lower is used, as detect_edges.frag has them
+layout(location = 0) out uint marks;  // as in detect_edges.frag, but only the lower bit of a pixel is used
 
 const int SIDE = 4;
 const int SPAN = SIDE + 2 * RADIUS;
@@ -27,8 +27,8 @@ void widenRange(Sample s) {
     highest = max(highest, s.value);
 }
 
-// Within half a period no difference begins anew, and the marks are right. Software OpenGL skips no branch, but its
-// loops end early: hence their counts.
+// Where all values lie within half a period no difference wraps, and the marks are right. Software OpenGL runs every
+// branch, but ends loops early: hence loops whose counts may be 0.
 uint wrappedMarks(uint marks) {
     bool wraps = largestOf(highest - lowest) > 0.5 * period;
     ivec2 first = SIDE * ivec2(gl_FragCoord.xy);

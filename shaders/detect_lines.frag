@@ -1,18 +1,17 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 
-// Lines without thresholds: between two neighbouring pixels runs a line if the faces that they see do not go on into
-// each other. CPU definition: reference.h, detectLines(). One invocation decides 4 x 4 pixels, which share what they
-// fetch.
+// Lines without thresholds: a line runs between two neighbouring pixels if the faces that they see do not go on into
+// each other. CPU definition: reference.h, detectLines(). One invocation decides 4 x 4 pixels, which share texels.
 //
-//   p . | q    The planes of p and q, extended over the step between them, either meet on it (the surface goes on), or
-//   ----+--    leave a residual on both sides (it jumps).
+//   p . | q    The planes of p and q are extended over the step between the two pixels. Either they meet on the step,
+//   ----+--    and the surface goes on; or they leave a residual on both sides, and the surface jumps.
 //   s   |
 layout(binding = 0) uniform sampler2D planes;  // as draw_planes.frag writes them
 
-layout(location = 3) uniform float creaseCosine;  // c |c|, c the crease angle's cosine
+layout(location = 3) uniform float creaseCosine;  // c |c|, where c is the cosine of the crease angle
 
-// One byte a pixel, four pixels a component (the first in the low byte), four rows a texel.
+// One byte per pixel, four pixels per component (the first in the low byte), four rows per texel.
 layout(location = 0) out uvec4 marks;
 
 #include "shared/marks.glsl"
@@ -27,11 +26,11 @@ uint pairMarks(vec4 p, vec4 q, vec3 np, vec3 nq, float gp, float gq) {
     return found;
 }
 
-// The row of samples above the one at hand.
+// The row of samples above the current row.
 vec4 above[5];
 vec3 aboveNormal[5];
 
-// The marks of the pixels above row y, which then is the row above.
+// The marks of the pixels above row y. Row y then becomes the row above.
 uint marksAbove(int y, vec4 row[5]) {
     ivec2 size = textureSize(planes, 0);
     uint found = 0u;

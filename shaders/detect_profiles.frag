@@ -11,17 +11,18 @@
 // a profile is where g varies: (g_max - g_min) / k_p over the neighbours; an internal edge is |l| / k_l; both squared.
 layout(binding = 0) uniform sampler2D surfaces;  // rgb: normal, a: eye-space depth; background: normal 0
 
-layout(location = 0) uniform float focalLength;  // pixels (orthographic: pixels a scene unit)
+layout(location = 0) uniform float focalLength;  // pixels (orthographic: pixels per scene unit)
 layout(location = 1) uniform bool orthographic;
 layout(location = 2) uniform float profileLimit;  // k_p, pixel footprints
-layout(location = 3) uniform float edgeLimit;     // k_l, pixel footprints a pixel
+layout(location = 3) uniform float edgeLimit;     // k_l, pixel footprints per pixel
 
 layout(location = 0) out float ink;  // 0 none, 1 full
 
-const float FAR = 1e3;  // footprints: of the background
+const float FAR = 1e3;  // the background's depth, in footprints
 const int SIDE = 5;
 
-// Depth less the middle pixel's, in its footprints. Planes stay planes: in perspective 1 / z is linear in the picture.
+// Depths less that of the middle pixel, in footprints of that pixel. In perspective they are taken of 1 / z, which is
+// linear in the picture, so that planes stay planes.
 float depths[SIDE * SIDE];
 
 float at(int x, int y) { return depths[y * SIDE + x]; }
@@ -49,18 +50,18 @@ void main() {
     }
     ink = 0.0;
     if (nothing) return;  // lines lie on the nearer side
-    float least = gradient(2, 2);
-    float most = least;
+    float smallest = gradient(2, 2);
+    float largest = smallest;
     float around = 0.0;
     for (int y = 1; y <= 3; ++y) {
         for (int x = 1; x <= 3; ++x) {
             float g = gradient(x, y);
-            least = min(least, g);
-            most = max(most, g);
+            smallest = min(smallest, g);
+            largest = max(largest, g);
             around += at(x, y);
         }
     }
-    float profile = min((most - least) / profileLimit, 1.0);
+    float profile = min((largest - smallest) / profileLimit, 1.0);
     float edge = min(abs(9.0 * at(2, 2) - around) / 3.0 / edgeLimit, 1.0);
     ink = max(profile, edge) * max(profile, edge);
 }

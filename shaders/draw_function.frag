@@ -1,8 +1,8 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 
-// A surface function's values, one of shaders/functions; the build puts its text behind this one, the renderer a
-// user's.
+// The values of a surface function. The text of the function follows this one: the build puts one of shaders/functions
+// there, the renderer a user's.
 layout(location = 0) in vec3 surfaceNormal;
 layout(location = 1) in vec3 viewPosition;
 layout(location = 2) in vec3 objectPosition;
@@ -12,7 +12,7 @@ layout(location = 5) in vec2 paintCoordinates;
 layout(location = 6) in float surfaceCurvature;
 layout(location = 7) flat in uvec2 triangles;
 
-// RGBA32F; its last channel is 1e30 on the background of functions that have none
+// RGBA32F; the last channel is 1e30 on the background of functions without a value there
 layout(location = 0) out vec4 values;
 
 #include "shared/depth.glsl"
@@ -33,9 +33,9 @@ void main() {
     s.color = surfaceColor;
     s.paint = paintCoordinates;
     s.curvature = gl_FrontFacing ? surfaceCurvature : -surfaceCurvature;
-    // Drivers differ in whether the count of primitives starts again with each instance.
+    // Drivers differ: gl_PrimitiveID starts again with each instance, or does not.
     s.triangle = triangles.x + uint(gl_PrimitiveID) % triangles.y;
     vec4 value = surface(s);
-    // What is not finite would spread into its neighbours.
+    // Values that are not finite would spread into their neighbours.
     values = mix(clamp(value, -1e9, 1e9), vec4(0.0), isnan(value));
 }

@@ -9,7 +9,7 @@ layout(location = 9) in uvec3 numbering;       // per instance: its first patch,
 layout(location = 10) in vec2 textureCoordinates;
 layout(location = 11) in vec4 color;
 layout(location = 12) in vec2 pictureCoordinates;
-layout(location = 13) in float curvature;  // one over mesh space's unit
+layout(location = 13) in float curvature;  // 1 / unit of mesh space
 
 layout(location = 0) uniform mat4 projection;  // as in draw_surface.vert
 

@@ -1,8 +1,8 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 
-// The plane and the patch that each pixel sees. On a plane w = 1/z is linear in the picture (orthographic: w = -z is),
-// so its derivatives are those of the triangle and describe its whole plane.
+// The plane and the patch that each pixel sees. On a plane w = 1/z (orthographic: w = -z) is linear in the picture, so
+// that w and its derivatives describe the whole plane of the triangle.
 layout(location = 0) in float eyeDepth;
 layout(location = 1) flat in float patchNumber;
 layout(location = 2) flat in uvec2 triangles;
@@ -32,7 +32,7 @@ void main() {
 #else
     float w = orthographic ? -eyeDepth : gl_FragCoord.w;
     plane = vec4(w, dFdx(w), dFdy(w), max(patchNumber, 0.0));
-    // Drivers differ in whether the count of primitives starts again with each instance.
+    // Drivers differ: gl_PrimitiveID starts again with each instance, or does not.
     triangle = triangles.x + uint(gl_PrimitiveID) % triangles.y + 1u;
 #ifdef SURFACE
     vec3 n = seenSide(surfaceNormal);

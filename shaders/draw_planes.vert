@@ -10,7 +10,7 @@ layout(location = 5) in vec4 normalMatrix[3];
 layout(location = 8) in uint patchIndex;    // of the mesh's patches; the same at all corners of a triangle
 layout(location = 9) in uvec3 numbering;    // per instance: its first patch, its first triangle, its triangles
 
-// One an instance's patch: its number, negative where coplanar layers overlap.
+// The numbers of all instances' patches; negative where coplanar layers overlap.
 layout(std430, binding = 0) readonly buffer PatchNumbers { float patchNumbers[]; };
 
 layout(location = 0) uniform mat4 projection;  // as in draw_surface.vert
@@ -28,7 +28,7 @@ layout(location = 3) out vec3 surfaceNormal;  // as in draw_surface.vert
 layout(location = 4) out float surfaceDepth;
 #endif
 
-invariant gl_Position;  // layers must cover the pixels that they cover in the first pass
+invariant gl_Position;  // in the second pass layers must cover the same pixels as in the first
 
 #include "shared/view.glsl"
 

@@ -4,8 +4,8 @@
 // Hatch marks: edges of the faceted normal map, after Hertzmann 1999, Figure 2(b). CPU definition: reference.h,
 // hatch().
 //
-// Between two facets the picture shows a straight mark where their planes meet. How dark it is depends on how much they
-// bend there, and on how much light falls on them.
+// Between two facets the picture shows a straight mark where their planes meet. Its tone depends on the angle between
+// the facets, and on how much light falls on them.
 layout(binding = 0) uniform sampler2D planes;  // as draw_planes.frag writes them
 
 layout(location = 3) uniform float bend;       // radians
@@ -19,7 +19,7 @@ const vec3 LIGHT = normalize(vec3(-0.45, 0.6, 0.66));  // the camera's axes
 #include "shared/planes.glsl"
 
 float brightness(vec3 n) {
-    // normalOf() counts along the picture's axes and points away from the plane in them: x and y are turned about.
+    // normalOf() counts along the axes of the picture, where x and y have the opposite sign.
     return max(dot(vec3(-n.x, n.y, n.z), LIGHT) / length(n), 0.0);
 }
 
@@ -29,16 +29,16 @@ vec4 planeAt(ivec2 pixel) { return texelFetch(planes, clamp(pixel, ivec2(0), tex
 
 vec3 normalAt(ivec2 pixel) { return normalOf(planeAt(pixel), vec2(pixel) + 0.5 - centre); }
 
-// Whether two neighbours beside a pair see its two facets and no third: facets that meet in a point only have others
-// beside them.
+// Whether the two pixels beside a pair see the pair's two facets and no third one. Facets that meet only in a point
+// have other facets beside them.
 bool goesOn(ivec2 a, ivec2 b, vec3 na, vec3 nb, float bendOfPair) {
     vec3 n = normalAt(a);
     vec3 m = normalAt(b);
-    float least = 0.2 * bendOfPair;
-    return min(bendOf(n, na), bendOf(n, nb)) < least && min(bendOf(m, na), bendOf(m, nb)) < least;
+    float tolerance = 0.2 * bendOfPair;
+    return min(bendOf(n, na), bendOf(n, nb)) < tolerance && min(bendOf(m, na), bendOf(m, nb)) < tolerance;
 }
 
-// Between the facets of two neighbours, as the pixel sees it.
+// How much the mark between the facets of two neighbours covers of a pixel.
 float mark(ivec2 pixel, ivec2 atA, vec4 a, vec3 na, ivec2 step, vec4 b, vec3 nb) {
     float found = bendOf(na, nb);
     float light = 0.5 * (brightness(na) + brightness(nb));

@@ -1,7 +1,7 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 
-// Gradient magnitudes, one pixel an invocation: the plain form of detect_edges.frag, which equals it bit for bit.
+// Gradient magnitudes, one pixel per invocation: the plain form of detect_edges.frag, which equals it bit for bit.
 // Hertzmann 1999, appendix A, on the depth map and on the three channels of the normal map at once.
 #include "shared/edges.glsl"
 

@@ -1,8 +1,8 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 
-// Gradient magnitude of a surface function's values, one pixel an invocation: the plain form of detect_function.frag,
-// which equals it bit for bit, or, where differences are wrapped, within rounding. CPU definition: reference.h,
+// Gradient magnitude of a surface function's values, one pixel per invocation: the plain form of detect_function.frag.
+// The two are equal bit for bit, or within rounding where differences are wrapped. CPU definition: reference.h,
 // functionMagnitude().
 #include "shared/function_edges.glsl"
 

@@ -1,14 +1,14 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 
-// What a brush feels: normals and depth, in units in which a step of 1 takes half of the ink. CPU definition:
-// reference.h, sumi().
+// The channels whose gradients take ink: normals and depth, in units in which a step of 1 takes half of the ink. CPU
+// definition: reference.h, sumi().
 #include "shared/depth.glsl"
 
 layout(binding = 0) uniform sampler2D surfaces;  // rgb: normal, a: eye-space depth; background: normal 0
 
 layout(location = 0) uniform Depths depths;
-layout(location = 3) uniform float streaks;  // steps from near to far that depth is sampled in; 0: as it is
+layout(location = 3) uniform float streaks;  // steps from near to far that depth is rounded to; 0: not rounded
 
 layout(location = 0) out vec4 channels;
 

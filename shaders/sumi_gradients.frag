@@ -1,7 +1,7 @@
 #version 450 core
 
 // Gradients of the blurred channels by the Sobel kernels (Hertzmann 1999, equation 5): how much ink each pixel takes,
-// and the structure tensor, whose lesser axis runs along the edge. CPU definition: reference.h, sumi().
+// and the structure tensor, whose minor axis runs along the edge. CPU definition: reference.h, sumi().
 layout(binding = 0) uniform sampler2D channels;
 
 layout(location = 0) uniform float gain;  // makes a step of 1 a magnitude of 1
@@ -19,7 +19,7 @@ void main() {
     vec4 squared = ix * ix + iy * iy;
     float magnitude = sqrt(max(max(squared.r, squared.g), max(squared.b, squared.a)));
     float taken = magnitude * sqrt(magnitude);
-    // Strong edges do not drown what runs beside them.
+    // Normalised, so that a strong edge does not decide the direction of weak edges beside it.
     float share = 1.0 / (1.0 + squared.r + squared.g + squared.b + squared.a);
     tensor = vec4(share * vec3(dot(ix, ix), dot(iy, iy), dot(ix, iy)), taken / (1.0 + taken));
 }

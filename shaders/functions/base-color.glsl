@@ -1,4 +1,4 @@
-// The colour that the model is painted with, sRGB: the material's colour and picture times the vertex colour.
+// The colour of the surface, sRGB: the material's colour and picture times the vertex colour.
 #include "shared/paint.glsl"
 
 vec4 surface(Surface s) { return vec4(toSrgb(paintOf(s.triangle, s.paint).rgb * s.color.rgb), 0.0); }

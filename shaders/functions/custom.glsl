@@ -1,3 +1,2 @@
-// Stands for a user's text, which the renderer compiles in its place: the build holds the frame around it to the
-// language.
+// Stands for a user's text, which the renderer compiles instead. With it the build checks the text around the function.
 vec4 surface(Surface s) { return vec4(s.object, 0.0); }

@@ -1,5 +1,6 @@
-// Isoparametric lines: how many steps the texture coordinates count. option[0]: the step; option[1]: 0 both, 1 u, 2 v.
-// Differences are taken modulo the steps that make 1, so that seams of a repeated texture are lines like the others.
+// Isoparametric lines: texture coordinates in steps. option[0]: the step; option[1]: 0 both coordinates, 1 u, 2 v.
+// Differences are taken modulo the number of steps that make 1, so that seams of a repeated texture are lines like the
+// others.
 vec4 surface(Surface s) {
     float u = option[1] == 2.0 ? 0.0 : stepsIn(fract(s.coordinates.x + 1e-6) / option[0]);
     float v = option[1] == 1.0 ? 0.0 : stepsIn(fract(s.coordinates.y + 1e-6) / option[0]);

@@ -1,6 +1,6 @@
-// A solid texture of the place in the object. option[0]: 0 a smooth gradient, 1 wood-like rings about an axis, 2
-// stripes across it; option[1]: the axis; option[2]: rings or stripes over the scene's radius; option[3]: how far they
-// stray.
+// A solid texture: a function of the position in the object. option[0]: 0 a smooth gradient, 1 wood-like rings about an
+// axis, 2 stripes across it; option[1]: the axis; option[2]: the number of rings or stripes in the scene's radius;
+// option[3]: how far they are bent.
 float wave(vec3 p) {
     return sin(3.1 * p.x + 1.7 * p.z) * sin(2.3 * p.y + 0.9 * p.x) + 0.5 * sin(4.7 * p.z - 1.3 * p.y);
 }

@@ -1,11 +1,11 @@
-// What the two forms of the functions' edge pass share: Hertzmann 1999, appendix A, on differences from the pixel's own
-// value. What is not there differs from nothing.
+// Shared by the two forms of the functions' edge pass: Hertzmann 1999, appendix A, on differences from the pixel's own
+// value. Where there is no value the difference is 0.
 #include "shared/row_sums.glsl"
 
-layout(binding = 0) uniform sampler2D values;  // as draw_function.frag writes them; beyond the border it repeats it
+layout(binding = 0) uniform sampler2D values;  // as draw_function.frag writes them; the border pixel is repeated
 
 #ifdef WRAPPED
-#define VALUE vec2  // Wrapping: values that begin anew have two channels
+#define VALUE vec2  // Wrapping: values that wrap have two channels
 VALUE valueOf(vec4 texel) { return texel.xy; }
 float largestOf(VALUE channels) { return max(channels.x, channels.y); }
 #else
@@ -21,8 +21,8 @@ struct Sample {
 
 bool isThere(vec4 texel) { return texel.a < 1e29; }
 
-// Stands where there is no value: that of a corner of the block of 4 x 4 pixels, so that large values leave no
-// rounding.
+// The value that stands where there is none: that of a corner of the block of 4 x 4 pixels, so that large values do not
+// lead to large rounding.
 VALUE datum = VALUE(0.0);
 
 void setDatum(vec4 a, vec4 b, vec4 c, vec4 d) {
@@ -67,8 +67,8 @@ float magnitudeOf(VALUE ix, VALUE iy, Sample centre) {
     return centre.there * sqrt(largestOf(squared));
 }
 
-// The sum of k (v - c) over what is there is that of k v over all, less (c - datum) times that of k over what is there,
-// since all k are 0 together: both are separable.
+// The sum of k (v - c) over the pixels with a value equals the sum of k v over all pixels, less (c - datum) times the
+// sum of k over the pixels with a value, since the sum of all k is 0. Both sums are separable.
 float magnitudeOf(Sample x, Sample y, Sample centre) {
     VALUE above = centre.value - datum;
     precise VALUE ix = x.value - x.there * above;
@@ -79,8 +79,8 @@ float magnitudeOf(Sample x, Sample y, Sample centre) {
 #ifdef WRAPPED
 layout(location = 1) uniform float period;  // differences are taken modulo this
 
-// Tap by tap, as each pixel has differences of its own.
-// @param taps  TAPS * TAPS; with 0 the result means nothing
+// Sums tap by tap, as each pixel has differences of its own.
+// @param taps  TAPS * TAPS; with 0 the result has no meaning
 float wrappedMagnitude(ivec2 pixel, int taps) {
     Sample centre = sampleOf(texelAt(pixel));
     VALUE ix = VALUE(0.0);

@@ -1,5 +1,5 @@
 // Separable gradient kernels, used as printed: G_x = DERIVATIVE along x, SMOOTHING along y; G_y the other way round.
-// The same numbers stand in src/inkedge/reference.h; a test holds the two together.
+// src/reference/reference.h has the same numbers; a test holds the two together.
 #if KERNEL == KERNEL_SOBEL
 // Equation 5.
 const int RADIUS = 1;

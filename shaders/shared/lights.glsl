@@ -10,10 +10,10 @@ vec3 positiveLights(vec3 n) {
     return diffuse(n, vec3(1, 0, 0), RED) + diffuse(n, vec3(0, 1, 0), GREEN) + diffuse(n, vec3(0, 0, 1), BLUE);
 }
 
-// With the intensity's sign taken out: how much light is taken away.
+// How much light the negative lights take away: their light without its sign.
 vec3 negativeLights(vec3 n) {
     return diffuse(n, vec3(-1, 0, 0), RED) + diffuse(n, vec3(0, -1, 0), GREEN) + diffuse(n, vec3(0, 0, -1), BLUE);
 }
 
-// The normal to light. Two-sided lighting: the side that is seen is the side that is lit.
+// The normal to light. Lighting is two-sided: the visible side is lit.
 vec3 seenSide(vec3 surfaceNormal) { return normalize(gl_FrontFacing ? surfaceNormal : -surfaceNormal); }

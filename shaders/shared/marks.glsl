@@ -1,5 +1,5 @@
-// What may lie between a pixel and its neighbour: the low four bits of its byte for the pixel to the right, the high
-// four for the one below. The same bits stand in src/passes/detect_lines.h; a test holds the two together.
+// Bits of the edges between a pixel and its neighbours: the low four bits of the pixel's byte for the pixel to the
+// right, the high four for the pixel below. src/raster/pair_mark.h has the same bits; a test holds the two together.
 const uint BACKGROUND = 1u;  // one of the two sees no surface
 const uint PATCH = 2u;       // the patches differ
 const uint BEND = 4u;        // the faces bend by more than the crease angle

@@ -1,8 +1,8 @@
-// What materials are painted with. Pictures stand in one buffer, each with its smaller copies behind it, so that a draw
-// may meet any number of them.
+// Colours and pictures of materials. All pictures are in one buffer, each followed by its smaller copies, so that one
+// draw can use any number of them.
 struct Paint {
     vec4 factor;   // linear
-    uint first;    // of its texels; the number of its levels is 0 where it has no picture
+    uint first;    // index of the picture's first texel; without a picture the number of levels is 0
     uint width;
     uint height;
     uint levels;
@@ -23,13 +23,13 @@ vec3 toLinear(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)
 int wrapped(int texel, int size, uint wrap) {
     if (wrap == 0u) return clamp(texel, 0, size - 1);
     int period = wrap == 1u ? 2 * size : size;
-    int place = texel - period * int(floor(float(texel) / float(period)));
-    return place < size ? place : 2 * size - 1 - place;
+    int inPeriod = texel - period * int(floor(float(texel) / float(period)));
+    return inPeriod < size ? inPeriod : 2 * size - 1 - inPeriod;
 }
 
-vec4 texelAt(Paint paint, uint first, ivec2 size, ivec2 place) {
-    int x = wrapped(place.x, size.x, paint.wrap.x);
-    int y = wrapped(place.y, size.y, paint.wrap.y);
+vec4 texelAt(Paint paint, uint first, ivec2 size, ivec2 texel) {
+    int x = wrapped(texel.x, size.x, paint.wrap.x);
+    int y = wrapped(texel.y, size.y, paint.wrap.y);
     return unpackUnorm4x8(texels[first + uint(y * size.x + x)]);
 }
 
@@ -40,16 +40,16 @@ vec4 filtered(Paint paint, int level, vec2 coordinates) {
         first += uint(size.x * size.y);
         size = max(size / 2, ivec2(1));
     }
-    vec2 place = coordinates * vec2(size) - 0.5;
-    ivec2 corner = ivec2(floor(place));
-    vec2 share = place - vec2(corner);
+    vec2 position = coordinates * vec2(size) - 0.5;
+    ivec2 corner = ivec2(floor(position));
+    vec2 share = position - vec2(corner);
     vec4 upper = mix(texelAt(paint, first, size, corner), texelAt(paint, first, size, corner + ivec2(1, 0)), share.x);
     vec4 lower =
         mix(texelAt(paint, first, size, corner + ivec2(0, 1)), texelAt(paint, first, size, corner + 1), share.x);
     return mix(upper, lower, share.y);
 }
 
-// Linear.
+// The linear colour of a triangle's material.
 vec4 paintOf(uint triangle, vec2 coordinates) {
     Paint paint = paints[trianglePaints[triangle]];
     vec2 size = vec2(paint.width, paint.height);

@@ -1,16 +1,16 @@
-// What the planes that draw_planes.frag writes say of the surface.
-layout(location = 0) uniform float focalLength;  // pixels (orthographic: pixels a unit length)
+// Reads the planes that draw_planes.frag writes.
+layout(location = 0) uniform float focalLength;  // pixels (orthographic: pixels per unit length)
 layout(location = 1) uniform bool orthographic;
 layout(location = 2) uniform vec2 centre;        // of the whole picture, pixels from the tile's corner
 
-// The face normal, turned to the eye, up to a positive factor; n.xy in pixels, as the picture's axes run, and turned
-// about.
+// The face normal up to a positive factor, turned to the eye. x and y are along the axes of the picture, with the
+// opposite sign.
 vec3 normalOf(vec4 plane, vec2 fromCentre) {
     return orthographic ? vec3(plane.yz * focalLength, 1.0)
                         : vec3(plane.yz * focalLength, plane.x - dot(plane.yz, fromCentre));
 }
 
-// From p to q, whose slopes along the step are gp and gq.
+// Whether the surface jumps from p to q. The slopes of w along the step are gp and gq.
 bool jumps(float wp, float wq, float gp, float gq) {
     float rp = wq - (wp + gp);
     float rq = wp - (wq - gq);

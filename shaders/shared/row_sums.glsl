@@ -1,5 +1,5 @@
-// Sums of separable kernels. Every sum is taken in one order, and `precise` keeps drivers from another, so that passes
-// of two forms agree to the last bit.
+// Sums of separable kernels. Every sum is taken in one order, and `precise` keeps drivers from changing the order, so
+// that two forms of a pass agree to the last bit.
 #define KERNEL_SOBEL 0
 #define KERNEL_FARID 1
 

@@ -1,8 +1,8 @@
-// What a surface function knows of the place that a pixel sees: Hertzmann 1999, section 2.1.3. Lengths are in scene
-// units unless something else is said.
+// What a surface function knows of the point that a pixel sees: Hertzmann 1999, section 2.1.3. Lengths are in scene
+// units unless another unit is given.
 struct Surface {
-    vec3 world;         // place, counted from the centre of the scene's bounds
-    vec3 object;        // place along the object's own axes, from the middle of its mesh; in radii of the scene
+    vec3 world;         // position in world space, less the centre of the scene's bounds
+    vec3 object;        // position along the object's own axes, from the middle of its mesh; in radii of the scene
     vec3 normal;        // unit; the camera's axes, turned to the side that is seen
     vec3 worldNormal;   // the same along the world's axes
     vec3 fromEye;       // unit; the camera's axes
@@ -10,13 +10,13 @@ struct Surface {
     vec2 coordinates;   // texture coordinates; (0, 0) where there are none
     vec4 color;         // vertex colour; white where there is none
     vec2 paint;         // coordinates of the material's picture
-    float curvature;    // mean curvature, one over the scene's radius is 1; over 0 where the surface bulges
-    uint triangle;      // the scene's, from 0
+    float curvature;    // mean curvature times the scene's radius; over 0 where the surface bulges
+    uint triangle;      // number of the triangle in the scene, from 0
 };
 
 layout(location = 8) uniform mat3 viewToWorld;
 layout(location = 9) uniform vec3 eye;        // from the centre of the scene's bounds
-layout(location = 10) uniform vec3 lowest;    // corner of the scene's box, likewise
+layout(location = 10) uniform vec3 lowest;    // corner of the scene's box, from the centre of the scene's bounds
 layout(location = 11) uniform vec3 extent;    // of the scene's box
 layout(location = 12) uniform float unitLength;
 layout(location = 13) uniform Depths depths;
@@ -24,5 +24,5 @@ layout(location = 16) uniform bool hasPicture;  // FunctionSettings::file
 layout(location = 17) uniform float option[8];  // in the order of the function's row in functionTable()
 layout(binding = 0) uniform sampler2D picture;
 
-// How many whole steps. Faces that lie in a level are of one side of it, however their places are rounded.
+// The number of whole steps. A face that lies on a level belongs to one side of it, however its positions are rounded.
 float stepsIn(float steps) { return floor(steps + 1e-3); }

@@ -2,6 +2,6 @@
 
 namespace inkedge {
 
-Error::~Error() = default;  // out of line: one type_info, so that catching works across the library's border
+Error::~Error() = default;  // not inline: one type_info, so that an Error can be caught across the library's border
 
 }  // namespace inkedge

@@ -11,16 +11,16 @@ namespace inkedge::load {
 /// @throws Error  (Kind::Input) always, with this message
 [[noreturn]] void refuse(const std::string& message);
 
-/// Foreign text on one line: control characters become '?'.
+/// Text from outside as one line: control characters become '?'.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// Foreign text for a message: printable, between quotes, cut after about 80 bytes.
+/// Text from outside for a message: printable, between quotes, cut after about 80 bytes.
 [[nodiscard]] std::string quote(std::string_view text);
 
 /// "node 3 'wheel'", or "node 3" without a name.
 [[nodiscard]] std::string label(std::string_view kind, std::size_t index, std::string_view name = {});
 
-/// Runs an action; an Error out of it goes on with "where: " before its message.
+/// Runs an action. If it throws an Error, that is thrown on with "where: " before its message.
 template <class Action>
 auto within(const std::string& where, Action&& action) -> decltype(action()) {
     try {

@@ -14,11 +14,11 @@
 namespace inkedge {
 namespace {
 
-constexpr std::size_t mostThreads = 8;  // beyond, memory is the limit
+constexpr std::size_t maxThreads = 8;  // with more, memory is the limit
 
 std::size_t threadsFor(std::size_t count) {
     if (count < 2 * elementsWorthAThread) return 1;
-    return std::clamp<std::size_t>(count / elementsWorthAThread, 1, std::min(usableCores(), mostThreads));
+    return std::clamp<std::size_t>(count / elementsWorthAThread, 1, std::min(usableCores(), maxThreads));
 }
 
 }  // namespace

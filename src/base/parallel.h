@@ -11,15 +11,14 @@ namespace inkedge {
 /// How many elements are worth a thread of their own: starting one takes about as long as a few thousand of them.
 inline constexpr std::size_t elementsWorthAThread = 100'000;
 
-/// Calls work(begin, end) for ranges that together cover 0..count, each on a thread of its own, as many as there are
-/// cores for this process but 8 at most; for fewer than twice elementsWorthAThread it is one call on this thread. The
-/// caller sees to it that the ranges do not meet in what they write, and that the outcome does not depend on where they
-/// lie.
+/// Calls work(begin, end) for ranges that together cover 0..count, each on a thread of its own. There are as many
+/// ranges as this process has cores, but at most 8; for fewer than twice elementsWorthAThread it is one call on this
+/// thread. The caller must make sure that different ranges write to different memory, and that the result does not
+/// depend on where the ranges begin and end.
 /// @throws  what the first range that failed has thrown
 void inRanges(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& work);
 
-/// Calls work(i) for 0..count-1 on all cores for this process, in no order: for pieces of work of their own, large and
-/// small.
+/// Calls work(i) for 0..count-1 on all cores of this process, in no order: for independent pieces of work of any size.
 /// @throws  what the first piece that failed has thrown
 void onEach(std::size_t count, const std::function<void(std::size_t i)>& work);
 

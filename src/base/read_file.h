@@ -10,11 +10,11 @@ namespace inkedge::load {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Reads a file whole and takes its size off bytesLeft.
+/// Reads a whole file and subtracts its size from bytesLeft.
 /// @throws Error  (Kind::Input) if it is missing, empty, unreadable, no regular file or larger than bytesLeft
 [[nodiscard]] Bytes readBytes(const std::filesystem::path&, std::uint64_t& bytesLeft);
 
-/// A file's first bytes, at most size.
+/// The first bytes of a file, at most size.
 /// @throws Error  (Kind::Input) if it is missing, empty, unreadable or no regular file
 [[nodiscard]] Bytes readStart(const std::filesystem::path&, std::size_t size);
 

@@ -76,7 +76,7 @@ std::string explain(int error, const fs::path& target) {
 
 std::string linkOf(const Descriptor& file) { return fmt::format("/proc/self/fd/{}", file.get()); }
 
-/// A file without a name, which can be given one while /proc is there; none where the file system has no such files.
+/// A file without a name, which can be given a name if there is /proc; none if the file system has no such files.
 Descriptor createUnnamed(const fs::path& folder) {
     Descriptor file{::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666)};
     if (file.open() && ::access(linkOf(file).c_str(), F_OK) != 0) return Descriptor{-1};
@@ -96,7 +96,7 @@ int writeAll(const Descriptor& file, std::span<const std::uint8_t> bytes) {
         if (written < 0 && errno != EINTR) return errno;
         if (written > 0) bytes = bytes.subspan(static_cast<std::size_t>(written));
     }
-    Descriptor duplicate{::dup(file.get())};  // closing any of a file's descriptors tells what became of its bytes
+    Descriptor duplicate{::dup(file.get())};  // closing any descriptor of a file reports whether its bytes were written
     return duplicate.open() && duplicate.close() ? 0 : errno;
 }
 

@@ -10,12 +10,12 @@ namespace inkedge::io {
 
 /// How files are kept until they are whole.
 enum class Staging {
-    Unnamed,  ///< without a name where the file system can do so, so that nothing is left however the process ends
+    Unnamed,  ///< without a name if the file system has such files: nothing is left, however the process ends
     Named,    ///< under temporary names, which removeTemporaryFiles() removes
 };
 
-/// Files that appear together: each is first written whole in its own folder, then all get their names. What was not
-/// committed is removed with the object, so that a failure leaves nothing behind.
+/// Files that appear together: each is first written whole in its own folder, then all get their names. Files that were
+/// not committed are removed with the object, so that a failure leaves nothing behind.
 class StagedFiles {
 public:
     explicit StagedFiles(Staging = Staging::Unnamed);
@@ -23,12 +23,12 @@ public:
     StagedFiles& operator=(const StagedFiles&) = delete;
     ~StagedFiles();
 
-    /// Writes bytes to a file that has not its name yet. A link is followed; what is no regular file (a pipe, a device)
-    /// cannot be replaced and is written at once.
+    /// Writes bytes to a file that does not have its name yet. A link is followed. A target that is no regular file (a
+    /// pipe, a device) cannot be replaced, and is written at once.
     /// @throws Error  (Kind::Output) if target is a folder or protected, or its folder takes no file
     void add(const std::filesystem::path& target, std::span<const std::uint8_t> bytes);
 
-    /// Gives every file its name, in the order in which they were added, over a file that is there already.
+    /// Gives every file its name, in the order in which they were added. A file that has the name already is replaced.
     /// @throws Error  (Kind::Output) with the system's reason; files after the one named have not appeared
     void commit();
 

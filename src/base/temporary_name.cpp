@@ -16,7 +16,7 @@
 namespace inkedge::io {
 namespace {
 
-// Random, so that no other process, of whatever machine, has the name and it can be removed before it is used.
+// A random name: no other process of any machine has it, so that the file can be removed before the name is used.
 std::string randomName() {
     std::random_device device;
     return fmt::format(".inkedge-{:08x}{:08x}.tmp", device(), device());
@@ -24,8 +24,8 @@ std::string randomName() {
 
 }  // namespace
 
-// A signal handler walks these at any moment and on any thread: a slot is never freed, only used again, and whoever
-// takes the name out of it, its owner or the handler, is alone in using that name.
+// A signal handler may walk the slots at any moment and on any thread. So a slot is never freed, only used again; and
+// only one of the two, its owner or the handler, gets the name out of it.
 struct TemporaryName::Slot {
     std::atomic<const char*> name{nullptr};
     std::atomic<bool> used{true};

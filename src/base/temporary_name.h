@@ -4,8 +4,8 @@
 
 namespace inkedge::io {
 
-/// The name of a temporary file in a folder: no file has it yet, and removeTemporaryFiles() removes the one that gets
-/// it. Removes the file with the object unless it was renamed; may then be removed already.
+/// The name of a temporary file in a folder. No file has the name yet. removeTemporaryFiles() removes the file that
+/// gets it, and so does the destructor, unless the file was renamed.
 class TemporaryName {
 public:
     explicit TemporaryName(const std::filesystem::path& folder);

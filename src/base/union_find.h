@@ -6,7 +6,7 @@
 
 namespace inkedge {
 
-/// Disjoint sets of 0..n-1. A set's root is its least member.
+/// Disjoint sets of 0..n-1. The root of a set is its smallest member.
 class UnionFind {
 public:
     explicit UnionFind(std::uint32_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }

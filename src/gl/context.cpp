@@ -10,7 +10,7 @@ namespace {
 
 constexpr int requiredVersion = 45;
 
-// A context is worth having only if shaders can be compiled in it, so "works" is decided by what load() finds.
+// The candidates that the settings allow.
 std::vector<Candidate> candidates(const BackendSettings& settings, std::vector<std::string>& failures) {
     std::vector<Candidate> all;
     if (settings.backend != Backend::Osmesa) {
@@ -70,7 +70,7 @@ std::unique_ptr<Context> createContext(const BackendSettings& settings) {
 
 namespace {
 
-// Every way to a context, and why EGL shows none where it does not.
+// All candidates; why is set to the reason if EGL has none.
 std::vector<gl::Candidate> allCandidates(std::string& why) {
     std::vector<gl::Candidate> all = gl::eglCandidates(why);
     if (!why.empty()) all.push_back({{.backend = "egl", .platform = "any"}, {}, nullptr});

@@ -25,9 +25,10 @@ public:
 
 protected:
     friend class Current;
-    /// Makes this context current on the calling thread, remembering what was current before. @throws Error (Context)
+    /// Makes this context current on the calling thread, and remembers the context that was current before.
+    /// @throws Error (Context)
     virtual void enter() = 0;
-    /// Restores what was current before enter().
+    /// Makes the context current again that was current before enter().
     virtual void leave() noexcept = 0;
     /// Fills the function table and the GL strings of info_; the context is current. @throws Error (Context)
     void load(GLADapiproc (*loader)(const char* name));
@@ -55,15 +56,15 @@ struct Candidate {
     std::unique_ptr<Context> (*create)(const Candidate&);  ///< throws Error (Context) with reason and remedy
 };
 
-/// EGL devices, hardware before software, then the surfaceless platform. Empty where EGL cannot be loaded; why is then
-/// set to the reason and the remedy.
+/// EGL devices, hardware before software, then the surfaceless platform. Empty if EGL cannot be loaded; why is then set
+/// to the reason and the remedy.
 [[nodiscard]] std::vector<Candidate> eglCandidates(std::string& why);
 /// OSMesa, whether it can be loaded or not.
 [[nodiscard]] Candidate osmesaCandidate();
 
 /// The first context that works: EGL, then OSMesa, or only the backend or device that is asked for.
-/// @throws Error  (Kind::Context) if none works: why not, for each that was tried; (Kind::Usage) if a device is
-///                asked for that does not exist
+/// @throws Error  (Kind::Context) if none works; the message says why, for each that was tried; (Kind::Usage) if the
+///                device does not exist
 [[nodiscard]] std::unique_ptr<Context> createContext(const BackendSettings&);
 
 }  // namespace inkedge::gl

@@ -35,7 +35,7 @@ struct EglApi {
     decltype(&eglReleaseThread) releaseThread = nullptr;
     PFNEGLGETPLATFORMDISPLAYEXTPROC getPlatformDisplay = nullptr;
     PFNEGLQUERYDEVICESEXTPROC queryDevices = nullptr;            // null without the device platform
-    PFNEGLQUERYDEVICESTRINGEXTPROC queryDeviceString = nullptr;  // likewise
+    PFNEGLQUERYDEVICESTRINGEXTPROC queryDeviceString = nullptr;  // null without the device platform
     std::string failure;
 };
 
@@ -112,8 +112,8 @@ bool isSoftware(EGLDeviceEXT device) {
            listed(egl().queryDeviceString(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
 }
 
-// An initialised display. EGL hands the same display to everyone who asks for one platform and device, and terminating
-// it ends it for all of them, so its users share it.
+// An initialised display. EGL gives the same display to all users of one platform and device, and terminating it ends
+// it for all of them: so they share this object.
 class Display {
 public:
     explicit Display(EGLDisplay handle) : handle_{handle} {
@@ -183,8 +183,8 @@ public:
     ~EglContext() override { egl().destroyContext(display_->handle(), context_); }
 
 private:
-    // A context that is lost with a reset of the graphics processor tells so; others go on with wrong pictures. Not
-    // every driver can be asked for it.
+    // Asks for a context that reports when a reset of the graphics processor loses it; others go on with wrong
+    // pictures. Not every driver supports this.
     [[nodiscard]] EGLContext createContext() const {
         constexpr std::size_t resets = 6;
         std::array attributes{EGL_CONTEXT_MAJOR_VERSION,

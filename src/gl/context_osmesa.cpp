@@ -83,8 +83,8 @@ private:
     }
     void leave() noexcept override {
         innermost = before_;
-        // Only our own contexts come back: OSMesa and EGL of one Mesa share what is current on a thread, so that what
-        // OSMesa calls current may be an EGL context.
+        // Only our own contexts become current again: OSMesa and EGL of one Mesa share the current context of a thread,
+        // so that the context that OSMesa calls current may be EGL's.
         (void)tryToBind(before_);
     }
 
@@ -97,11 +97,11 @@ private:
         throw Error{Error::Kind::Context, "expected OSMesa to make its context current, found it refused"};
     }
 
-    static thread_local OsmesaContext* innermost;  // of those that are entered
+    static thread_local OsmesaContext* innermost;  // the last one that was entered
 
     void* context_ = nullptr;
     OsmesaContext* before_ = nullptr;
-    std::uint32_t pixel_ = 0;  // the buffer that OSMesa insists on; nothing is drawn to it
+    std::uint32_t pixel_ = 0;  // the buffer that OSMesa requires; nothing is drawn to it
 };
 
 thread_local OsmesaContext* OsmesaContext::innermost = nullptr;

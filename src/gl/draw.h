@@ -24,13 +24,13 @@ private:
     bool hasDepth_;
 };
 
-/// Sets everything that drawing depends on, whatever was set before: row 0 of the target is the picture's top row,
-/// depth runs from 1 at near to 0 at far and is tested if the target has it, nothing is culled or blended, front faces
-/// wind counter-clockwise.
+/// Sets all state that drawing depends on: row 0 of the target is the picture's top row, depth runs from 1 at near to 0
+/// at far and is tested if the target has a depth texture, nothing is culled or blended, front faces wind
+/// counter-clockwise.
 /// @param inputs  textures for the bindings 0, 1, ...
 void prepareDrawing(Gpu&, Program, const Framebuffer& target, std::initializer_list<const Texture*> inputs = {});
 
-/// The same with a program by its name in OpenGL.
+/// The same with a program by its OpenGL name.
 void prepareDrawing(Gpu&, GLuint program, const Framebuffer& target, std::initializer_list<const Texture*> inputs = {});
 
 /// Runs a program once for every pixel of the target.

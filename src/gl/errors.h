@@ -6,9 +6,9 @@
 
 namespace inkedge::gl {
 
-/// Does nothing if all OpenGL calls since the last check went well.
-/// @param work    what they were for, "a picture of 4 x 4 pixels": the messages name it
-/// @param remedy  what needs less memory, "ask for a smaller --size or --tile-size"
+/// Throws if an OpenGL call since the last check has failed.
+/// @param work    what the calls were for, "a picture of 4 x 4 pixels": messages name it
+/// @param remedy  how to use less memory, "ask for a smaller --size or --tile-size"
 /// @throws Error  (Kind::Runtime) if the context is lost, the graphics memory is used up or OpenGL has another error
 void checkErrors(const Api&, std::string_view work, std::string_view remedy);
 

@@ -33,7 +33,7 @@ struct PaintEntry {
 };
 static_assert(sizeof(PaintEntry) == 48);
 
-// Half as wide and high, by the mean of four texels; the last row and column of odd sizes are left out.
+// A copy half as wide and high: each texel is the mean of four. The last row and column of odd sizes are left out.
 Picture halved(const Picture& picture) {
     const Size size{std::max(picture.size.width / 2, 1), std::max(picture.size.height / 2, 1)};
     Picture half{size, 4};
@@ -57,10 +57,10 @@ std::uint32_t texel(const Picture& picture, std::size_t i) {
     return p[0] | std::uint32_t{p[1]} << 8U | std::uint32_t{p[2]} << 16U | std::uint32_t{p[3]} << 24U;
 }
 
-// Appends a picture and its smaller copies down to one texel, from the first that is no larger than mostSide.
-void append(const Picture& source, int mostSide, PaintEntry& entry, std::vector<std::uint32_t>& texels) {
+// Appends the halved copies of a picture, from the first that is no larger than maxSide down to one texel.
+void append(const Picture& source, int maxSide, PaintEntry& entry, std::vector<std::uint32_t>& texels) {
     Picture picture = source;
-    while (std::max(picture.size.width, picture.size.height) > mostSide) picture = halved(picture);
+    while (std::max(picture.size.width, picture.size.height) > maxSide) picture = halved(picture);
     entry.first = static_cast<GLuint>(texels.size());
     entry.width = static_cast<GLuint>(picture.size.width);
     entry.height = static_cast<GLuint>(picture.size.height);
@@ -72,7 +72,7 @@ void append(const Picture& source, int mostSide, PaintEntry& entry, std::vector<
 }
 
 // The largest side at which all pictures fit into one buffer.
-int sideThatFits(const Scene& scene, std::size_t mostTexels) {
+int sideThatFits(const Scene& scene, std::size_t maxTexels) {
     for (int side = 4096; side > 1; side /= 2) {
         std::size_t sum = 0;
         for (const Material& material : scene.materials()) {
@@ -81,7 +81,7 @@ int sideThatFits(const Scene& scene, std::size_t mostTexels) {
             while (std::max(width, height) > side) width = std::max(width / 2, 1), height = std::max(height / 2, 1);
             sum += static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3 / 2 + 32;
         }
-        if (sum <= mostTexels) return side;
+        if (sum <= maxTexels) return side;
     }
     return 1;
 }
@@ -137,9 +137,9 @@ void FunctionInputs::bindPicture(const std::string& file) {
 }
 
 FunctionInputs::Paint FunctionInputs::upload(const Scene& scene) const {
-    GLint mostBytes = 0;
-    api_.GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &mostBytes);
-    const int side = sideThatFits(scene, static_cast<std::size_t>(mostBytes) / 4);
+    GLint maxBytes = 0;
+    api_.GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &maxBytes);
+    const int side = sideThatFits(scene, static_cast<std::size_t>(maxBytes) / 4);
     std::vector<PaintEntry> entries(1);  // of triangles without a material
     std::vector<std::uint32_t> texels;
     for (const Material& material : scene.materials()) {

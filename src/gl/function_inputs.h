@@ -10,14 +10,14 @@
 
 namespace inkedge::gl {
 
-/// What surface functions read besides the scene's vertices: pictures of files, and what materials are painted with.
-/// Kept from view to view.
+/// What surface functions read besides the scene's vertices: pictures from files, and the materials' colours and
+/// pictures. Kept from view to view.
 class FunctionInputs {
 public:
     explicit FunctionInputs(const Api& api) : api_{api} {}
 
-    /// Binds a file's picture, as it is when it is asked for, as shaders/shared/surface.glsl reads it.
-    /// @throws Error  (Kind::Input) if it is missing or no PNG or JPEG
+    /// Binds a file's picture, as the file is now, as shaders/shared/surface.glsl reads it.
+    /// @throws Error  (Kind::Input) if the file is missing or no PNG or JPEG
     void bindPicture(const std::string& file);
 
     /// Binds the scene's materials as shaders/shared/paint.glsl reads them.

@@ -13,7 +13,7 @@ struct Gpu {
     const Api& api;
     Programs programs;
     TexturePool textures;
-    VertexArray emptyVertices = createVertexArray(api);  // core profiles draw nothing without one
+    VertexArray emptyVertices = createVertexArray(api);  // a core profile draws nothing without a vertex array
 };
 
 }  // namespace inkedge::gl

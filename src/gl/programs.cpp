@@ -51,7 +51,7 @@ std::string programLog(const Api& api, GLuint program) {
     return log;
 }
 
-// A shader, and whether it compiles.
+// Compiles a shader; returns whether that succeeded.
 std::pair<ShaderName, bool> tryCompile(const Api& api, Stage stage, std::string_view text) {
     ShaderName shader{api, api.CreateShader(glStage(stage))};
     const char* begin = text.data();
@@ -69,7 +69,7 @@ ShaderName compile(const Api& api, const ProgramText& program, const StageText& 
     return std::move(shader);
 }
 
-// A program, and whether it links.
+// Links a program; returns whether that succeeded.
 std::pair<ProgramName, bool> tryLink(const Api& api, const std::vector<ShaderName>& shaders) {
     ProgramName program{api, api.CreateProgram()};
     for (const ShaderName& shader : shaders) api.AttachShader(program.id(), shader.id());
@@ -88,8 +88,8 @@ ProgramName build(const Api& api, const ProgramText& text) {
     return std::move(program);
 }
 
-// The first error that a driver has of a user's text: "0:7(12): error: ..." or "0(7) : error ...". The frame around it
-// has none, and drivers forget which file an expression stands in: every line is the user's.
+// Reports the driver's first error in a user's text: "0:7(12): error: ..." or "0(7) : error ...". The text around the
+// user's has no errors, and drivers do not say which file an expression is in: every line is taken for the user's.
 [[noreturn]] void refuseFunction(const std::filesystem::path& file, std::string_view log) {
     const std::string name = load::printable(file.string());
     for (std::size_t at = 0; at < log.size();) {
@@ -128,9 +128,9 @@ GLuint Programs::function(std::string_view name) {
 }
 
 GLuint Programs::customFunction(const std::filesystem::path& file) {
-    std::uint64_t mostBytes = 1'048'576;
+    std::uint64_t maxBytes = 1'048'576;
     const load::Bytes bytes =
-        load::within(load::printable(file.string()), [&] { return load::readBytes(file, mostBytes); });
+        load::within(load::printable(file.string()), [&] { return load::readBytes(file, maxBytes); });
     const std::string text{load::textOf(bytes)};
     const auto known = customFunctions_.find(text);
     if (known != customFunctions_.end()) return known->second.id();

@@ -13,16 +13,16 @@ namespace inkedge::gl {
 /// Copies a texture to host memory, row 0 first.
 /// @param channels  how many of the texture's channels to take, from the first: 1 to 4
 [[nodiscard]] Image<float> readFloats(const Api&, const Texture&, int channels);
-/// An R32UI texture's values.
+/// The values of an R32UI texture.
 [[nodiscard]] Image<std::uint32_t> readIntegers(const Api&, const Texture&);
-/// The same of some of its parts only, each at its place.
+/// The values of some rectangles of a texture; the others are not read.
 [[nodiscard]] Samples<float> readFloats(const Api&, const Texture&, int channels, std::span<const Rectangle>);
 [[nodiscard]] Samples<std::uint32_t> readIntegers(const Api&, const Texture&, std::span<const Rectangle>);
-/// An RGBA32UI texture as 16 bytes a texel, the low byte of the first component first (on little-endian hosts).
+/// An RGBA32UI texture as 16 bytes per texel, the low byte of the first component first (on little-endian hosts).
 [[nodiscard]] Image<std::uint8_t> readPacked(const Api&, const Texture&);
-/// A texture of 8-bit channels.
+/// The values of a texture with 8-bit channels.
 [[nodiscard]] Image<std::uint8_t> readBytes(const Api&, const Texture&, int channels);
-/// A depth texture's values.
+/// The values of a depth texture.
 [[nodiscard]] Image<float> readDepth(const Api&, const Texture&);
 
 }  // namespace inkedge::gl

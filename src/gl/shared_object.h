@@ -6,8 +6,9 @@
 
 namespace inkedge::gl {
 
-/// Opens the first of several names of a system library, without exporting its symbols, or returns null. It stays open
-/// until the process ends: drivers leave threads and exit handlers behind that must not outlive their code.
+/// Opens a system library by the first of several names that works, without exporting its symbols; null if none does.
+/// The library stays open until the process ends: drivers leave threads and exit handlers that must not outlive their
+/// code.
 inline void* openSharedObject(std::initializer_list<const char*> names) noexcept {
     for (const char* name : names) {
         if (void* handle = dlopen(name, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)) return handle;

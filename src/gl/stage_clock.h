@@ -14,12 +14,12 @@ public:
     /// For stages that draw nothing.
     explicit StageClock(std::vector<StageTime>& times) : api_{nullptr}, clock_{times} {}
 
-    /// Waits for the stage's work to be done and adds its time to what the stage took before.
+    /// Waits until the stage's work is done, and adds the time since the last stage to this stage's.
     /// @throws Error  (Kind::Runtime) if OpenGL reports an error or a lost context
     void finish(const char* stage);
 
 private:
-    const Api* api_;  // null: none to wait for
+    const Api* api_;  // null: there is no OpenGL work to wait for
     inkedge::StageClock clock_;
 };
 

@@ -12,7 +12,7 @@ namespace inkedge::gl {
 
 class TexturePool;
 
-/// A texture with one level, borrowed from a pool: its storage goes back there when it dies.
+/// A texture with one level, borrowed from a pool. Its storage goes back to the pool when the texture is destroyed.
 class Texture {
 public:
     Texture(Texture&& from) noexcept = default;
@@ -34,11 +34,11 @@ private:
     GLenum format_;
 };
 
-/// Fills an RGBA8 texture with a part of an image, of its size.
+/// Fills an RGBA8 texture with a part of an image. The part has the texture's size.
 /// @param image  4 channels
 void writeBytes(const Api&, const Image<std::uint8_t>& image, const Rectangle& part, const Texture&);
 
-/// Textures that views of one size draw into again and again, allocated once. Must outlive its textures.
+/// Textures that are allocated once and used again by later views of one size. The pool must outlive its textures.
 class TexturePool {
 public:
     explicit TexturePool(const Api& api) : api_{api} {}
@@ -47,7 +47,7 @@ public:
     /// @throws Error  (Kind::Runtime) if the context is out of memory or lost
     [[nodiscard]] Texture acquire(Size size, GLenum format);
 
-    /// Frees what the views since the last call did not use.
+    /// Frees the textures that were not used since the last call.
     void trim();
 
 private:

@@ -69,7 +69,7 @@ void describeIntegers(const Api& api, GLuint vertexArray, GLuint location, GLuin
 
 struct Geometry {
     std::vector<Vertex> vertices;
-    std::vector<Extra> extras;  // one a vertex, or none
+    std::vector<Extra> extras;  // one per vertex, or none
     std::vector<std::uint32_t> indices;
     std::vector<DrawCommand> meshes;  // without instances
 };

@@ -8,20 +8,20 @@
 
 #include <inkedge/error.h>
 
-// How failures come out of a module: as text of one line in the result's member `failure`, empty where there is none.
+// A module reports a failure as text of one line in the result's member `failure`, which is empty if there is none.
 
 namespace inkedge {
 
 inline constexpr std::string_view outOfMemory = "out of memory";
 
-/// A library's message on one line.
+/// The message of a library as one line.
 [[nodiscard]] inline std::string oneLine(std::string text) {
     while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
     std::ranges::replace(text, '\n', ' ');
     return text.empty() ? "no reason given" : text;
 }
 
-/// In the module: calls a function whose result has a `failure`; what it throws becomes one.
+/// In the module: calls a function whose result has a `failure`. An exception becomes a failure.
 template <class Function>
 auto guarded(Function function) noexcept -> decltype(function()) {
     decltype(function()) result{};
@@ -35,7 +35,7 @@ auto guarded(Function function) noexcept -> decltype(function()) {
     return result;
 }
 
-/// In the library: a module's result, of which no more than its failure need be looked at before.
+/// In the library: returns the result of a module, or throws its failure.
 /// @throws std::bad_alloc  if memory was lacking
 /// @throws Error           (kind) with the failure, if there is another
 template <class Result>

@@ -28,7 +28,7 @@ fs::path ownFolder() {
     return error ? fs::path{"/"} : file.parent_path();  // never a relative path: code is loaded from here
 }
 
-/// Where modules lie relative to the code that opens them.
+/// The folders of modules, relative to the code that opens them.
 std::array<fs::path, 3> moduleFolders() {
     const fs::path own = ownFolder();
     return {

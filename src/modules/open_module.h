@@ -9,25 +9,25 @@
 
 namespace inkedge {
 
-/// A shared object that lies beside the library and is opened on first use: what is costly to load, or may be missing,
-/// costs only those who need it. Each wraps one third-party library, which nothing else sees. Both sides are built
-/// together and share the C++ runtime; no exception crosses (modules/failure.h).
+/// A shared object beside the library that is opened on first use, so that a library that is slow to load, or missing,
+/// does not matter to those who do not need it. Each module wraps one third-party library, which nothing else sees. The
+/// library and its modules are built together and share the C++ runtime; no exception crosses (modules/failure.h).
 struct Module {
     std::string_view purpose;  ///< for messages: "image formats"
     const char* file;          ///< its name: inkedge_NAME.so
-    const char* symbol;        ///< the one symbol that it exports, a function; its number rises with what it returns
-    std::string_view library;  ///< that it is there for, for messages: "OpenImageIO"
-    std::string_view option;   ///< of CMake, that it is built with; empty: it always is
+    const char* symbol;        ///< the one symbol that it exports, a function; numbered by the version of its interface
+    std::string_view library;  ///< the library that it wraps, for messages: "OpenImageIO"
+    std::string_view option;   ///< the CMake option that it is built with; empty: it is always built
     std::string_view remedy;   ///< what to do without it, after "or"
 };
 
-/// The module's symbol. The module stays open.
-/// @param failure  the kind of the error, if there is one: what the caller was about to do
+/// The symbol of a module, which is opened and stays open.
+/// @param failure  the kind of the error, if there is one
 /// @throws Error   (failure) if the module is not found beside the library, does not fit it, or lacks its own library;
 ///                 a later call tries again
 [[nodiscard]] void* openModule(const Module&, Error::Kind failure);
 
-/// The same from the first of these folders that holds the module.
+/// The same, from the first of these folders that holds the module.
 [[nodiscard]] void* openModule(const Module&, std::span<const std::filesystem::path> folders, Error::Kind failure);
 
 /// A module whose symbol is a function without arguments that returns a pointer to its Functions.

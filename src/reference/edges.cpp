@@ -185,7 +185,7 @@ Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength, 
 
 namespace {
 
-// Depths around a pixel, less its own, in its footprints.
+// Depths around a pixel less that of the pixel, in footprints of the pixel.
 using Depths = std::array<std::array<double, 5>, 5>;
 
 double gradient(const Depths& d, std::size_t x, std::size_t y) {
@@ -218,16 +218,16 @@ Image<double> detectProfiles(const Image<double>& depth, const Image<double>& no
                 d[static_cast<std::size_t>(i / 5)][static_cast<std::size_t>(i % 5)] =
                     isBackground(column, row) ? far : std::clamp(there, -far, far);
             }
-            double least = gradient(d, 2, 2);
-            double most = least;
+            double smallest = gradient(d, 2, 2);
+            double largest = smallest;
             double around = 0.0;
             for (std::size_t i = 0; i < 9; ++i) {
                 const double g = gradient(d, 1 + i % 3, 1 + i / 3);
-                least = std::min(least, g);
-                most = std::max(most, g);
+                smallest = std::min(smallest, g);
+                largest = std::max(largest, g);
                 around += d[1 + i / 3][1 + i % 3];
             }
-            const double profile = std::min((most - least) / settings.profileLimit, 1.0);
+            const double profile = std::min((largest - smallest) / settings.profileLimit, 1.0);
             const double edge = std::min(std::abs(9.0 * d[2][2] - around) / 3.0 / settings.edgeLimit, 1.0);
             ink.at(x, y) = std::max(profile, edge) * std::max(profile, edge);
         }

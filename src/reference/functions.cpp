@@ -18,10 +18,10 @@ namespace inkedge::reference {
 namespace {
 
 constexpr double noValue = 1e30;
-constexpr double nothing = 1e29;  // over it there is no value
+constexpr double nothing = 1e29;  // a last channel over this: there is no value
 
 // struct Surface of shaders/shared/surface.glsl.
-struct Place {
+struct SurfacePoint {
     glm::dvec3 world{0.0};  // from the centre of the scene's bounds
     glm::dvec3 object{0.0};
     glm::dvec3 normal{0.0};
@@ -29,7 +29,7 @@ struct Place {
     glm::dvec3 fromEye{0.0};
     double depth = 0.0;
     glm::dvec2 coordinates{0.0};
-    glm::dvec3 color{1.0};  // the vertex's times the material's
+    glm::dvec3 color{1.0};  // of the vertex times that of the material
     double curvature = 0.0;
 };
 
@@ -48,52 +48,52 @@ double wave(glm::dvec3 p) {
     return std::sin(3.1 * p.x + 1.7 * p.z) * std::sin(2.3 * p.y + 0.9 * p.x) + 0.5 * std::sin(4.7 * p.z - 1.3 * p.y);
 }
 
-glm::dvec4 depth(const Place& s, const Given& given) {
+glm::dvec4 depth(const SurfacePoint& s, const Given& given) {
     const DepthMap map = given.option(0) == 1.0 ? DepthMap::Window : DepthMap::Linear;
     const Image<double> z{{1, 1}, 1, s.depth};
     return {scaledDepth(z, given.camera, map).pixels[0], 0.0, 0.0, 0.0};
 }
 
-glm::dvec4 normal(const Place& s, const Given& given) {
+glm::dvec4 normal(const SurfacePoint& s, const Given& given) {
     return {given.option(0) == 1.0 ? s.worldNormal : s.normal, 0.0};
 }
 
-glm::dvec4 texture(const Place& s, const Given& given) {
+glm::dvec4 texture(const SurfacePoint& s, const Given& given) {
     return {glm::fract(s.coordinates * given.option(0)), 0.0, 0.0};
 }
 
-glm::dvec4 baseColor(const Place& s, const Given&) {
+glm::dvec4 baseColor(const SurfacePoint& s, const Given&) {
     const glm::dvec3 c = glm::clamp(s.color, 0.0, 1.0);
     return {toSrgb(c.r), toSrgb(c.g), toSrgb(c.b), 0.0};
 }
 
-glm::dvec4 environment(const Place& s, const Given& given) {
+glm::dvec4 environment(const SurfacePoint& s, const Given& given) {
     glm::dvec3 reflected = glm::reflect(s.fromEye, s.normal);
     if (given.option(0) == 1.0) reflected = glm::transpose(glm::dmat3{given.camera.view}) * reflected;
     return {0.5 + 0.5 * reflected, 0.0};
 }
 
-glm::dvec4 volume(const Place& s, const Given& given) {
+glm::dvec4 volume(const SurfacePoint& s, const Given& given) {
     if (given.option(0) == 0.0) return {given.option(2) * s.object, 0.0};
     const int axis = static_cast<int>(given.option(1));
     glm::dvec3 across = s.object;
     across[axis] = 0.0;
-    const double place = given.option(0) == 1.0 ? glm::length(across) : s.object[axis];
-    return {stepsIn(given.option(2) * place + given.option(3) * wave(2.0 * s.object)), 0.0, 0.0, 0.0};
+    const double along = given.option(0) == 1.0 ? glm::length(across) : s.object[axis];
+    return {stepsIn(given.option(2) * along + given.option(3) * wave(2.0 * s.object)), 0.0, 0.0, 0.0};
 }
 
-glm::dvec4 curvature(const Place& s, const Given& given) {
+glm::dvec4 curvature(const SurfacePoint& s, const Given& given) {
     const double scaled = given.option(0) * s.curvature;
     return {stepsIn(given.option(1) * scaled / (1.0 + std::abs(scaled)) + 0.5), 0.0, 0.0, 0.0};
 }
 
-glm::dvec4 uv(const Place& s, const Given& given) {
+glm::dvec4 uv(const SurfacePoint& s, const Given& given) {
     const auto steps = [&](double c) { return stepsIn(glm::fract(c + 1e-6) / given.option(0)); };
     return {given.option(1) == 2.0 ? 0.0 : steps(s.coordinates.x),
             given.option(1) == 1.0 ? 0.0 : steps(s.coordinates.y), 0.0, 0.0};
 }
 
-glm::dvec4 height(const Place& s, const Given& given) {
+glm::dvec4 height(const SurfacePoint& s, const Given& given) {
     const int axis = static_cast<int>(given.option(0));
     const Box& box = given.scene.box();
     const double size = given.option(1) > 0.0 ? given.option(1) : (box.max[axis] - box.min[axis]) / given.option(2);
@@ -101,7 +101,7 @@ glm::dvec4 height(const Place& s, const Given& given) {
     return {size > 0.0 ? stepsIn(above / size) : 0.0, 0.0, 0.0, 0.0};
 }
 
-using Definition = glm::dvec4 (*)(const Place&, const Given&);
+using Definition = glm::dvec4 (*)(const SurfacePoint&, const Given&);
 
 Definition definitionOf(const FunctionSettings& function) {
     static const std::map<std::string_view, Definition> all{{"depth", depth},
@@ -126,44 +126,44 @@ glm::dvec3 materialColor(const Scene& scene, const Mesh& mesh, std::size_t trian
     return glm::dvec3{glm::vec3{scene.materials()[material - 1].color}};
 }
 
-// What a triangle's corners say, to be mixed.
-Place cornerOf(const Given& given, const Instance& instance, const Mesh& mesh, std::uint32_t vertex) {
+// The values at a triangle's corner, to be interpolated.
+SurfacePoint cornerOf(const Given& given, const Instance& instance, const Mesh& mesh, std::uint32_t vertex) {
     const double unit = given.scene.bounds().radius > 0.0 ? given.scene.bounds().radius : 1.0;
     const glm::dmat3 linear{instance.transform};
     const double radii = std::cbrt(std::abs(glm::determinant(linear))) / unit;
     const glm::dvec3 local{mesh.positions[vertex]};
-    Place place;
-    place.world = glm::dvec3{instance.transform * glm::dvec4{mesh.origin + local, 1.0}} - given.scene.bounds().centre;
-    place.object = local * radii;
-    place.worldNormal = glm::transpose(glm::inverse(linear)) * glm::dvec3{mesh.normals[vertex]};
-    if (!mesh.textureCoordinates.empty()) place.coordinates = glm::dvec2{mesh.textureCoordinates[vertex]};
-    if (!mesh.paint.empty()) place.color = glm::dvec3{glm::vec3{mesh.paint[vertex].color}};
-    if (!mesh.curvatures.empty()) place.curvature = static_cast<double>(mesh.curvatures[vertex]) / radii;
-    return place;
+    SurfacePoint point;
+    point.world = glm::dvec3{instance.transform * glm::dvec4{mesh.origin + local, 1.0}} - given.scene.bounds().centre;
+    point.object = local * radii;
+    point.worldNormal = glm::transpose(glm::inverse(linear)) * glm::dvec3{mesh.normals[vertex]};
+    if (!mesh.textureCoordinates.empty()) point.coordinates = glm::dvec2{mesh.textureCoordinates[vertex]};
+    if (!mesh.paint.empty()) point.color = glm::dvec3{glm::vec3{mesh.paint[vertex].color}};
+    if (!mesh.curvatures.empty()) point.curvature = static_cast<double>(mesh.curvatures[vertex]) / radii;
+    return point;
 }
 
-Place mixed(const std::array<Place, 3>& corners, const Sample& sample, const Given& given) {
-    Place place;
-    place.color = glm::dvec3{0.0};
+SurfacePoint mixed(const std::array<SurfacePoint, 3>& corners, const Sample& sample, const Given& given) {
+    SurfacePoint point;
+    point.color = glm::dvec3{0.0};
     for (int i = 0; i < 3; ++i) {
-        const Place& corner = corners[static_cast<std::size_t>(i)];
+        const SurfacePoint& corner = corners[static_cast<std::size_t>(i)];
         const double weight = sample.barycentric[i];
-        place.world += weight * corner.world;
-        place.object += weight * corner.object;
-        place.worldNormal += weight * corner.worldNormal;
-        place.coordinates += weight * corner.coordinates;
-        place.color += weight * corner.color;
-        place.curvature += weight * corner.curvature * (sample.front ? 1.0 : -1.0);
+        point.world += weight * corner.world;
+        point.object += weight * corner.object;
+        point.worldNormal += weight * corner.worldNormal;
+        point.coordinates += weight * corner.coordinates;
+        point.color += weight * corner.color;
+        point.curvature += weight * corner.curvature * (sample.front ? 1.0 : -1.0);
     }
-    const glm::dvec3 inView{given.camera.view * glm::dvec4{place.world + given.scene.bounds().centre, 1.0}};
-    place.worldNormal = glm::normalize(place.worldNormal) * (sample.front ? 1.0 : -1.0);
-    place.normal = glm::dmat3{given.camera.view} * place.worldNormal;
-    place.fromEye = given.camera.orthographic() ? glm::dvec3{0.0, 0.0, -1.0} : glm::normalize(inView);
-    place.depth = -inView.z;
-    return place;
+    const glm::dvec3 inView{given.camera.view * glm::dvec4{point.world + given.scene.bounds().centre, 1.0}};
+    point.worldNormal = glm::normalize(point.worldNormal) * (sample.front ? 1.0 : -1.0);
+    point.normal = glm::dmat3{given.camera.view} * point.worldNormal;
+    point.fromEye = given.camera.orthographic() ? glm::dvec3{0.0, 0.0, -1.0} : glm::normalize(inView);
+    point.depth = -inView.z;
+    return point;
 }
 
-// Values less the pixel's own: functionMagnitude().
+// The values of a pixel less those of the centre: functionMagnitude().
 glm::dvec4 difference(const Image<double>& values, int x, int y, const glm::dvec4& centre, double period) {
     const int column = std::clamp(x, 0, values.size.width - 1);
     const int row = std::clamp(y, 0, values.size.height - 1);
@@ -194,10 +194,10 @@ Image<double> drawFunction(const Scene& scene, const Camera& camera, const Funct
         const bool mirrored = glm::determinant(glm::dmat3{instance.transform}) < 0.0;
         for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
             ClipTriangle triangle{};
-            std::array<Place, 3> corners{};
+            std::array<SurfacePoint, 3> corners{};
             const glm::dvec3 color = materialColor(scene, mesh, t);
             for (std::size_t i = 0; i < 3; ++i) {
-                Place& corner = corners[mirrored ? 2 - i : i];
+                SurfacePoint& corner = corners[mirrored ? 2 - i : i];
                 corner = cornerOf(given, instance, mesh, mesh.indices[3 * t + i]);
                 corner.color *= color;
                 triangle[mirrored ? 2 - i : i] = viewProjection * glm::dvec4{corner.world + scene.bounds().centre, 1.0};

@@ -17,7 +17,7 @@ namespace inkedge::reference {
 /// A triangle's corners in clip space, in the order in which the picture shows its front as counter-clockwise.
 using ClipTriangle = std::array<glm::dvec4, 3>;
 
-/// What a pixel's centre sees of a triangle.
+/// The point of a triangle that a pixel's centre sees.
 struct Sample {
     int x;
     int y;

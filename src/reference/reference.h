@@ -10,7 +10,7 @@
 #include "raster/pair_mark.h"
 
 /// The CPU definition of every pass, in plain loops and double precision: what the graphics processor must compute.
-/// Made to be read and to test against, not to be fast. All functions are pure and thread-safe.
+/// Written to be read and to test against, not to be fast. All functions are pure and thread-safe.
 namespace inkedge::reference {
 
 /// Equation 5: [1 2 1] and [-1 0 1].
@@ -24,14 +24,13 @@ inline constexpr double faridDerivative[] = {-0.108385, -0.280349, 0.0, 0.280349
 struct Surface {
     Image<double> depth;        ///< eye-space depth, scene units; background: camera.far
     Image<double> windowDepth;  ///< 0 at near, 1 at far; background: 1
-    Image<double> normal;       ///< 3 channels: the interpolated normal, unit length, turned to the side that is seen;
-                                ///< background: 0
+    /// 3 channels: the interpolated normal, unit length, turned to the side that is seen; background: 0.
+    Image<double> normal;
 };
 
-/// Casts each pixel's centre onto every triangle (homogeneous rasterisation) and keeps the nearest between near and
-/// far. The GPU twin is drawSurface(); the two may differ at pixels whose centre lies within 1/256 pixel of a
-/// triangle's edge, since graphics processors snap vertices to such a grid. O(pixels covered by each triangle's
-/// bounds).
+/// Finds for each pixel the nearest triangle between near and far at the pixel's centre (homogeneous rasterisation).
+/// The GPU twin is drawSurface(). The two may differ at pixels whose centre lies within 1/256 pixel of a triangle's
+/// edge, since graphics processors snap vertices to such a grid. O(pixels covered by each triangle's bounds).
 [[nodiscard]] Surface drawSurface(const Scene&, const Camera&, LightSpace, Size);
 
 /// The light that a white diffuse surface receives from a red, a green and a blue directional light along +X, +Y and +Z
@@ -54,7 +53,7 @@ struct Edges {
     Image<double> normalMagnitude;   ///< the largest of the three channels
     Image<std::uint8_t> depthEdges;  ///< 255 where the magnitude >= T, else 0: equation 7
     Image<std::uint8_t> normalEdges;
-    Image<std::uint8_t> edges;  ///< either
+    Image<std::uint8_t> edges;  ///< depth edges or normal edges
 };
 
 /// GPU twins: shaders/detect_edges.frag for the edges, shaders/measure_edges.frag for the magnitudes.
@@ -64,81 +63,87 @@ struct Edges {
 [[nodiscard]] Edges detectEdges(const Image<double>& depth, const Image<double>& normal, const Camera&,
                                 const DetectorSettings&);
 
-/// Lines without thresholds. On a plane w = 1 / z (orthographic: w = -z) is linear in the picture. With g the slope of
-/// w over the step from p to q on each one's own plane, r_p = w_q - (w_p + g_p) and r_q = w_p - (w_q - g_q) have one
-/// sign where the planes meet on the step: the surface goes on. Else it jumps if
+/// Lines without thresholds. On a plane w = 1 / z (orthographic: w = -z) is linear in the picture. Let g_p and g_q be
+/// the slopes of w over the step from p to q on the planes of p and q. The residuals r_p = w_q - (w_p + g_p) and r_q =
+/// w_p - (w_q - g_q) have one sign where the planes meet on the step: the surface goes on. Else it jumps if
 ///
 ///     min(|r_p|, |r_q|) k > 1 + min(|g_p|, |g_q|) k,    k = f / max(w_p, w_q)
 ///
-/// where f is the focal length in pixels (orthographic: k = f, pixels a unit length), so that differences of w times k
-/// are pixel footprints: no unit, distance or size of the scene enters. GPU twin: shaders/detect_lines.frag.
+/// where f is the focal length in pixels (orthographic: k = f, pixels per unit length). Differences of w times k are
+/// then pixel footprints, so that no unit, distance or size of the scene matters. GPU twin: shaders/detect_lines.frag.
 /// @param planes       4 channels: w, dw/dx, dw/dy a pixel, the patch's number; 0: background
 /// @param focalLength  f
 /// @param creaseAngle  degrees
-/// @return             one byte a pixel: PairMark bits, the low four for the pixel and the one to its right, the
-///                     high four for the pixel and the one below
+/// @return             one byte per pixel: PairMark bits, the low four for the pixel and the one to its right, the high
+///                     four for the pixel and the one below
 /// @throws Error       (Kind::Usage) if there are not 4 channels
 [[nodiscard]] Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength, bool orthographic,
                                               double creaseAngle);
 
-/// A surface function's values at pixels' centres: Hertzmann 1999, section 2.1.3. Of functions that read pictures or
-/// users' shaders there is no definition here. The definitions stand in src/reference/functions.cpp; GPU twins:
+/// The values of a surface function at the centres of pixels: Hertzmann 1999, section 2.1.3. Functions that read
+/// pictures or users' shaders have no definition here. The definitions are in src/reference/functions.cpp; GPU twins:
 /// shaders/functions.
 /// @return        4 channels; background: the row's value, or 1e30 in the last channel where it has none
 /// @throws Error  (Kind::Usage) if the function reads a file or its materials have pictures
 [[nodiscard]] Image<double> drawFunction(const Scene&, const Camera&, const FunctionSettings&, Size);
 
-/// Equation 6 on a function's values, the largest of its channels. Differences are taken from the pixel's own value,
-/// modulo wrapPeriod(); background without a value differs from nothing and has no magnitude. GPU twins:
+/// Equation 6 on the values of a function, the largest of its channels. Differences are taken from the pixel's own
+/// value, modulo wrapPeriod(). On a background without a value differences and magnitudes are 0. GPU twins:
 /// detect_function.frag, measure_function.frag.
 /// @param values  4 channels, as drawFunction() returns them
 [[nodiscard]] Image<double> functionMagnitude(const Image<double>& values, const FunctionSettings&);
 
 /// How dark profiles and internal edges are, 0 to 1: the square of the larger of min((g_max - g_min) / k_p, 1), over
-/// the 3 x 3 pixels around, and min(|l| / k_l, 1), with
+/// the 3 x 3 pixels around, and min(|l| / k_l, 1), where
 ///
 ///     A B C    g = (|A + 2 B + C - F - 2 G - H| + |C + 2 E + H - A - 2 D - F|) / 8
 ///     D X E    l = (8 X - A - B - C - D - E - F - G - H) / 3
 ///     F G H
 ///
-/// of depths less the pixel's own, in its footprints, in perspective of 1 / z, of which planes stay planes; clamped to
-/// 1000, which the background has. 0 on the background. After Saito and Takahashi 1990, whose text was not at hand: the
-/// limits k_p and k_l are settings. GPU twin: detect_profiles.frag.
+/// are taken of the depths less that of the pixel, in footprints of the pixel and clamped to 1000, the depth of the
+/// background. In perspective they are depths of 1 / z, so that planes stay planes. The result is 0 on the background.
+/// After Saito and Takahashi 1990, whose text was not at hand: the limits k_p and k_l are settings. GPU twin:
+/// detect_profiles.frag.
 /// @param depth   eye-space depth, scene units
 /// @param normal  3 channels; background: 0
 [[nodiscard]] Image<double> detectProfiles(const Image<double>& depth, const Image<double>& normal, const Camera&,
                                            const DetectorSettings&);
 
-/// How much hatch marks cover of each sample, 0 to 1: Hertzmann 1999, Figure 2(b). Where two facets meet between
-/// neighbours (a step or two from the sample, along a row or a column) runs the straight mark on which their planes are
-/// equally near. With a the angle that they bend by, l the light that falls on them, from the upper left, and
-/// t = bend max(1 - shade + 3 shade l^1.5, 0.1), its tone is a step from 0 at a = 0.7 t to 1 at 1.3 t, smooth as 3 x^2
-/// - 2 x^3; it covers min(1/2 + width/2 - d, width) of a sample that lies d samples away. Facets that meet in one point
-/// only, and surfaces of which one lies in front of the other, have no mark. GPU twin: hatch.frag.
+/// How much hatch marks cover of each sample, 0 to 1: Hertzmann 1999, Figure 2(b).
+///
+/// Where two facets meet between neighbouring samples (a step or two from the sample, along a row or a column) there is
+/// a straight mark, along which the planes of the facets have the same depth. Let a be the angle between the facets, l
+/// the light that falls on them from the upper left, and t = bend max(1 - shade + 3 shade l^1.5, 0.1). The tone of the
+/// mark is a step from 0 at a = 0.7 t to 1 at 1.3 t, smooth as 3 x^2 - 2 x^3. The mark covers min(1/2 + width/2 - d,
+/// width) of a sample that lies d samples away. Facets that meet in one point only, and surfaces of which one lies in
+/// front of the other, have no mark. GPU twin: hatch.frag.
 /// @param planes       as for detectLines()
-/// @param focalLength  likewise
+/// @param focalLength  as for detectLines()
 /// @param bend         degrees
 /// @param width        samples
 [[nodiscard]] Image<double> hatch(const Image<float>& planes, double focalLength, bool orthographic, double bend,
                                   double shade, double width);
 
-/// How much ink a soft brush leaves, 0 to 1: after Hertzmann 1999, Figure 2(c). The channels are the normal's, of which
-/// a step of 1/2, and the depth's from near to far, of which a step of 0.06 takes half of the ink; depth is first
-/// rounded down to one of sumiStreaks steps, if there are any. They are blurred by a Gaussian of a quarter of the
-/// brush's width, and m is the largest gradient magnitude of any (equations 5 and 6), in units in which a step of 1 has
-/// 1: the ink is m^1.5 / (1 + m^1.5). It is smeared along the edges, sumiLength pixels each way, in steps of a pixel:
-/// the mean by a Gaussian of half that length along the lines across the greater axis of the structure tensor, which is
-/// blurred by a Gaussian of half the width; where that is even, ink stays where it is. GPU twins: sumi_channels.frag,
+/// How much ink a soft brush leaves, 0 to 1: after Hertzmann 1999, Figure 2(c).
+///
+/// The channels are the normal, of which a step of 1/2 takes half of the ink, and the depth from near to far, of which
+/// a step of 0.06 does. Depth is first rounded down to one of sumiStreaks steps, if there are any. The channels are
+/// blurred by a Gaussian of a quarter of the brush's width. Let m be the largest gradient magnitude of the channels
+/// (equations 5 and 6), in units in which a step of 1 has magnitude 1: the ink is m^1.5 / (1 + m^1.5).
+///
+/// The ink is smeared along the edges, sumiLength pixels each way, in steps of a pixel: it is the mean, weighted by a
+/// Gaussian of half that length, along lines across the major axis of the structure tensor, which is blurred by a
+/// Gaussian of half the width. Where the tensor has no axis ink is not smeared. GPU twins: sumi_channels.frag,
 /// blur.frag, sumi_gradients.frag, sumi_tangents.frag, sumi_brush.frag.
 /// @param depth   eye-space depth, scene units
 /// @param normal  3 channels; background: 0
 [[nodiscard]] Image<double> sumi(const Image<double>& depth, const Image<double>& normal, const Camera&,
                                  const StyleSettings&);
 
-/// A drawing in loose strokes, after Curtis 1998 (reference 5 of Hertzmann 1999): looked up pencilStrokes times at
-/// places that smooth noise displaces, each laid over the last. Noise stands still in the picture, so that equal lines
-/// stray equally in all pictures of one seed. GPU twin: pencil.frag.
-/// @param drawing  4 channels, 0 to 255, not premultiplied, on nothing
+/// A drawing in loose strokes, after Curtis 1998 (reference 5 of Hertzmann 1999): the drawing is drawn pencilStrokes
+/// times, each time displaced by smooth noise, one over the other. The noise depends on the pixel and the seed only, so
+/// that equal lines are displaced equally in all pictures of one seed. GPU twin: pencil.frag.
+/// @param drawing  4 channels, 0 to 255, not premultiplied, on a transparent background
 /// @return         4 channels, 0 to 1, not premultiplied
 [[nodiscard]] Image<double> pencil(const Image<std::uint8_t>& drawing, const StyleSettings&);
 

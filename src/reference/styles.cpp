@@ -59,8 +59,8 @@ public:
         const double rp = q.w - (p.w + gp);
         const double rq = p.w - (q.w - gq);
         const double k = orthographic_ ? focalLength_ : focalLength_ / std::max(p.w, q.w);
-        const double least = std::min(std::abs(rp), std::abs(rq)) * k;
-        return rp * rq < 0.0 && least > 1.0 + std::min(std::abs(gp), std::abs(gq)) * k;
+        const double smaller = std::min(std::abs(rp), std::abs(rq)) * k;
+        return rp * rq < 0.0 && smaller > 1.0 + std::min(std::abs(gp), std::abs(gq)) * k;
     }
 
 private:
@@ -77,11 +77,11 @@ double brightness(const Facet& facet) {
     return std::max(glm::dot(facet.normal, glm::normalize(glm::dvec3{-0.45, 0.6, 0.66})), 0.0);
 }
 
-// Whether the two samples beside a pair see one of its facets each.
+// Whether each of the two samples beside a pair sees a facet of the pair.
 bool goesOn(const Facet& besideP, const Facet& besideQ, const Facet& p, const Facet& q) {
-    const double least = 0.2 * bendBetween(p, q);
-    return std::min(bendBetween(besideP, p), bendBetween(besideP, q)) < least &&
-           std::min(bendBetween(besideQ, p), bendBetween(besideQ, q)) < least;
+    const double tolerance = 0.2 * bendBetween(p, q);
+    return std::min(bendBetween(besideP, p), bendBetween(besideP, q)) < tolerance &&
+           std::min(bendBetween(besideQ, p), bendBetween(besideQ, q)) < tolerance;
 }
 
 }  // namespace
@@ -89,17 +89,18 @@ bool goesOn(const Facet& besideP, const Facet& besideQ, const Facet& p, const Fa
 Image<double> hatch(const Image<float>& planes, double focalLength, bool orthographic, double bend, double shade,
                     double width) {
     const Facets facets{planes, focalLength, orthographic};
-    // Of the mark between p at a place and its next sample q along an axis, at the sample so many steps before p.
-    const auto mark = [&](glm::ivec2 place, int axis, int sign, int before) {
+    // How much the mark between the sample p at a pixel and the next sample q along an axis covers of the sample that
+    // lies so many steps before p.
+    const auto mark = [&](glm::ivec2 pixel, int axis, int sign, int before) {
         glm::ivec2 step{0};
         step[axis] = sign;
         const glm::ivec2 beside{step.y, step.x};
         const auto facetAt = [&](glm::ivec2 at) { return facets.at(at.x, at.y); };
-        const Facet p = facetAt(place);
-        const Facet q = facetAt(place + step);
+        const Facet p = facetAt(pixel);
+        const Facet q = facetAt(pixel + step);
         if (!p.there || !q.there || facets.jump(p, q, axis, sign)) return 0.0;
-        if (!goesOn(facetAt(place + beside), facetAt(place + step + beside), p, q) &&
-            !goesOn(facetAt(place - beside), facetAt(place + step - beside), p, q))
+        if (!goesOn(facetAt(pixel + beside), facetAt(pixel + step + beside), p, q) &&
+            !goesOn(facetAt(pixel - beside), facetAt(pixel + step - beside), p, q))
             return 0.0;
         const double light = 0.5 * (brightness(p) + brightness(q));
         const double dark = glm::radians(bend) * std::max(1.0 - shade + 3.0 * shade * std::pow(light, 1.5), 0.1);
@@ -119,13 +120,13 @@ Image<double> hatch(const Image<float>& planes, double focalLength, bool orthogr
                 for (const int sign : {1, -1}) {
                     glm::ivec2 step{0};
                     step[axis] = sign;
-                    const glm::ivec2 place{x, y};
+                    const glm::ivec2 pixel{x, y};
                     const Facet q = facets.at(x + step.x, y + step.y);
                     const Facet r = facets.at(x + 2 * step.x, y + 2 * step.y);
                     if (!q.there || facets.jump(p, q, axis, sign)) continue;
-                    ink.at(x, y) = std::max(ink.at(x, y), mark(place, axis, sign, 0));
+                    ink.at(x, y) = std::max(ink.at(x, y), mark(pixel, axis, sign, 0));
                     if (bendBetween(p, q) < 0.5 * bendBetween(q, r))
-                        ink.at(x, y) = std::max(ink.at(x, y), mark(place + step, axis, sign, 1));
+                        ink.at(x, y) = std::max(ink.at(x, y), mark(pixel + step, axis, sign, 1));
                 }
             }
         }
@@ -157,7 +158,7 @@ Image<double> blurred(const Image<double>& image, double sigma) {
     return result;
 }
 
-// Derivatives of one channel by the Sobel kernels, in units in which a blurred step of 1 has 1.
+// Derivatives of one channel by the Sobel kernels, in units in which a blurred step of 1 has derivative 1.
 glm::dvec2 gradient(const Image<double>& image, int x, int y, int channel, double sigma) {
     glm::dvec2 sum{0.0};
     for (int j = -1; j <= 1; ++j) {
@@ -170,7 +171,7 @@ glm::dvec2 gradient(const Image<double>& image, int x, int y, int channel, doubl
     return sum * std::sqrt(2.0 * std::numbers::pi * (sigma * sigma + 0.5)) / 8.0;
 }
 
-// The unit vector across the greater axis of a structure tensor, given as xx, yy, xy; 0 if it has none.
+// The unit vector across the major axis of a structure tensor, given as xx, yy, xy; 0 if the tensor has no axis.
 glm::dvec2 tangentOf(glm::dvec3 tensor) {
     if (tensor.x == tensor.y && tensor.z == 0.0) return glm::dvec2{0.0};
     const double angle = 0.5 * std::atan2(2.0 * tensor.z, tensor.x - tensor.y);
@@ -224,12 +225,12 @@ Image<double> sumi(const Image<double>& depth, const Image<double>& normal, cons
             double sum = taken.at(x, y);
             double weights = 1.0;
             for (const double way : {1.0, -1.0}) {
-                glm::dvec2 place{x + 0.5, y + 0.5};
+                glm::dvec2 pixel{x + 0.5, y + 0.5};
                 glm::dvec2 direction = way * tangentAt(x, y);
                 for (int i = 1; i <= steps; ++i) {
-                    place += direction;
-                    const int px = std::clamp(static_cast<int>(std::floor(place.x)), 0, width - 1);
-                    const int py = std::clamp(static_cast<int>(std::floor(place.y)), 0, height - 1);
+                    pixel += direction;
+                    const int px = std::clamp(static_cast<int>(std::floor(pixel.x)), 0, width - 1);
+                    const int py = std::clamp(static_cast<int>(std::floor(pixel.y)), 0, height - 1);
                     const double weight = std::exp(-0.5 * i * i / (spread * spread));
                     sum += weight * taken.at(px, py);
                     weights += weight;
@@ -254,8 +255,8 @@ double chance(std::uint32_t x, std::uint32_t y, std::uint32_t layer) {
     return static_cast<double>((h ^ (h >> 14U)) >> 8U) / 16777216.0;
 }
 
-double noise(glm::dvec2 place, double cell, std::uint32_t layer) {
-    const glm::dvec2 p = place / cell;
+double noise(glm::dvec2 pixel, double cell, std::uint32_t layer) {
+    const glm::dvec2 p = pixel / cell;
     const auto x = static_cast<std::uint32_t>(p.x);
     const auto y = static_cast<std::uint32_t>(p.y);
     const auto eased = [](double f) { return f * f * f * (f * (6.0 * f - 15.0) + 10.0); };
@@ -265,14 +266,14 @@ double noise(glm::dvec2 place, double cell, std::uint32_t layer) {
                     glm::mix(chance(x, y + 1, layer), chance(x + 1, y + 1, layer), u), v);
 }
 
-double stray(glm::dvec2 place, double cell, std::uint32_t layer) {
-    return 2.0 * noise(place, cell, layer) - 1.0 + 0.3 * (2.0 * noise(place, cell / 3.0, layer + 1) - 1.0);
+double stray(glm::dvec2 pixel, double cell, std::uint32_t layer) {
+    return 2.0 * noise(pixel, cell, layer) - 1.0 + 0.3 * (2.0 * noise(pixel, cell / 3.0, layer + 1) - 1.0);
 }
 
-// Premultiplied, between four pixels, 0 to 1.
-glm::dvec4 inkAt(const Image<std::uint8_t>& drawing, glm::dvec2 place) {
-    const glm::dvec2 corner = glm::floor(place - 0.5);
-    const glm::dvec2 share = place - 0.5 - corner;
+// The drawing between four pixels, premultiplied, 0 to 1.
+glm::dvec4 inkAt(const Image<std::uint8_t>& drawing, glm::dvec2 pixel) {
+    const glm::dvec2 corner = glm::floor(pixel - 0.5);
+    const glm::dvec2 share = pixel - 0.5 - corner;
     const auto texel = [&](int i, int j) {
         glm::dvec4 t{0.0};
         for (int c = 0; c < 4; ++c)
@@ -289,15 +290,15 @@ Image<double> pencil(const Image<std::uint8_t>& drawing, const StyleSettings& se
     Image<double> drawn{drawing.size, 4};
     for (int y = 0; y < drawing.size.height; ++y) {
         for (int x = 0; x < drawing.size.width; ++x) {
-            const glm::dvec2 place{x + 0.5, y + 0.5};
-            const double grain = 0.6 * noise(place, 1.7, 0xfffffffeU) + 0.4 * noise(place, 3.1, 0xffffffffU);
+            const glm::dvec2 pixel{x + 0.5, y + 0.5};
+            const double grain = 0.6 * noise(pixel, 1.7, 0xfffffffeU) + 0.4 * noise(pixel, 3.1, 0xffffffffU);
             glm::dvec4 sum{0.0};  // premultiplied
             for (int i = 0; i < settings.pencilStrokes; ++i) {
                 const auto layer = static_cast<std::uint32_t>(settings.pencilSeed * 16 + i) * 8;
-                const glm::dvec2 away{stray(place, cell, layer), stray(place, cell, layer + 2)};
-                const glm::dvec4 found = inkAt(drawing, place + 1.5 * settings.pencilLooseness * away);
+                const glm::dvec2 away{stray(pixel, cell, layer), stray(pixel, cell, layer + 2)};
+                const glm::dvec4 found = inkAt(drawing, pixel + 1.5 * settings.pencilLooseness * away);
                 if (found.a == 0.0) continue;
-                const double pressed = found.a * (0.5 + 0.5 * noise(place, 1.3 * cell, layer + 4));
+                const double pressed = found.a * (0.5 + 0.5 * noise(pixel, 1.3 * cell, layer + 4));
                 const double left = std::clamp((pressed - 0.6 * grain * (1.0 - pressed)) / 0.5, 0.0, 1.0) *
                                     std::min(0.35 + pressed, 1.0);
                 const glm::dvec4 added = glm::dvec4{glm::dvec3{found} / found.a, 1.0} * (0.85 * left);

@@ -18,10 +18,10 @@ constexpr std::size_t maximumLineBytes = 4096;
     throw Error{kind, where + ": " + message};
 }
 
-// The whole of a file or a pipe, which may have no end.
+// The content of a file, or of a pipe, which may have no end: so there is a limit.
 std::string contentOf(const std::filesystem::path& file) {
     std::ifstream stream{file, std::ios::binary};
-    stream.peek();  // a folder can be opened but not read
+    stream.peek();  // fails for a folder, which can be opened but not read
     if (stream.fail() && !stream.eof())
         refuse(Error::Kind::Input, file.string(), "expected a configuration file, found none that can be read");
     std::string content(maximumFileBytes + 1, '\0');

@@ -8,7 +8,7 @@
 namespace inkedge::settings {
 namespace {
 
-// From here on a limit only keeps numbers from overflowing: the manual does not tell it.
+// A limit from here on only keeps numbers from overflowing: the manual does not mention it.
 constexpr double farLimit = 1e6;
 
 constexpr std::string_view degrees = "DEG";

@@ -4,10 +4,10 @@
 
 #include <inkedge/setting_table.h>
 
-/// What a constraint says of itself.
+/// Constraints in words.
 namespace inkedge::settings {
 
-/// "a number from 0.5 to 32": what messages expect.
+/// "a number from 0.5 to 32": what follows "expected" in messages.
 [[nodiscard]] std::string expectation(const Number&);
 [[nodiscard]] std::string expectation(const Count&);
 /// "one of sobel, farid"
@@ -20,7 +20,7 @@ namespace inkedge::settings {
 [[nodiscard]] std::string rangeOf(const List&);
 [[nodiscard]] std::string rangeOf(const Custom&);
 
-/// "PX", "auto|egl": what stands for the value behind a flag.
+/// "PX", "auto|egl": what stands for the value after a flag in the help.
 [[nodiscard]] std::string formOf(const Number&);
 [[nodiscard]] std::string formOf(const Count&);
 [[nodiscard]] std::string formOf(const Choice&);

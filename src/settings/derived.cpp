@@ -5,7 +5,7 @@
 namespace inkedge {
 namespace {
 
-// A step of 1 has magnitude 4 under the Sobel kernels and d1 + d2 of equation 8 under Farid's.
+// The magnitude of a step of 1: 4 with the Sobel kernels, d1 + d2 of equation 8 with Farid's.
 constexpr float sobelStep = 4.0F;
 constexpr float faridStep = 0.388734F;
 constexpr Thresholds sobelThresholds{0.1F, 1.6F};

@@ -16,7 +16,7 @@
 /// [](auto& s) -> auto& { return s.picture.dpi; }
 namespace inkedge::settings {
 
-/// What a row says besides its constraint.
+/// The parts of a row besides its constraint.
 struct About {
     std::string_view name = {};
     std::string_view shortName = {};
@@ -71,7 +71,7 @@ SettingDescription row(const About& about, const Choice& choice, Field) {
                       }});
 }
 
-/// @param parse  from text, a value or what an optional one holds
+/// @param parse  makes a value, or the value of an optional, from text
 template <auto parse, class Field>
 SettingDescription row(const About& about, const Custom& custom, Field) {
     return described(about, custom,

@@ -14,7 +14,7 @@
 namespace inkedge {
 namespace {
 
-constexpr double most = 1e12;
+constexpr double largest = 1e12;
 
 constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
 constexpr std::array<std::string_view, 2> spaces{"camera", "world"};
@@ -41,13 +41,13 @@ constexpr std::array uvOptions{
     FunctionOption{"direction", "which coordinate", 0, 0, 2, directions}};
 constexpr std::array heightOptions{
     FunctionOption{"axis", "of the world", 1, 0, 2, axes},
-    FunctionOption{"step", "between curves, scene units from the lowest point up; 0: as levels says", 0, 0, most},
+    FunctionOption{"step", "between curves, scene units from the lowest point up; 0: as levels says", 0, 0, largest},
     FunctionOption{"levels", "how many steps the scene's extent makes", 16, 1, 1000}};
 constexpr std::array customOptions{
-    FunctionOption{"a", "option[0]", 0, -most, most}, FunctionOption{"b", "option[1]", 0, -most, most},
-    FunctionOption{"c", "option[2]", 0, -most, most}, FunctionOption{"d", "option[3]", 0, -most, most}};
+    FunctionOption{"a", "option[0]", 0, -largest, largest}, FunctionOption{"b", "option[1]", 0, -largest, largest},
+    FunctionOption{"c", "option[2]", 0, -largest, largest}, FunctionOption{"d", "option[3]", 0, -largest, largest}};
 
-// Half of what a step of 1 gives: of functions that count steps.
+// The threshold of functions that count steps: half the magnitude of a step of 1.
 constexpr float steps = 2.0F;
 
 constexpr FunctionNeeds shape{};
@@ -119,7 +119,7 @@ std::string listOf(const FunctionOption& option) {
     return fmt::format("{}={}..{}", option.name, option.low, option.high);
 }
 
-// What a function takes, for messages.
+// The keys that a function takes, for messages.
 std::string allowed(const FunctionDescription& row) {
     std::vector<std::string> keys;
     for (const FunctionOption& option : row.options) keys.push_back(listOf(option));
@@ -155,7 +155,7 @@ std::string textOf(const FunctionOption& option, double value) {
     return isChoice ? std::string{option.choices[static_cast<std::size_t>(value)]} : fmt::format("{}", value);
 }
 
-// Takes key=value.
+// Sets one key=value of a function.
 void take(const FunctionDescription& row, std::string_view part, FunctionSettings& function) {
     const std::size_t equals = part.find('=');
     const std::string_view key = part.substr(0, equals);
@@ -167,7 +167,7 @@ void take(const FunctionDescription& row, std::string_view part, FunctionSetting
     }
     if (key == "threshold") {
         const std::optional<double> number = numberOf(value);
-        if (!number || *number < 0.0 || *number > most) refuse(row, part);
+        if (!number || *number < 0.0 || *number > largest) refuse(row, part);
         function.threshold = static_cast<float>(*number);
         return;
     }
@@ -182,7 +182,7 @@ void take(const FunctionDescription& row, std::string_view part, FunctionSetting
     function.options[static_cast<std::size_t>(option - row.options.begin())] = *number;
 }
 
-// A step of 1 has magnitude 4 under the Sobel kernels and d1 + d2 of equation 8 under Farid's.
+// The ratio of the magnitudes of a step of 1: d1 + d2 of equation 8 with Farid's kernels, 4 with the Sobel kernels.
 constexpr float faridToSobel = 0.388734F / 4.0F;
 
 }  // namespace

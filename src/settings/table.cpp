@@ -34,7 +34,7 @@ void validate(const Settings& settings, Groups groups) {
     }
 }
 
-// Calls what throws an error about a text, and says before it where the text comes from.
+// Calls an action that may throw an error about a text, and puts the text's source before the message.
 template <class Action>
 void named(std::string_view source, Action action) {
     try {

@@ -16,7 +16,7 @@ namespace {
 constexpr Number anyNumber{};
 constexpr Number overZero{.min = 0.0, .open = true};
 
-// What k, M and G stand for; 0: no suffix is any other text.
+// The number that k, M or G stands for; 0 for any other text, which is no suffix.
 std::uint64_t unitOf(std::string_view suffix) {
     if (suffix.empty()) return 1;
     if (suffix == "k") return 1'000;
@@ -157,7 +157,7 @@ PageSize parsePage(std::string_view text) {
         return landscape ? PageSize{named->size.height, named->size.width} : named->size;
     }
     const std::size_t between = text.find('x');
-    if (between == std::string_view::npos) parseMillimetres({});  // says what is expected
+    if (between == std::string_view::npos) parseMillimetres({});  // throws what is expected
     return {parseMillimetres(text.substr(0, between)), parseMillimetres(text.substr(between + 1))};
 }
 

@@ -11,18 +11,18 @@
 
 #include <inkedge/setting_table.h>
 
-/// Values from text and back. What cannot be taken throws Expected or, where it says more, Error:
-/// SettingDescription::set() turns the first into the second.
+/// Converts text to values and back. A text that has no value throws Expected or, if there is more to say, Error.
+/// SettingDescription::set() turns an Expected into an Error.
 namespace inkedge::settings {
 
-/// What a text should have been.
+/// Thrown for a text that has no value: what was expected.
 struct Expected {
     std::string what;
 };
 
-/// Pens of lines in output pixels.
+/// The width of a line's pen in output pixels.
 inline constexpr Number penWidth{.min = 0.5, .max = 32.0, .unit = "PX"};
-/// Lines within a texture coordinate's unit.
+/// The number of isolines within one unit of a texture coordinate.
 inline constexpr Count isolineSteps{.max = 1000};
 /// Levels of refinement.
 inline constexpr Count subdivisionLevels{.max = 6};
@@ -33,9 +33,9 @@ inline constexpr Count pictureSides{.min = 1, .max = PictureSettings::maxSide, .
 
 [[nodiscard]] double parseNumber(const Number&, std::string_view text);
 [[nodiscard]] std::uint64_t parseCount(const Count&, std::string_view text);
-/// @return  the name's number in the list
+/// @return  the index of the name in the list
 [[nodiscard]] int parseChoice(std::span<const std::string_view> names, std::string_view text);
-/// @return  the number itself, as text, if no name bears it
+/// @return  the value as a number in text if it is no index of a name
 [[nodiscard]] std::string nameOf(std::span<const std::string_view> names, int value);
 
 [[nodiscard]] glm::dvec3 parseVector(std::string_view text);
