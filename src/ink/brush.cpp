@@ -10,9 +10,9 @@
 namespace inkedge {
 namespace {
 
-constexpr double leastWidth = 1e-3;  // pixels: of a pen whose texture can be told apart from its mean
+constexpr double minWidth = 1e-3;  // pixels: with a narrower pen the texture looks like its mean
 
-// Rows, each the mean of those of the image that it stands for.
+// Fewer rows: each is the mean of the image's rows that it stands for.
 Image<float> averagedDown(const Image<float>& image, int height) {
     Image<float> result{{image.size.width, height}, 1};
     const double step = static_cast<double>(image.size.height) / height;
@@ -54,7 +54,7 @@ Brush readBrush(const std::filesystem::path& file, const LoadLimits& limits) {
 
 FittedBrush::FittedBrush(const Brush& brush, double penWidth) : ink_{unitInk(brush.ink)} {
     const Size size = brush.ink.size;
-    penWidth = std::max(penWidth, leastWidth);
+    penWidth = std::max(penWidth, minWidth);
     const double repeat = penWidth * size.width / size.height;  // pixels along the line
     const auto fitted = [](int side, double pixels) {
         return std::max(1, static_cast<int>(std::min<double>(side, std::ceil(pixels))));

@@ -15,14 +15,14 @@ namespace inkedge {
 namespace {
 
 constexpr double touching = 0.5;     // pixels
-constexpr double near = 1.5;         // pixels: where lines that go on may begin
+constexpr double near = 1.5;         // pixels: within this a line that goes on may begin
 constexpr double nearInSpace = 4.0;  // pixels across at the end
 constexpr double smoothly = 0.7;     // cosine
 constexpr double asOne = 0.9;        // cosine
 constexpr double ownStep = 2.0;      // pixels of a line over which its direction is taken
-constexpr double ownWay = 6.0;       // pixels along a line from its end: what lies there is the end itself
+constexpr double ownWay = 6.0;       // pixels along a line from its end: this part of the line is the end itself
 constexpr double rowHeight = 16.0;   // pixels
-constexpr double rowsBeyond = 4.0;   // rows above and below the picture, where strokes may begin that reach into it
+constexpr double rowsBeyond = 4.0;   // rows above and below the picture: strokes may begin there and reach into it
 
 struct End {
     LinePoint point;
@@ -37,7 +37,7 @@ std::pair<double, double> rowAndX(const End& end) {
     return {std::floor(end.point.pixel.y / rowHeight), end.point.pixel.x};
 }
 
-// The share of the way from a to b that is nearest to p.
+// The point between a and b that is nearest to p, as a share of the way from a to b.
 template <class Vector>
 double nearestShare(Vector p, Vector a, Vector b) {
     const Vector along = b - a;
@@ -50,7 +50,8 @@ double distanceTo(Vector p, Vector a, Vector b) {
     return glm::distance(p, glm::mix(a, b, nearestShare(p, a, b)));
 }
 
-// A straight piece of a line, and the ways along the line from its first point to both of the piece's, and to its last.
+// A straight piece of a line. Lengths are measured along the line from its first point: to both ends of the piece, and
+// to the last point of the line.
 struct Piece {
     std::size_t line;
     const LinePoint& a;
@@ -61,10 +62,10 @@ struct Piece {
     bool closed;
 };
 
-// How a piece's line runs where it is nearest to an end.
+// How the line of a piece runs where it is nearest to an end.
 struct Course {
-    double cosine;  // 0 to 1: across the way that the line ends, to along it
-    double ahead;   // pixels that it still has that way
+    double cosine;  // between the line and the direction of the end: 0 to 1
+    double ahead;   // pixels that the line still has in that direction
 };
 
 Course courseOf(const End& end, const Piece& piece, double way) {
@@ -82,13 +83,13 @@ bool meets(const End& end, const Piece& piece) {
     const double way = glm::mix(piece.begin, piece.end, nearestShare(pixel, piece.a.pixel, piece.b.pixel));
     if (end.line == piece.line && (end.last ? piece.whole - way : way) <= ownWay) return false;
     const Course course = courseOf(end, piece, way);
-    const bool endsToo = course.cosine > asOne && course.ahead <= near;  // both run out in one tip
+    const bool endsToo = course.cosine > asOne && course.ahead <= near;  // both lines run out in one tip
     const bool goesOn = course.cosine > smoothly && course.ahead > near;
     const bool touches = distance <= touching && distanceTo(position, piece.a.position, piece.b.position) <= end.reach;
     return goesOn || (touches && !endsToo);
 }
 
-// In the order of rows of the picture, from left to right in each.
+// Ends of lines, sorted by rows of the picture, and from left to right in each row.
 class Rows {
 public:
     Rows(std::vector<End> ends, Size size)

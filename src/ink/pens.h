@@ -8,30 +8,30 @@
 
 namespace inkedge {
 
-/// Width in output pixels and colour of one kind of stroke.
+/// Width, in output pixels, and colour of strokes.
 struct Pen {
     double width;
     Color color;
 };
 
-/// One pen for each line type where it is seen, in the order of LineType's bits, then one for each where it is hidden.
+/// One pen for the visible lines of each type, in the order of LineType's bits, then one for the hidden lines of each.
 inline constexpr int penCount = 2 * lineTypeCount;
 
-/// Hidden lines are drawn with half the width of seen ones: ISO 128's narrow and wide lines.
+/// Hidden lines are half as wide as visible ones: ISO 128's narrow and wide lines.
 inline constexpr double hiddenWidth = 0.5;
 
-/// Pens with the overrides of PictureSettings::pens applied.
+/// All pens: the line width and colour of the settings, with the overrides of PictureSettings::pens.
 [[nodiscard]] std::array<Pen, penCount> pens(const PictureSettings&);
 
-/// Which of pens() draws a line.
+/// The index into pens() of a line's pen.
 [[nodiscard]] std::uint8_t penOf(const Line&) noexcept;
 
-/// A dashed line: strokes with round caps whose centre lines have the length dash, gap apart; in widths of the pen. The
-/// caps make a dash longer by one width.
+/// Dashes, in widths of the pen: the length of a dash's centre line, and the gap between two. The round caps make a
+/// dash longer by one width.
 inline constexpr double dashLength = 6.0;
 inline constexpr double gapLength = 4.0;
 
-/// Whether a line is drawn at all: its type is, and it is seen or hidden lines are drawn.
+/// Whether a line is drawn: its type is drawn, and it is visible or hidden lines are drawn.
 [[nodiscard]] bool isDrawn(const Line&, const PictureSettings&, const LineSettings&) noexcept;
 
 }  // namespace inkedge

@@ -10,8 +10,8 @@
 namespace inkedge {
 namespace {
 
-constexpr double narrowest = 0.5;  // shares of the pen's width, for what is furthest or most bent
-constexpr double widest = 1.5;     // for what is nearest or straight
+constexpr double narrowest = 0.5;  // share of the pen's width where a line is furthest or most bent
+constexpr double widest = 1.5;     // share of the pen's width where a line is nearest or straight
 constexpr double bendStep = 3.0;   // pixels between points that follow a line's bends
 constexpr int bendReach = 3;       // steps to either side over which a bend is measured
 constexpr double halfBend = 15.0;  // pixels: the radius at which a line is half-way between narrowest and widest
@@ -24,7 +24,7 @@ StrokePoint between(const StrokePoint& a, const StrokePoint& b, double share) {
     return {glm::mix(a.pixel, b.pixel, share), glm::mix(a.width, b.width, share)};
 }
 
-// No two points further apart than step.
+// The points of a line, with more between them so that no two are further apart than step.
 std::vector<StrokePoint> refined(const std::vector<StrokePoint>& points, double step) {
     std::vector<StrokePoint> all{points.front()};
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -34,7 +34,7 @@ std::vector<StrokePoint> refined(const std::vector<StrokePoint>& points, double 
     return all;
 }
 
-// Straighter is wider.
+// Sets widths by curvature: straighter parts are wider.
 void setByBends(std::vector<StrokePoint>& points, bool closed) {
     points = refined(points, bendStep);
     const int last = static_cast<int>(points.size()) - 1;
@@ -58,11 +58,11 @@ double lengthOf(const std::vector<StrokePoint>& points) {
     return length;
 }
 
-// Free ends run out to nothing over a length; a line of two that is shorter than twice that has its whole width
-// nowhere.
+// Tapers free ends to nothing over a length. A line with two free ends that is shorter than twice that length has its
+// whole width nowhere.
 std::vector<StrokePoint> tapered(const std::vector<StrokePoint>& points, double taper, bool begins, bool ends) {
     const double length = lengthOf(points);
-    if (begins != ends && length > 0.0) taper = std::min(taper, length);  // at its other end it keeps its width
+    if (begins != ends && length > 0.0) taper = std::min(taper, length);  // the other end keeps its width
     const double half = begins && ends ? 0.5 * length : length;
     const double turnPoints[]{begins ? std::min(taper, half) : 0.0,
                               ends ? std::max(length - taper, length - half) : length};
@@ -93,30 +93,29 @@ StrokeWidths::StrokeWidths(const Lines& lines, const PictureSettings& picture, c
     : camera_{lines.camera}, kind_{settings.strokeWidth}, taper_{settings.strokeTaper} {
     if (taper_ > 0.0) freeEnds_.emplace(lines, picture, settings);
     if (kind_ != StrokeWidth::Depth) return;
-    least_ = std::numeric_limits<double>::infinity();
-    most_ = -least_;
+    furthest_ = std::numeric_limits<double>::infinity();
+    nearest_ = -furthest_;
     for (const Line& line : lines.lines) {
         for (const LinePoint& p : line.points) {
-            const double near = nearness(p);
+            const double near = inverseDepth(p);
             if (!std::isfinite(near)) continue;
-            least_ = std::min(least_, near);
-            most_ = std::max(most_, near);
+            furthest_ = std::min(furthest_, near);
+            nearest_ = std::max(nearest_, near);
         }
     }
 }
 
 bool StrokeWidths::vary() const noexcept { return kind_ != StrokeWidth::Constant || taper_ > 0.0; }
 
-// Changes evenly along a straight line in the picture: the depth, or in perspective its reciprocal.
-double StrokeWidths::nearness(const LinePoint& p) const {
+double StrokeWidths::inverseDepth(const LinePoint& p) const {
     const double z = (camera_.view * glm::dvec4{p.position, 1.0}).z;
     return camera_.orthographic() ? z : -1.0 / z;
 }
 
 void StrokeWidths::setByDepth(const Line& line, std::vector<StrokePoint>& points) const {
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const double near = nearness(line.points[i % line.points.size()]);
-        const double share = most_ > least_ ? (near - least_) / (most_ - least_) : 0.5;
+        const double near = inverseDepth(line.points[i % line.points.size()]);
+        const double share = nearest_ > furthest_ ? (near - furthest_) / (nearest_ - furthest_) : 0.5;
         points[i].width = std::isfinite(share) ? glm::mix(narrowest, widest, std::clamp(share, 0.0, 1.0)) : 1.0;
     }
 }

@@ -12,35 +12,36 @@
 
 namespace inkedge {
 
-/// A place on a stroke's centre line, and its width there as a share of its pen's.
+/// A point of a stroke's centre line, and the width there as a share of the pen's width.
 struct StrokePoint {
-    glm::dvec2 place;
+    glm::dvec2 pixel;  ///< as LinePoint::pixel
     double width = 1.0;
 };
 
 /// Widths that vary along the lines of one view, as LineSettings::strokeWidth and ::strokeTaper ask for.
 class StrokeWidths {
 public:
-    /// Looks at how near and how far the lines lie, and where they end.
+    /// Finds the range of the lines' depths and their free ends, as far as the settings need them.
     StrokeWidths(const Lines&, const PictureSettings&, const LineSettings&);
 
     [[nodiscard]] bool vary() const noexcept;
 
-    /// The line's points, of a closed one the first again at the end, and as many between them as the widths need.
-    /// Between two the width changes evenly.
-    /// @param whole  the line that it is a part of: only free ends of that one taper, not where it was cut
+    /// The points of a line, of a closed line the first again at the end, with as many between them as the widths need.
+    /// Between two points the width changes evenly.
+    /// @param whole  the line of which the line is a part: its free ends taper, not the ends where it was cut
     [[nodiscard]] std::vector<StrokePoint> along(const Line&, const Line& whole) const;
 
 private:
-    [[nodiscard]] double nearness(const LinePoint&) const;
+    // 1 / depth, or -depth in an orthographic view: linear along straight lines of the picture.
+    [[nodiscard]] double inverseDepth(const LinePoint&) const;
     void setByDepth(const Line&, std::vector<StrokePoint>&) const;
 
     const Camera& camera_;
     StrokeWidth kind_;
     double taper_;
     std::optional<FreeEnds> freeEnds_;  // where lines taper
-    double least_ = 0.0;                // nearness of the furthest point, and of the nearest
-    double most_ = 0.0;
+    double furthest_ = 0.0;             // the inverse depth of the furthest point
+    double nearest_ = 0.0;              // and that of the nearest
 };
 
 }  // namespace inkedge

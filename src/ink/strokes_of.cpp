@@ -12,13 +12,13 @@
 namespace inkedge {
 namespace {
 
-constexpr double paintTolerance = 0.02;  // pixels: 5 of 255 at most where a line runs along a pixel's side
+constexpr double paintTolerance = 0.02;  // pixels: at most 5 of 255 levels where a line runs along a pixel's side
 
 std::uint8_t levelOf(double width) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(width * fullWidth, 0.0, 255.0)));
 }
 
-// @param way  along the line, to a
+// @param way  length along the line to a
 Stroke strokeBetween(const StrokePoint& a, const StrokePoint& b, std::uint8_t pen, double way) {
     return {glm::vec2{a.pixel}, glm::vec2{b.pixel}, pen, levelOf(a.width), levelOf(b.width), static_cast<float>(way)};
 }
@@ -31,11 +31,11 @@ void addSolid(const std::vector<StrokePoint>& points, std::uint8_t pen, std::vec
     }
 }
 
-// Dashes along the way, beginning with a whole one.
+// Adds dashes along a line, beginning with a whole one.
 void addDashes(const std::vector<StrokePoint>& points, std::uint8_t pen, double width, std::vector<Stroke>& strokes) {
     const double period = (dashLength + gapLength) * width;
     const double dash = dashLength * width;
-    double begin = 0.0;  // of the edge, along the way
+    double begin = 0.0;  // of the edge, as a length along the line
     for (std::size_t i = 1; i < points.size(); ++i) {
         const StrokePoint& a = points[i - 1];
         const StrokePoint& b = points[i];

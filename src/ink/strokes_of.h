@@ -14,13 +14,13 @@
 
 namespace inkedge {
 
-/// Makes strokes of the lines of one view, which must outlive it.
+/// Makes strokes of the lines of one view. The lines must outlive this.
 class StrokeMaker {
 public:
-    /// @param tolerance  pixels by which strokes may stray from lines
+    /// @param tolerance  pixels by which strokes may deviate from lines
     StrokeMaker(const Lines&, const PictureSettings&, const LineSettings&, double tolerance);
 
-    /// Adds a line's strokes: none if it is not drawn.
+    /// Adds the strokes of a line; none if the line is not drawn.
     void add(const Line&, std::vector<Stroke>&) const;
 
 private:
@@ -32,9 +32,9 @@ private:
     glm::dvec2 size_;
 };
 
-/// Lines as strokes of pens(), so that paintStrokes() draws what linesSvg() does: the types of settings.lines, hidden
-/// lines dashed, solid or not at all; a closed line's last point joins its first. Lines are cut half a width beyond the
-/// edges of the picture, and simplified by less than paint shows.
+/// Lines as strokes of pens(), so that paintStrokes() draws the same as linesSvg(): the types of settings.lines, hidden
+/// lines dashed, solid or not at all; the last point of a closed line is joined to its first. Lines are cut half a
+/// width beyond the edges of the picture, and simplified by less than can be seen.
 [[nodiscard]] std::vector<Stroke> strokesOf(const Lines&, const PictureSettings&, const LineSettings&);
 
 }  // namespace inkedge

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 namespace inkedge {
 namespace {
 
-/// An 8-bit level n / 255 is not exact in float: differences of such levels stray from theirs by less than this.
+/// An 8-bit level n / 255 is not exact in float: the error of a difference of two such levels is under this.
 constexpr double integerRounding = 1e-6;
 
 [[noreturn]] void failToRead(const fs::path& file, std::string_view reason) {
@@ -64,7 +64,7 @@ void expectSameShape(const fs::path& a, const Image<float>& left, const fs::path
                 fmt::format("{}: expected {}, as {} has, found {}", b.string(), shape(left), a.string(), shape(right))};
 }
 
-/// The largest difference over a pixel's channels; infinite where one value is a number and the other one none.
+/// The largest difference over the channels of a pixel; infinite if one value is NaN where the other is a number.
 float pixelDifference(const Image<float>& a, const Image<float>& b, int x, int y) {
     float largest = 0.0F;
     for (int c = 0; c < a.channels; ++c) {
@@ -77,7 +77,7 @@ float pixelDifference(const Image<float>& a, const Image<float>& b, int x, int y
     return largest;
 }
 
-/// Grey: each pixel's difference as a share of the largest finite one; infinite ones are white.
+/// The differences as grey, as shares of the largest finite difference; infinite differences are white.
 Image<std::uint8_t> differencePicture(const Image<float>& a, const Image<float>& b) {
     Image<float> differences{a.size, 1};
     float largest = 0.0F;

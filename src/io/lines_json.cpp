@@ -14,10 +14,10 @@
 namespace inkedge {
 namespace {
 
-constexpr double millionth = 1e-6;  // of the model's radius: what world points are rounded to
-constexpr double thousand = 1e3;    // places are rounded to thousandths
+constexpr double millionth = 1e-6;  // of the model's radius: world positions are rounded to it
+constexpr double thousand = 1e3;    // pixel positions are rounded to thousandths
 
-// To a power of ten, 1 / step of it; written without needless digits.
+// A value rounded to 1 / perUnit, a power of ten, without needless digits.
 std::string rounded(double value, double perUnit) {
     const double result = std::round(value * perUnit) / perUnit;
     return fmt::format("{}", std::isfinite(result) ? result + 0.0 : value);
@@ -58,7 +58,7 @@ std::string linesJson(const Scene& scene, const Lines& lines, const Settings& se
         {"bounds", io::boundsJson(scene.bounds())},
         {"settings", io::settingsJson(settings)}};
     std::string text = io::textOf(head, 2);
-    text.erase(text.rfind('\n'));  // before the brace that ends it
+    text.erase(text.rfind('\n'));  // the line with the last brace
     text += ",\n  \"lines\": [";
     const double perUnit = pointsPerUnit(scene);
     std::string_view separator = "\n";

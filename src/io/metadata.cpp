@@ -12,7 +12,7 @@ using io::Json;
 
 Json vectorJson(const glm::dvec3& vector) { return {vector.x, vector.y, vector.z}; }
 
-/// Four rows of four, for column vectors.
+/// A matrix as four rows of four, for column vectors.
 Json matrixJson(const glm::dmat4& matrix) {
     Json rows = Json::array();
     for (int row = 0; row < 4; ++row) {
@@ -22,7 +22,7 @@ Json matrixJson(const glm::dmat4& matrix) {
 }
 
 Json backendJson(const BackendInfo& info) {
-    if (info.backend.empty()) return {};  // null: nothing was drawn with one
+    if (info.backend.empty()) return {};  // null: no backend was used
     return {{"backend", info.backend},   {"platform", info.platform}, {"vendor", info.vendor},
             {"renderer", info.renderer}, {"version", info.version},   {"software", info.software}};
 }
@@ -33,7 +33,7 @@ Json timesJson(const std::vector<StageTime>& times) {
     return json;
 }
 
-// Of one view.
+// What metadata say of one view.
 struct Drawn {
     const Camera& camera;
     Size size;
@@ -82,7 +82,7 @@ Json settingsJson(const Settings& settings) {
 
 Json boundsJson(const Sphere& bounds) { return {{"centre", vectorJson(bounds.centre)}, {"radius", bounds.radius}}; }
 
-// Names inside a model need not be UTF-8; a broken one must not cost the metadata.
+// Names inside a model need not be UTF-8: invalid bytes are replaced.
 std::string textOf(const Json& json, int indent) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }

@@ -10,7 +10,7 @@
 
 namespace inkedge::io {
 
-using Json = nlohmann::ordered_json;  ///< keys in the order in which they are told
+using Json = nlohmann::ordered_json;  ///< keys keep their order
 
 Json cameraJson(const Camera&, Size);
 Json boundsJson(const Sphere&);

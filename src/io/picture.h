@@ -20,10 +20,10 @@ PictureFormat pictureFormat(const std::filesystem::path&);
 /// @throws Error  (Kind::Usage) if the extension is none of ours; (Kind::Output) if the picture cannot be encoded
 std::vector<std::uint8_t> encodePicture(const Image<std::uint8_t>&, const std::filesystem::path& target);
 
-/// sRGB as linear light, 0..1, with alpha, where there is one, multiplied in.
+/// An sRGB picture as linear light, 0..1, premultiplied if it has alpha.
 Image<float> linearPicture(const Image<std::uint8_t>&);
 
-/// "Y", or "R", "G", "B" and, where there is one, "A".
+/// The names of channels: "Y", or "R", "G", "B" and, of four channels, "A".
 std::vector<std::string> channelNames(int channels);
 
 }  // namespace inkedge::io

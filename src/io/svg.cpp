@@ -23,9 +23,9 @@ namespace inkedge {
 namespace {
 
 constexpr double millimetresPerInch = 25.4;
-constexpr double cssDpi = 96.0;  // pixels an inch where a document does not say otherwise
+constexpr double cssDpi = 96.0;  // pixels per inch where a document does not say otherwise
 
-// A number of at most three decimals.
+// A number with at most three decimals.
 std::string number(double value) {
     std::string text = fmt::format("{:.3f}", value);
     text.erase(text.find_last_not_of('0') + 1);
@@ -33,14 +33,14 @@ std::string number(double value) {
     return text;
 }
 
-// Whether lines are outlines of strokes whose width varies.
+// Whether lines are written as outlines of strokes, because their widths vary.
 bool varies(const LineSettings& settings) {
     return settings.strokeWidth != StrokeWidth::Constant || settings.strokeTaper > 0.0;
 }
 
 std::string hex(Color color) { return fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue); }
 
-// Text for XML 1.0: UTF-8 without the characters that no document may hold, markup as entities.
+// Text for XML 1.0: UTF-8 without the characters that no document may have, markup as entities.
 std::string escaped(std::string_view text) {
     std::string valid = io::Json::parse(io::textOf(std::string{text}, -1)).get<std::string>();
     for (const std::string_view none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"}) {  // U+FFFE, U+FFFF
@@ -76,7 +76,7 @@ PictureSettings onPage(PictureSettings settings, Size size) {
     return settings;
 }
 
-// Whether the document's size is told in millimetres.
+// Whether the document's size is given in millimetres.
 bool isPhysical(const PictureSettings& settings) {
     bool physical = settings.page || settings.dpi != cssDpi || settings.lineWidth.millimetres;
     for (const PenSettings& pen : settings.pens) physical = physical || (pen.width && pen.width->millimetres);
@@ -91,14 +91,14 @@ std::string documentSize(const PictureSettings& settings, Size size) {
 }
 
 bool isStraight(const Bezier& curve) {
-    constexpr double tellable = 0.005;  // pixels: half the last decimal
+    constexpr double visible = 0.005;  // pixels: half the last decimal
     const glm::dvec2 along = curve[3] - curve[0];
     const double length = glm::length(along);
     const auto isOn = [&](glm::dvec2 p) {
         const glm::dvec2 off = p - curve[0];
-        if (length == 0.0) return glm::length(off) < tellable;
+        if (length == 0.0) return glm::length(off) < visible;
         const double way = glm::dot(off, along) / length;
-        return std::abs(off.x * along.y - off.y * along.x) < tellable * length && way >= 0.0 && way <= length;
+        return std::abs(off.x * along.y - off.y * along.x) < visible * length && way >= 0.0 && way <= length;
     };
     return isOn(curve[1]) && isOn(curve[2]);
 }
@@ -125,8 +125,8 @@ void addPolyline(io::SvgPath& path, const Line& line, double tolerance) {
     if (line.closed) path.close();
 }
 
-// A stroke's outline: straight along its sides, round at its ends; clockwise, so that strokes fill what any of them
-// fills.
+// Adds the outline of a stroke: straight along its sides, round at its ends. All run clockwise, so that overlapping
+// strokes fill the union of their areas.
 void addOutline(io::SvgPath& path, const Stroke& stroke, double penWidth) {
     const double from = 0.5 * penWidth * stroke.widthFrom / fullWidth;
     const double to = 0.5 * penWidth * stroke.widthTo / fullWidth;
@@ -143,8 +143,7 @@ void addOutline(io::SvgPath& path, const Stroke& stroke, double penWidth) {
     path.close();
 }
 
-// The paths of one pen, by object.
-// As fine as the lines are: half a tenth is a fifth of the usual tolerance.
+// The rounding of coordinates, as fine as the lines: half a tenth is a fifth of the usual tolerance.
 io::SvgPath::Step stepFor(const LineSettings& settings) {
     constexpr double coarse = 0.25;  // pixels
     const double tolerance = settings.fitCurves > 0.0 ? settings.fitCurves : settings.simplify;
@@ -233,7 +232,7 @@ std::string linesSvg(const Scene& scene, const Lines& lines, const Settings& set
         text += fmt::format("<rect class=\"inkedge background\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n", size.width,
                             size.height, hex(*picture.background));
     }
-    if (picture.page) {  // whose margins show what lies beyond the picture's edges
+    if (picture.page) {  // its margins would show what lies beyond the picture's edges
         text += fmt::format(
             "<clipPath id=\"picture\"><rect width=\"{}\" height=\"{}\"/></clipPath>\n"
             "<g clip-path=\"url(#picture)\">\n",
@@ -241,7 +240,7 @@ std::string linesSvg(const Scene& scene, const Lines& lines, const Settings& set
     }
     const auto allPens = pens(picture);
     const auto paths = pathsOf(lines, picture, settings.lines);
-    for (std::size_t i = paths.size(); i-- > 0;) {  // what comes first covers
+    for (std::size_t i = paths.size(); i-- > 0;) {  // the first covers the others, and is written last
         if (!paths[i].empty()) text += group(i, allPens[i], paths[i], settings.lines);
     }
     return text + (picture.page ? "</g>\n</svg>\n" : "</svg>\n");

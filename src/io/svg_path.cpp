@@ -10,7 +10,7 @@ namespace {
 
 constexpr double largest = 1e9;  // pixels
 
-// Hundredths as a number: 150 is "1.5", -5 is "-.05".
+// A number of hundredths as text: 150 is "1.5", -5 is "-.05".
 std::string number(long long hundredths) {
     std::string text = hundredths < 0 ? "-" : "";
     const long long size = std::abs(hundredths);
@@ -22,7 +22,7 @@ std::string number(long long hundredths) {
 
 }  // namespace
 
-SvgPath::Place SvgPath::rounded(glm::dvec2 p) const {
+SvgPath::Point SvgPath::rounded(glm::dvec2 p) const {
     const auto hundredths = [&](double v) {
         return std::llround(std::clamp(v, -largest, largest) * 100.0 / static_cast<double>(step_)) * step_;
     };
@@ -47,28 +47,28 @@ void SvgPath::add(long long hundredths) {
     separatesPoint_ = digits.find('.') != std::string::npos;
 }
 
-void SvgPath::addStep(Place to) {
+void SvgPath::addStep(Point to) {
     add(to.x - at_.x);
     add(to.y - at_.y);
 }
 
-void SvgPath::finishPart() {
+void SvgPath::finishSubpath() {
     if (dot_) text_ += "h0";
     dot_ = false;
 }
 
-void SvgPath::moveTo(glm::dvec2 place) {
-    finishPart();
-    const Place to = rounded(place);
+void SvgPath::moveTo(glm::dvec2 pixel) {
+    finishSubpath();
+    const Point to = rounded(pixel);
     command_ = 0;
-    begin('m');  // the first is absolute all the same
+    begin('m');  // the first one of a path is absolute anyway
     addStep(to);
     start_ = at_ = to;
     dot_ = true;
 }
 
-void SvgPath::lineTo(glm::dvec2 place) {
-    const Place to = rounded(place);
+void SvgPath::lineTo(glm::dvec2 pixel) {
+    const Point to = rounded(pixel);
     if (to == at_) return;
     dot_ = false;
     begin('l');
@@ -76,10 +76,10 @@ void SvgPath::lineTo(glm::dvec2 place) {
     at_ = to;
 }
 
-void SvgPath::curveTo(glm::dvec2 control1, glm::dvec2 control2, glm::dvec2 place) {
-    const Place to = rounded(place);
-    const Place first = rounded(control1);
-    const Place second = rounded(control2);
+void SvgPath::curveTo(glm::dvec2 control1, glm::dvec2 control2, glm::dvec2 pixel) {
+    const Point to = rounded(pixel);
+    const Point first = rounded(control1);
+    const Point second = rounded(control2);
     if (to == at_ && first == at_ && second == at_) return;
     dot_ = false;
     begin('c');
@@ -89,8 +89,8 @@ void SvgPath::curveTo(glm::dvec2 control1, glm::dvec2 control2, glm::dvec2 place
     at_ = to;
 }
 
-void SvgPath::arcTo(double radius, glm::dvec2 place) {
-    const Place to = rounded(place);
+void SvgPath::arcTo(double radius, glm::dvec2 pixel) {
+    const Point to = rounded(pixel);
     if (to == at_) return;
     dot_ = false;
     begin('a');
@@ -101,7 +101,7 @@ void SvgPath::arcTo(double radius, glm::dvec2 place) {
 }
 
 void SvgPath::close() {
-    finishPart();
+    finishSubpath();
     text_ += 'z';
     command_ = 'z';
     at_ = start_;

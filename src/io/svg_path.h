@@ -6,8 +6,8 @@
 
 namespace inkedge::io {
 
-/// The data of an SVG path, short: relative commands, numbers without needless characters. What is rounded off at one
-/// place is not lost at the next.
+/// The data of an SVG path, kept short: relative commands, numbers without needless characters. Rounding errors do not
+/// add up along the path.
 class SvgPath {
 public:
     enum class Step { Hundredth = 1, Tenth = 10 };
@@ -16,33 +16,33 @@ public:
     void moveTo(glm::dvec2);
     void lineTo(glm::dvec2);
     void curveTo(glm::dvec2 control1, glm::dvec2 control2, glm::dvec2 to);
-    /// A part of a circle of the radius, half of it at most, clockwise on the screen.
+    /// An arc of a circle of the radius, at most half of it, clockwise on the screen.
     void arcTo(double radius, glm::dvec2);
     void close();
 
-    /// A part that came to no more than one place is a dot there.
+    /// The data. A subpath of one point is a dot there.
     [[nodiscard]] std::string text() const;
 
 private:
-    struct Place {
+    struct Point {
         long long x = 0;  // hundredths
         long long y = 0;
-        friend bool operator==(const Place&, const Place&) = default;
+        friend bool operator==(const Point&, const Point&) = default;
     };
-    [[nodiscard]] Place rounded(glm::dvec2) const;
+    [[nodiscard]] Point rounded(glm::dvec2) const;
     void begin(char command);
     void add(long long hundredths);
-    void addStep(Place to);
-    void finishPart();
+    void addStep(Point to);
+    void finishSubpath();
 
     long long step_;  // hundredths
     std::string text_;
-    Place start_;
-    Place at_;
-    char command_ = 0;             // that further numbers belong to
-    bool separatesPoint_ = false;  // a point after the number before would begin a new one
+    Point start_;
+    Point at_;
+    char command_ = 0;             // the command that further numbers belong to
+    bool separatesPoint_ = false;  // whether a decimal point after the last number begins a new number
     bool separate_ = false;
-    bool dot_ = false;  // nothing but a place so far
+    bool dot_ = false;  // whether the subpath has only one point so far
 };
 
 }  // namespace inkedge::io

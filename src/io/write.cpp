@@ -52,7 +52,7 @@ fs::path mapFile(const fs::path& output, Map map) {
            fmt::format("{}.{}{}", output.stem().string(), name(map), output.extension().string());
 }
 
-/// Rounded; NaN counts as 0.
+/// A share from 0 to 1 as a level from 0 to 255, rounded; NaN counts as 0.
 std::uint8_t level(double share) {
     return static_cast<std::uint8_t>(share > 0.0 ? 255.0 * std::min(share, 1.0) + 0.5 : 0.0);
 }

@@ -158,7 +158,7 @@ double widthAround(Size size, const Line& line, double place, double length, dou
 struct StraightStroke {
     double rms = 0.0;
     double meanWidth = 0.0;
-    double leastWidth = 1e9;     // along the line, each a mean over some pixels; the window's own error
+    double minWidth = 1e9;     // along the line, each a mean over some pixels; the window's own error
     double greatestWidth = 0.0;  // on exact coverage is taken off
 };
 
@@ -187,7 +187,7 @@ inline StraightStroke measure(const Image<double>& ink, const Line& line, double
     result.meanWidth = widthAround(ink.size, line, 0.5 * line.length(), inner, reach, drawn);
     for (double place = end + 0.5 * window; place <= line.length() - end - 0.5 * window; place += 1.0) {
         const double there = width + widthAround(ink.size, line, place, window, reach, error);
-        result.leastWidth = std::min(result.leastWidth, there);
+        result.minWidth = std::min(result.minWidth, there);
         result.greatestWidth = std::max(result.greatestWidth, there);
     }
     return result;
@@ -202,7 +202,7 @@ inline constexpr double centreLimit = 0.2;  // pixels, on average
 inline void expectStraight(const StraightStroke& found, double width) {
     EXPECT_LE(found.rms, rmsLimit);
     EXPECT_NEAR(found.meanWidth, width, widthLimit);
-    EXPECT_GE(found.leastWidth, found.meanWidth - widthLimit);
+    EXPECT_GE(found.minWidth, found.meanWidth - widthLimit);
     EXPECT_LE(found.greatestWidth, found.meanWidth + widthLimit);
 }
 
