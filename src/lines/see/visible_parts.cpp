@@ -24,7 +24,7 @@ public:
           lengths_{0.0} {
         for (const Chain::Link& link : chain.links) {
             const ScreenSegment& s = segments[link.segment];
-            lengths_.push_back(lengths_.back() + glm::length(s.ends[1].place - s.ends[0].place));
+            lengths_.push_back(lengths_.back() + glm::length(s.ends[1].pixel - s.ends[0].pixel));
         }
     }
 
