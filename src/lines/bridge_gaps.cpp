@@ -40,7 +40,7 @@ private:
         return end % 2 == 0 ? points.front() : points.back();
     }
 
-    // Out of the line at its end, over a pixel at least.
+    // The direction out of the line at an end, over at least a pixel.
     [[nodiscard]] glm::dvec2 outward(std::uint32_t end) const {
         const auto& points = lines_[end / 2].points;
         const glm::dvec2 from = point(end).pixel;
@@ -59,7 +59,7 @@ private:
         if (a / 2 == b / 2 && one.points.size() < 4) return false;
         const glm::dvec2 gap = point(b).pixel - point(a).pixel;
         const double distance = glm::length(gap);
-        if (distance > widestBridge || glm::dot(outward(a), outward(b)) > -straightOn) return false;
+        if (distance > maxBridge || glm::dot(outward(a), outward(b)) > -straightOn) return false;
         if (distance > 0.5 && glm::dot(outward(a), gap) < straightOn * distance) return false;
         const double apart = glm::length(point(b).position - point(a).position);
         return apart <= nearInSpace * screen_.footprint(point(a).position - origin_);
@@ -73,8 +73,8 @@ private:
         std::ranges::sort(ends, [&](std::uint32_t a, std::uint32_t b) { return x(a) != x(b) ? x(a) < x(b) : a < b; });
         std::vector<Pair> found;
         for (std::size_t i = 0; i < ends.size(); ++i) {
-            for (std::size_t j = i + 1; j < ends.size() && x(ends[j]) <= x(ends[i]) + widestBridge; ++j) {
-                if (std::abs(point(ends[i]).pixel.y - point(ends[j]).pixel.y) > widestBridge) continue;
+            for (std::size_t j = i + 1; j < ends.size() && x(ends[j]) <= x(ends[i]) + maxBridge; ++j) {
+                if (std::abs(point(ends[i]).pixel.y - point(ends[j]).pixel.y) > maxBridge) continue;
                 if (goOn(ends[i], ends[j]))
                     found.push_back({glm::distance(point(ends[i]).pixel, point(ends[j]).pixel), ends[i], ends[j]});
             }
@@ -93,7 +93,7 @@ private:
     std::vector<Line> join() {
         std::vector<Line> joined;
         std::vector<bool> taken(lines_.size(), false);
-        const auto walk = [&](std::uint32_t begin) {  // from an end of a line, into the line
+        const auto walk = [&](std::uint32_t begin) {  // starts at an end of a line, into the line
             Line line = lines_[begin / 2];
             line.points.clear();
             for (std::uint32_t end = begin;;) {
@@ -127,7 +127,7 @@ private:
     std::vector<Line> lines_;
     const Screen& screen_;
     glm::dvec3 origin_;
-    std::vector<std::uint32_t> next_;  // for each end the end that goes on there
+    std::vector<std::uint32_t> next_;  // for each end the end that it is joined with
 };
 
 }  // namespace

@@ -8,12 +8,12 @@
 
 namespace inkedge::lines {
 
-/// Joins lines of one type, visibility and node whose ends lie within widestBridge of each other in the picture and
-/// nearly so in space, and that go on into each other with a bend of under 45 degrees; the nearest ends first. A line
-/// whose own ends do so becomes closed. O(n log n).
-/// @param origin  what Screen's world is less
+/// Joins lines of one type, visibility and node that go on into each other: their ends lie within maxBridge of each
+/// other in the picture and about as near in space, and they bend by under 45 degrees. The nearest ends are joined
+/// first. A line whose own two ends do so becomes closed. O(n log n).
+/// @param origin  the origin of the screen's world space
 [[nodiscard]] std::vector<Line> bridgeGaps(std::vector<Line>, const Screen&, glm::dvec3 origin);
 
-inline constexpr double widestBridge = 1.5;  ///< pixels
+inline constexpr double maxBridge = 1.5;  ///< pixels
 
 }  // namespace inkedge::lines

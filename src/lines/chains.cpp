@@ -10,7 +10,7 @@
 namespace inkedge::lines {
 namespace {
 
-constexpr double margin = 32.0;  // pixels: the widest stroke shows from there
+constexpr double margin = 32.0;  // pixels: from there even the widest stroke does not reach the picture
 constexpr std::uint32_t noEnd = ~0U;
 
 bool clipToNear(Segment& segment, std::array<glm::dvec3, 2>& ends, const Screen& screen) {
@@ -18,7 +18,7 @@ bool clipToNear(Segment& segment, std::array<glm::dvec3, 2>& ends, const Screen&
     if (before[0] <= 0.0 && before[1] <= 0.0) return false;
     for (std::size_t k = 0; k < 2; ++k) {
         if (before[k] > 0.0) continue;
-        // A hair before the plane, for the projection to be finite.
+        // Slightly behind the plane, so that the projection is finite.
         const double t = std::min(1.0, (1e-9 * screen.near() - before[k]) / (before[1 - k] - before[k]));
         ends[k] += t * (ends[1 - k] - ends[k]);
         segment.keys[k] = noKey;
@@ -64,9 +64,9 @@ private:
         return {segment.curve, segment.marked, segment.hidden};
     }
     [[nodiscard]] Key key(std::uint32_t end) const { return segments_[end / 2].keys[end % 2]; }
-    [[nodiscard]] glm::dvec2 place(std::uint32_t end) const { return screen_[end / 2].ends[end % 2].pixel; }
+    [[nodiscard]] glm::dvec2 pixel(std::uint32_t end) const { return screen_[end / 2].ends[end % 2].pixel; }
     [[nodiscard]] glm::dvec2 away(std::uint32_t end) const {
-        const glm::dvec2 along = place(end ^ 1U) - place(end);
+        const glm::dvec2 along = pixel(end ^ 1U) - pixel(end);
         const double length = glm::length(along);
         return length > 0.0 ? along / length : glm::dvec2{0.0};
     }
@@ -76,7 +76,7 @@ private:
         next_[b] = a;
     }
 
-    // Those that end at one key.
+    // Joins the segments that end at one key.
     void joinAt(std::span<const std::uint32_t> ends) {
         if (ends.size() == 2) link(ends[0], ends[1]);
         if (ends.size() < 3) return;
@@ -85,14 +85,14 @@ private:
             std::uint32_t a;
             std::uint32_t b;
         };
-        constexpr double mostBend = -0.5;
-        constexpr std::size_t mostEnds = 32;  // where more meet none goes on
-        if (ends.size() > mostEnds) return;
+        constexpr double maxBendCosine = -0.5;
+        constexpr std::size_t maxEnds = 32;  // where more meet none are joined
+        if (ends.size() > maxEnds) return;
         std::vector<Pair> pairs;
         for (std::size_t i = 0; i < ends.size(); ++i) {
             for (std::size_t j = i + 1; j < ends.size(); ++j) {
                 const double cosine = glm::dot(away(ends[i]), away(ends[j]));
-                if (cosine < mostBend) pairs.push_back({cosine, ends[i], ends[j]});
+                if (cosine < maxBendCosine) pairs.push_back({cosine, ends[i], ends[j]});
             }
         }
         std::ranges::stable_sort(pairs, {}, &Pair::cosine);
@@ -103,7 +103,7 @@ private:
     std::vector<Chain> follow() {
         std::vector<Chain> chains;
         std::vector<bool> taken(segments_.size(), false);
-        const auto walk = [&](std::uint32_t begin) {  // from an end of a segment, into the segment
+        const auto walk = [&](std::uint32_t begin) {  // starts at an end of a segment, into the segment
             Chain chain;
             for (std::uint32_t end = begin;;) {
                 taken[end / 2] = true;
@@ -133,7 +133,7 @@ private:
 
     std::span<const Segment> segments_;
     std::span<const ScreenSegment> screen_;
-    std::vector<std::uint32_t> next_;  // for each end the end of another segment that goes on there
+    std::vector<std::uint32_t> next_;  // for each end the end of another segment that it is joined with
 };
 
 }  // namespace

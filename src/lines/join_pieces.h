@@ -22,7 +22,7 @@ struct TracedPiece {
     SceneFace face;  ///< that it lies on
 };
 
-/// Joins pieces to polylines, one a type and node: section 2.2 of Hertzmann 1999. Junctions and gaps are treated as
+/// Joins pieces to polylines, one per type and node: section 2.2 of Hertzmann 1999. Junctions and gaps are treated as
 /// those of lines from object space are.
 [[nodiscard]] std::vector<Line> joinPieces(std::span<const TracedPiece>, const Scene&, const Screen&);
 

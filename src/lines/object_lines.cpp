@@ -22,7 +22,7 @@
 #include "lines/screen.h"
 #include "lines/see/crossings.h"
 #include "lines/see/ray_caster.h"
-#include "lines/see/surface_parts.h"
+#include "lines/see/surface_components.h"
 #include "lines/see/visible_parts.h"
 #include "mesh/topology.h"
 #include "scene/prepared.h"
@@ -30,31 +30,31 @@
 namespace inkedge::lines {
 namespace {
 
-constexpr double outside = 0.5;  // pixels beyond a contour: what is seen there lies behind it
+constexpr double outside = 0.5;  // pixels beyond a contour: a surface that is met there lies behind the contour
 
-// The segments of one view and what they look like.
-struct View {
+// The segments of one view, and how they are seen.
+struct ViewSegments {
     const Scene& scene;
     const RayCaster& rays;
     const Screen& screen;
-    const SurfaceParts* parts;  // null: all surface is one
+    const SurfaceComponents* components;  // null: the scene is one component
     std::vector<Segment> segments;
     std::vector<ScreenSegment> projected;
 
     [[nodiscard]] glm::dvec3 pointAt(std::uint32_t s, double at) const {
         const ScreenSegment& p = projected[s];
-        const double t = screen.unproject(at, p.ends[0].nearness, p.ends[1].nearness);
+        const double t = screen.unproject(at, p.ends[0].inverseDepth, p.ends[1].inverseDepth);
         return p.world[0] + t * (p.world[1] - p.world[0]);
     }
 
-    // Across a segment in the picture, away from the surface that ends there.
+    // The direction across a segment in the picture, away from the surface that ends there.
     [[nodiscard]] glm::dvec2 outward(std::uint32_t s) const {
         const ScreenSegment& p = projected[s];
         const glm::dvec2 along = p.ends[1].pixel - p.ends[0].pixel;
         const double length = glm::length(along);
         if (length == 0.0) return {0.0, 0.0};
         const glm::dvec2 normal{-along.y / length, along.x / length};
-        // Three points' orientation tells the side; the inner one may lie behind the camera.
+        // The orientation of three points decides the side; the inner point may lie behind the camera.
         const glm::dvec3 a = screen.ray(p.world[0]);
         const glm::dvec3 plane = glm::cross(screen.orthographic() ? screen.direction() : a, p.world[1] - p.world[0]);
         const glm::dvec3 beside = screen.across(normal, p.world[0]);
@@ -63,7 +63,7 @@ struct View {
         return innerSide == normalSide ? -normal : normal;
     }
 
-    // Whether another surface, bent by less than the crease angle, touches a boundary from beyond: a part that lies on
+    // Whether another surface, bent by less than the crease angle, goes on beyond a boundary: as where a solid lies on
     // another one, or in it.
     [[nodiscard]] bool goesOnAcross(const Segment& segment, glm::dvec3 point) const {
         constexpr double gap = 0.1;  // pixels
@@ -81,7 +81,7 @@ struct View {
         const Segment& segment = segments[s];
         if (segment.hidden) return Seen::Hidden;
         const glm::dvec3 point = pointAt(s, at);
-        if (rays.hides(screen, point, segment.faces, slackOf(segment, segment.slack, parts))) return Seen::Hidden;
+        if (rays.hides(screen, point, segment.faces, slackOf(segment, segment.slack, components))) return Seen::Hidden;
         if (segment.curve != Curve::Contour && segment.curve != Curve::Boundary) return Seen::Inside;
         if (segment.curve == Curve::Boundary && goesOnAcross(segment, point)) return Seen::Seam;
         const double beyond = outside + segment.slack / screen.footprint(point);
@@ -90,7 +90,7 @@ struct View {
     }
 };
 
-// What a line is, whether or not it is drawn.
+// The type of a line, whether or not it is drawn.
 LineType typeOf(Curve curve, Seen seen) {
     switch (curve) {
         case Curve::Contour:
@@ -139,7 +139,7 @@ LineType typeOf(const Segment& segment, Seen seen, LineTypes drawn) {
 }
 
 // @param drawn  PictureSettings::lines
-Line makeLine(const View& view, const Chain& chain, const Part& part, LineTypes drawn) {
+Line makeLine(const ViewSegments& view, const Chain& chain, const Part& part, LineTypes drawn) {
     const Segment& first = view.segments[chain.links[static_cast<std::size_t>(part.begin)].segment];
     Line line;
     line.type = typeOf(first, part.seen, drawn);
@@ -150,8 +150,8 @@ Line makeLine(const View& view, const Chain& chain, const Part& part, LineTypes 
         const Chain::Link l = chain.links[link % chain.links.size()];
         const double own = l.reversed ? 1.0 - at : at;
         const auto& ends = view.projected[l.segment].ends;
-        const glm::dvec2 place = ends[0].pixel + own * (ends[1].pixel - ends[0].pixel);
-        line.points.push_back({place, view.pointAt(l.segment, own) + view.scene.bounds().centre});
+        const glm::dvec2 pixel = ends[0].pixel + own * (ends[1].pixel - ends[0].pixel);
+        line.points.push_back({pixel, view.pointAt(l.segment, own) + view.scene.bounds().centre});
     };
     const auto begin = static_cast<std::size_t>(part.begin);
     add(begin, part.begin - static_cast<double>(begin));
@@ -174,12 +174,12 @@ struct ObjectLines::State {
         for (std::size_t i = 0; i < scene.meshes().size(); ++i)
             searches.push_back(std::make_unique<ContourSearch>(scene.meshes()[i], topologyOf(scene, i), edges[i]));
         memories_.resize(scene.instances().size());
-        borders = findBorderParts(scene, edges);
+        borders = findBorderSegments(scene, edges);
     }
 
-    [[nodiscard]] std::span<const BorderPart> bordersOf(std::uint32_t instance) const {
-        const auto begin = std::ranges::lower_bound(borders, instance, {}, &BorderPart::instance);
-        const auto end = std::ranges::upper_bound(borders, instance, {}, &BorderPart::instance);
+    [[nodiscard]] std::span<const BorderSegment> bordersOf(std::uint32_t instance) const {
+        const auto begin = std::ranges::lower_bound(borders, instance, {}, &BorderSegment::instance);
+        const auto end = std::ranges::upper_bound(borders, instance, {}, &BorderSegment::instance);
         return {begin, end};
     }
 
@@ -198,13 +198,13 @@ struct ObjectLines::State {
     }
 
     // Those of smooth contours. Null: the scene's surface is one.
-    const SurfaceParts* parts() const {
+    const SurfaceComponents* components() const {
         const std::scoped_lock lock{mutex_};
-        if (!parts_) parts_.emplace(scene, borders);
-        return parts_->areOne() ? nullptr : &*parts_;
+        if (!components_) components_.emplace(scene, borders);
+        return components_->areOne() ? nullptr : &*components_;
     }
 
-    /// One a mesh. Those for the last steps asked for are kept.
+    /// One per mesh. Those for the last steps asked for are kept.
     std::shared_ptr<const std::vector<std::vector<IsolineSegment>>> isolines(Isolines steps) const {
         const std::scoped_lock lock{mutex_};
         if (isolines_ && isolineSteps_ == steps) return isolines_;
@@ -236,8 +236,8 @@ struct ObjectLines::State {
     Scene scene;
     RayCaster rays;
     std::vector<MeshEdges> edges;
-    std::vector<std::unique_ptr<ContourSearch>> searches;  // one a mesh
-    std::vector<BorderPart> borders;
+    std::vector<std::unique_ptr<ContourSearch>> searches;  // one per mesh
+    std::vector<BorderSegment> borders;
 
 private:
     [[nodiscard]] ContourMemory recall(std::uint32_t instance, ContourFinder finder) const {
@@ -252,9 +252,9 @@ private:
     }
 
     mutable std::mutex mutex_;
-    mutable std::vector<ContourMemory> memories_;  // one an instance
+    mutable std::vector<ContourMemory> memories_;  // one per instance
     mutable std::optional<std::vector<IntersectionSegment>> intersections_;
-    mutable std::optional<SurfaceParts> parts_;
+    mutable std::optional<SurfaceComponents> components_;
     mutable std::vector<std::optional<ControlMesh>> controls_;
     mutable std::shared_ptr<const std::vector<std::vector<IsolineSegment>>> isolines_;
     mutable Isolines isolineSteps_;
@@ -275,7 +275,7 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings) co
     StageClock clock{result.times};
 
     const Screen screen{camera, scene.bounds().centre, settings.picture.size};
-    View view{scene, state_->rays, screen, nullptr, {}, {}};
+    ViewSegments view{scene, state_->rays, screen, nullptr, {}, {}};
     view.segments =
         state_->curves(screen,
                        {settings.lines.contour, settings.lines.contourFinder, settings.lines.subdivideAdaptive, nullptr,
@@ -289,8 +289,8 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings) co
     const std::vector<Chain> chains = chainSegments(view.segments, view.projected);
     clock.finish("chains");
     if (std::ranges::any_of(view.segments, [](const Segment& segment) { return segment.slack > 0.0; }))
-        view.parts = state_->parts();
-    const std::vector<Crossing> crossings = findCrossings(view.segments, view.projected, screen, view.parts);
+        view.components = state_->components();
+    const std::vector<Crossing> crossings = findCrossings(view.segments, view.projected, screen, view.components);
     std::vector<std::uint32_t> firstCrossings(view.segments.size() + 1, 0);
     for (const Crossing& crossing : crossings) ++firstCrossings[crossing.segment + 1];
     for (std::size_t s = 0; s < view.segments.size(); ++s) firstCrossings[s + 1] += firstCrossings[s];

@@ -8,7 +8,7 @@
 
 namespace inkedge::lines {
 
-/// A scene made ready for its lines: edge tables and bounding volume hierarchies, made once for all views.
+/// The lines of a scene from object space. Edge tables and bounding volume hierarchies are made once for all views.
 class ObjectLines {
 public:
     /// @throws Error  (Kind::Runtime) if Embree is not there or runs out of memory

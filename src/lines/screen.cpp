@@ -23,7 +23,7 @@ ScreenPoint Screen::project(glm::dvec3 world) const noexcept {
 }
 
 glm::dvec3 Screen::worldAt(const ScreenPoint& p) const noexcept {
-    const double depth = orthographic_ ? -p.nearness : 1.0 / p.nearness;
+    const double depth = orthographic_ ? -p.inverseDepth : 1.0 / p.inverseDepth;
     const double scale = orthographic_ ? 1.0 / focalLength_ : depth / focalLength_;
     const glm::dvec2 centred = p.pixel - 0.5 * glm::dvec2{size_.width, size_.height};
     return eye_ + depth * direction_ + scale * (centred.x * right_ - centred.y * up_);

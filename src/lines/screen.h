@@ -10,12 +10,12 @@ namespace inkedge::lines {
 
 /// A point as the camera sees it.
 struct ScreenPoint {
-    glm::dvec2 place;  ///< pixels, (0, 0) the picture's top left corner
-    double nearness;   ///< the larger, the nearer; linear along straight lines of the picture: 1 / depth, or -depth in
-                       ///< orthographic views
+    glm::dvec2 pixel;  ///< as LinePoint::pixel
+    /// 1 / depth, or -depth in an orthographic view: larger is nearer; linear along straight lines of the picture.
+    double inverseDepth;
 };
 
-/// A camera over a picture. World space is less an origin: the centre of the scene's bounds.
+/// Projects points to a picture and back. World positions are less an origin: the centre of the scene's bounds.
 class Screen {
 public:
     Screen(const Camera&, glm::dvec3 origin, Size);
@@ -26,22 +26,22 @@ public:
     [[nodiscard]] glm::dvec3 direction() const noexcept { return direction_; }  ///< unit, into the scene
     [[nodiscard]] double near() const noexcept { return near_; }                ///< depth of the near plane
 
-    /// Along the view direction.
+    /// Depth of a point along the view direction.
     [[nodiscard]] double depth(glm::dvec3 world) const noexcept { return glm::dot(direction_, world - eye_); }
-    /// @param world  before the near plane
+    /// @param world  behind the near plane
     [[nodiscard]] ScreenPoint project(glm::dvec3 world) const noexcept;
-    /// The point that a place of the picture shows.
+    /// The inverse of project().
     [[nodiscard]] glm::dvec3 worldAt(const ScreenPoint&) const noexcept;
-    /// World units across a pixel at a point.
+    /// The footprint of a pixel at a point: its width in world units.
     [[nodiscard]] double footprint(glm::dvec3 world) const noexcept {
         return orthographic_ ? 1.0 / focalLength_ : depth(world) / focalLength_;
     }
-    /// How far lies p before q, in pixels across at p.
-    [[nodiscard]] double footprintsBefore(double nearnessP, double nearnessQ) const noexcept {
-        return orthographic_ ? (nearnessP - nearnessQ) * focalLength_
-                             : (nearnessP - nearnessQ) / nearnessQ * focalLength_;
+    /// How far p lies before q, in pixel footprints at p.
+    [[nodiscard]] double footprintsBefore(double inverseDepthP, double inverseDepthQ) const noexcept {
+        return orthographic_ ? (inverseDepthP - inverseDepthQ) * focalLength_
+                             : (inverseDepthP - inverseDepthQ) / inverseDepthQ * focalLength_;
     }
-    /// World space across the picture, a pixel to the right and one down, at a point.
+    /// A vector in the picture (x to the right, y down) as a vector in world space, at the depth of a point.
     [[nodiscard]] glm::dvec3 across(glm::dvec2 pixels, glm::dvec3 world) const noexcept {
         return (right_ * pixels.x - up_ * pixels.y) * footprint(world);
     }
@@ -49,9 +49,9 @@ public:
     [[nodiscard]] glm::dvec3 ray(glm::dvec3 world) const noexcept {
         return orthographic_ ? direction_ * depth(world) : world - eye_;
     }
-    /// Where on the straight piece from p to q the picture shows what lies at u, 0 to 1, between their places.
-    [[nodiscard]] double unproject(double u, double nearnessP, double nearnessQ) const noexcept {
-        return orthographic_ ? u : u * nearnessQ / ((1.0 - u) * nearnessP + u * nearnessQ);
+    /// The share of the way from p to q in space at the share u of the way from p to q in the picture.
+    [[nodiscard]] double unproject(double u, double inverseDepthP, double inverseDepthQ) const noexcept {
+        return orthographic_ ? u : u * inverseDepthQ / ((1.0 - u) * inverseDepthP + u * inverseDepthQ);
     }
 
 private:

@@ -14,7 +14,7 @@ using testing::ElementsAre;
 constexpr dvec2 low{0.0};
 constexpr dvec2 high{100.0};
 
-std::vector<dvec2> places(const Line& line) {
+std::vector<dvec2> pixels(const Line& line) {
     std::vector<dvec2> all;
     for (const LinePoint& p : line.points) all.push_back(p.pixel);
     return all;
@@ -24,7 +24,7 @@ TEST(Clip, leavesWhatLiesInside) {
     const Line line = lineThrough({{0, 0}, {50, 60}, {100, 100}});
     const auto parts = clip(line, low, high);
     ASSERT_EQ(parts.size(), 1U);
-    EXPECT_EQ(places(parts[0]), places(line));
+    EXPECT_EQ(pixels(parts[0]), pixels(line));
     const auto ring = clip(circle({50, 50}, 40, 30), low, high);
     ASSERT_EQ(ring.size(), 1U);
     EXPECT_TRUE(ring[0].closed);
@@ -36,8 +36,8 @@ TEST(Clip, cutsAtTheSides) {
     line.object = 3;
     const auto parts = clip(line, low, high);
     ASSERT_EQ(parts.size(), 2U);
-    EXPECT_THAT(places(parts[0]), ElementsAre(dvec2{0, 50}, dvec2{100, 50}));
-    EXPECT_THAT(places(parts[1]), ElementsAre(dvec2{100, 20}, dvec2{0, 20}));
+    EXPECT_THAT(pixels(parts[0]), ElementsAre(dvec2{0, 50}, dvec2{100, 50}));
+    EXPECT_THAT(pixels(parts[1]), ElementsAre(dvec2{100, 20}, dvec2{0, 20}));
     EXPECT_EQ(parts[1].type, LineType::Crease);
     EXPECT_EQ(parts[1].object, 3U);
     EXPECT_NEAR(parts[0].points[0].position.x, 0.25, 1e-12) << "a quarter of the way from point 0 to point 1";
@@ -56,7 +56,7 @@ TEST(Clip, joinsTheEndsOfAClosedLineThatStartsInside) {
     const auto parts = clip(closedThrough({{50, 40}, {150, 40}, {150, 60}, {50, 60}}), low, high);
     ASSERT_EQ(parts.size(), 1U);
     EXPECT_FALSE(parts[0].closed);
-    EXPECT_THAT(places(parts[0]), ElementsAre(dvec2{100, 60}, dvec2{50, 60}, dvec2{50, 40}, dvec2{100, 40}));
+    EXPECT_THAT(pixels(parts[0]), ElementsAre(dvec2{100, 60}, dvec2{50, 60}, dvec2{50, 40}, dvec2{100, 40}));
 }
 
 TEST(Clip, keepsExactlyWhatIsInsideOfWindingLines) {

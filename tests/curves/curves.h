@@ -11,30 +11,30 @@
 
 #include <inkedge/lines.h>
 
-/// Lines made by hand, and how far places are from them.
+/// Lines made by hand, and how far pixels are from them.
 namespace inkedge::curves {
 
-inline Line lineThrough(const std::vector<glm::dvec2>& places) {
+inline Line lineThrough(const std::vector<glm::dvec2>& pixels) {
     Line line;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        line.points.push_back({places[i], {static_cast<double>(i), places[i]}});  // tells which point it was
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        line.points.push_back({pixels[i], {static_cast<double>(i), pixels[i]}});  // tells which point it was
     }
     return line;
 }
 
-inline Line closedThrough(const std::vector<glm::dvec2>& places) {
-    Line line = lineThrough(places);
+inline Line closedThrough(const std::vector<glm::dvec2>& pixels) {
+    Line line = lineThrough(pixels);
     line.closed = true;
     return line;
 }
 
 inline Line circle(glm::dvec2 centre, double radius, int points) {
-    std::vector<glm::dvec2> places;
+    std::vector<glm::dvec2> pixels;
     for (int i = 0; i < points; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / points + 0.1;
-        places.push_back(centre + radius * glm::dvec2{std::cos(angle), std::sin(angle)});
+        pixels.push_back(centre + radius * glm::dvec2{std::cos(angle), std::sin(angle)});
     }
-    return closedThrough(places);
+    return closedThrough(pixels);
 }
 
 inline double distanceToEdge(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
@@ -45,10 +45,10 @@ inline double distanceToEdge(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
 }
 
 inline std::vector<glm::dvec2> outlineOf(const Line& line) {
-    std::vector<glm::dvec2> places;
-    for (const LinePoint& p : line.points) places.push_back(p.pixel);
-    if (line.closed) places.push_back(places.front());
-    return places;
+    std::vector<glm::dvec2> pixels;
+    for (const LinePoint& p : line.points) pixels.push_back(p.pixel);
+    if (line.closed) pixels.push_back(pixels.front());
+    return pixels;
 }
 
 inline double distanceTo(const std::vector<glm::dvec2>& chain, glm::dvec2 p) {
@@ -77,7 +77,7 @@ inline double furthest(const std::vector<glm::dvec2>& a, const std::vector<glm::
 
 /// A winding line with smooth bends, straight runs and some noise.
 inline Line winding(int points, double noise, unsigned seed) {
-    std::vector<glm::dvec2> places;
+    std::vector<glm::dvec2> pixels;
     unsigned state = seed;
     const auto random = [&] {
         state = state * 1664525U + 1013904223U;
@@ -85,10 +85,10 @@ inline Line winding(int points, double noise, unsigned seed) {
     };
     for (int i = 0; i < points; ++i) {
         const double t = static_cast<double>(i) / points;
-        places.push_back({500.0 * t + 30.0 * std::sin(9.0 * t + 0.1 * seed) + noise * random(),
+        pixels.push_back({500.0 * t + 30.0 * std::sin(9.0 * t + 0.1 * seed) + noise * random(),
                           200.0 + 80.0 * std::sin(14.0 * t) * std::cos(5.0 * t + seed) + noise * random()});
     }
-    return lineThrough(places);
+    return lineThrough(pixels);
 }
 
 }  // namespace inkedge::curves

@@ -11,12 +11,12 @@ using namespace curves;
 using glm::dvec2;
 
 std::vector<dvec2> drawn(const std::vector<Bezier>& curves) {
-    std::vector<dvec2> places{curves.front()[0]};
+    std::vector<dvec2> pixels{curves.front()[0]};
     constexpr int steps = 64;  // chords of curves up to 300 pixels stray by less than 0.02
     for (const Bezier& curve : curves) {
-        for (int i = 1; i <= steps; ++i) places.push_back(pointAt(curve, static_cast<double>(i) / steps));
+        for (int i = 1; i <= steps; ++i) pixels.push_back(pointAt(curve, static_cast<double>(i) / steps));
     }
-    return places;
+    return pixels;
 }
 
 void expectJoined(const std::vector<Bezier>& curves) {
@@ -72,15 +72,15 @@ TEST(FitBeziers, meetInTheCornersOfALine) {
     EXPECT_EQ(sides.front()[0], sides.back()[3]);
     EXPECT_LE(furthest(outlineOf(square), drawn(sides), 0.5), 1e-9);
 
-    std::vector<dvec2> places;  // two quarter circles that meet in a point, as an eye's outline does
-    for (int i = 0; i <= 90; ++i) places.push_back({100 * std::cos(i * 0.0174533), 100 * std::sin(i * 0.0174533)});
+    std::vector<dvec2> pixels;  // two quarter circles that meet in a point, as an eye's outline does
+    for (int i = 0; i <= 90; ++i) pixels.push_back({100 * std::cos(i * 0.0174533), 100 * std::sin(i * 0.0174533)});
     for (int i = 1; i <= 90; ++i) {
-        places.push_back(
+        pixels.push_back(
             {100 - 100 * std::cos(1.5707963 - i * 0.0174533), 100 - 100 * std::sin(1.5707963 - i * 0.0174533) + 0.0});
     }
-    const auto eye = fitBeziers(lineThrough(places), 0.25);
+    const auto eye = fitBeziers(lineThrough(pixels), 0.25);
     EXPECT_LE(eye.size(), 6U);
-    EXPECT_LE(furthest(places, drawn(eye), 0.5), 0.25);
+    EXPECT_LE(furthest(pixels, drawn(eye), 0.5), 0.25);
 }
 
 TEST(FitBeziers, areSmoothBetweenCorners) {
@@ -91,12 +91,12 @@ TEST(FitBeziers, areSmoothBetweenCorners) {
 }
 
 TEST(FitBeziers, keepAStraightLineOneCurve) {
-    std::vector<dvec2> places;
-    for (int i = 0; i <= 100; ++i) places.push_back({i * 3.0, 10.0 + i * 1.5});
-    const auto curves = fitBeziers(lineThrough(places), 0.25);
+    std::vector<dvec2> pixels;
+    for (int i = 0; i <= 100; ++i) pixels.push_back({i * 3.0, 10.0 + i * 1.5});
+    const auto curves = fitBeziers(lineThrough(pixels), 0.25);
     ASSERT_EQ(curves.size(), 1U);
-    EXPECT_LT(distanceToEdge(curves[0][1], places.front(), places.back()), 1e-9);
-    EXPECT_LT(distanceToEdge(curves[0][2], places.front(), places.back()), 1e-9);
+    EXPECT_LT(distanceToEdge(curves[0][1], pixels.front(), pixels.back()), 1e-9);
+    EXPECT_LT(distanceToEdge(curves[0][2], pixels.front(), pixels.back()), 1e-9);
 }
 
 TEST(FitBeziers, takeLinesWithoutExtentAndRepeatedPoints) {

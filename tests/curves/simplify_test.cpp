@@ -79,9 +79,9 @@ TEST(Simplify, ofToleranceZeroKeepsTheLine) {
 // A comb: each chord splits off one point, which costs the square of the points where nothing stands against it: 10^11
 // steps, minutes.
 TEST(Simplify, costsNoSquareOfThePoints) {
-    std::vector<dvec2> places;
-    for (int i = 0; i < 300'000; ++i) places.push_back({i * 1e-3, i % 2 == 0 ? 0.0 : 1000.0 - i * 1e-3});
-    EXPECT_GT(simplify(lineThrough(places), 0.25).points.size(), places.size() / 2);
+    std::vector<dvec2> pixels;
+    for (int i = 0; i < 300'000; ++i) pixels.push_back({i * 1e-3, i % 2 == 0 ? 0.0 : 1000.0 - i * 1e-3});
+    EXPECT_GT(simplify(lineThrough(pixels), 0.25).points.size(), pixels.size() / 2);
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ TEST(Crossings, NeedADifferenceInDepth) {
 TEST(Crossings, GiveASmoothContourItsSlackOnItsOwnPartOnly) {
     const Mesh one = scenes::cube(1.0);
     const Scene scene = scenes::sceneOf({{one, glm::dmat4{1.0}}, {one, scenes::translation({3, 0, 0})}});
-    const SurfaceParts parts{scene, {}};
+    const SurfaceComponents parts{scene, {}};
     auto smooth = segment({-10, 0, 0}, {30, 0, 0});
     smooth.slack = 1.0;
     smooth.faces[0] = {0, 2};

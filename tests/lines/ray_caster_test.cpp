@@ -56,7 +56,7 @@ TEST(RayCaster, GivesSlackToTheFacesOfOnePart) {
     const Mesh square = quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
     const Scene two = sceneOf({{square, translation({0, 0, 0.2})}, {square, glm::dmat4{1.0}}});
     const RayCaster rays{two};
-    const SurfaceParts parts{two, {}};
+    const SurfaceComponents parts{two, {}};
     const Screen screen{perspective({0, 0, 5}), two.bounds().centre, size};
     const auto hidden = [&](double z, std::uint32_t instance) {
         return rays.hides(screen, glm::dvec3{0.3, 0.2, z} - two.bounds().centre, {},

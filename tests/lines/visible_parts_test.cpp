@@ -144,10 +144,10 @@ TEST(VisibleParts, FillShortGapsAndDropSpecks) {
         const Seen around = isSeen(within) ? Seen::Hidden : Seen::Inside;
         return line.part([=](double x) { return x > from && x < to ? within : around; }, {from, to}).size();
     };
-    EXPECT_EQ(partsOf(20.0, 20.0 + longestGap - 0.1, Seen::Hidden), 1U);
-    EXPECT_EQ(partsOf(20.0, 20.0 + longestGap + 0.1, Seen::Hidden), 3U);
-    EXPECT_EQ(partsOf(20.0, 20.0 + leastPart - 0.1, Seen::Inside), 1U);
-    EXPECT_EQ(partsOf(20.0, 20.0 + leastPart + 0.1, Seen::Inside), 3U);
+    EXPECT_EQ(partsOf(20.0, 20.0 + maxGap - 0.1, Seen::Hidden), 1U);
+    EXPECT_EQ(partsOf(20.0, 20.0 + maxGap + 0.1, Seen::Hidden), 3U);
+    EXPECT_EQ(partsOf(20.0, 20.0 + minPart - 0.1, Seen::Inside), 1U);
+    EXPECT_EQ(partsOf(20.0, 20.0 + minPart + 0.1, Seen::Inside), 3U);
     // At its ends nothing says that a line goes on.
     EXPECT_EQ(partsOf(-1.0, 2.0, Seen::Hidden), 2U);
 }

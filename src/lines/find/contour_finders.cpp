@@ -19,7 +19,7 @@ namespace {
 class Marks {
 public:
     explicit Marks(std::size_t count) : words_((count + 63) / 64, 0) {}
-    // Whether it was not yet in the set.
+    // Returns whether the number was not yet in the set.
     bool add(std::uint32_t i) {
         std::uint64_t& word = words_[i / 64];
         const std::uint64_t bit = std::uint64_t{1} << (i % 64);
@@ -33,7 +33,7 @@ private:
     std::vector<std::uint64_t> words_;
 };
 
-// splitmix64: the same numbers everywhere.
+// splitmix64: the same numbers on every machine.
 class RandomNumbers {
 public:
     std::uint64_t next() {
@@ -49,14 +49,15 @@ private:
     std::uint64_t state_ = 0;
 };
 
-// How much the faces bend at an edge: radians, 0 to pi. The share of all views whose contour it is on is bend / pi.
+// The angle between the faces' normals at an edge: radians, 0 to pi. The edge is a contour in a share of angle / pi of
+// all views.
 double bendOf(const MeshEdges& edges, std::uint32_t e) {
     const double cosine =
         glm::dot(edges.faceNormals[edges.shared.faces[2 * e]], edges.faceNormals[edges.shared.faces[2 * e + 1]]);
     return std::acos(std::clamp(edges.shared.against[e] != 0 ? -cosine : cosine, -1.0, 1.0));
 }
 
-// As many as there are edges, in random order, each as often as its bend asks for.
+// As many samples as there are edges, in random order. The frequency of an edge is proportional to its bend.
 std::vector<std::uint32_t> drawSamples(const MeshEdges& edges) {
     const std::size_t count = edges.shared.halfEdges.size();
     std::vector<float> weights(count);
@@ -81,7 +82,7 @@ std::vector<std::uint32_t> drawSamples(const MeshEdges& edges) {
 
 struct ContourSearch::Samples {
     std::vector<std::uint32_t> order;        // into MeshEdges::shared
-    std::vector<std::uint32_t> pointBegins;  // one a point and the end: into pointEdges
+    std::vector<std::uint32_t> pointBegins;  // into pointEdges: one per point, and the end
     std::vector<std::uint32_t> pointEdges;   // into MeshEdges::shared: those that end at a point
 
     [[nodiscard]] std::span<const std::uint32_t> at(std::uint32_t point) const {
@@ -118,11 +119,11 @@ FoundContours ContourSearch::find(const MeshEye& eye, ContourFinder finder, Cont
     return found;
 }
 
-// n . C > n . p in floats, which is right where it differs from equality by more than its rounding can come to: the
-// other faces, one in a million or so, are looked at again in doubles.
+// Compares n . C > n . p in floats, which is right if the two sides differ by more than the rounding. The other faces,
+// about one in a million, are looked at again in doubles.
 std::vector<std::uint8_t> ContourSearch::findFacing(const MeshEye& eye) const {
     constexpr std::size_t blockSize = 512;
-    const glm::vec3 to{eye.orthographic ? -eye.direction : eye.place};
+    const glm::vec3 to{eye.orthographic ? -eye.direction : eye.position};
     const float scale = eye.orthographic ? 0.0F : 1.0F;
     const float size = std::abs(to.x) + std::abs(to.y) + std::abs(to.z) + scale * planes_.largestOffset;
     const float doubt = 8.0F * FLT_EPSILON * size + FLT_MIN;
@@ -148,7 +149,7 @@ std::vector<std::uint8_t> ContourSearch::findFacing(const MeshEye& eye) const {
     return facing;
 }
 
-// The edge table's pass: an exclusive or an edge.
+// Goes through the edge table: an exclusive or per edge.
 std::vector<std::uint32_t> ContourSearch::findDiffering(const std::vector<std::uint8_t>& facing) const {
     constexpr std::size_t batch = 8;
     const MeshEdges::Shared& shared = edges_.shared;
@@ -198,7 +199,7 @@ std::vector<std::uint32_t> ContourSearch::searchMap(const MeshEye& eye) const {
     return near;
 }
 
-// One view of the randomized search: what was tested and found so far.
+// One view of the randomized search: the edges that were tested and found so far.
 class ContourSearch::Walk {
 public:
     Walk(const ContourSearch& search, const MeshEye& eye)
@@ -210,7 +211,7 @@ public:
 
     [[nodiscard]] bool isFound(std::uint32_t edge) const { return isFound_.holds(edge); }
 
-    // Tests an edge and, if it is a contour, follows that over all edges at its end points.
+    // Tests an edge. If it is a contour the contour is followed over all edges at its end points.
     bool test(std::uint32_t edge) {
         if (!tested_.add(edge) || !search_.isContour(eye_, edge)) return false;
         open_.push_back(edge);
@@ -226,16 +227,17 @@ public:
         return true;
     }
 
-    // From an edge that was a contour, over edges whose faces are seen ever more from their side, to one that is.
+    // Walks from an edge that was a contour in the last view to an edge that is a contour now, over edges whose faces
+    // are seen ever more edge-on.
     void descend(std::uint32_t edge) {
-        constexpr int longest = 64;
-        double least = slant(edge);
-        for (int step = 0; step < longest; ++step) {
+        constexpr int maxSteps = 64;
+        double smallest = distanceFromPlane(edge);
+        for (int step = 0; step < maxSteps; ++step) {
             std::uint32_t next = edge;
             eachBeside(edge, [&](std::uint32_t beside) {
-                const double other = slant(beside);
-                if (other < least) {
-                    least = other;
+                const double other = distanceFromPlane(beside);
+                if (other < smallest) {
+                    smallest = other;
                     next = beside;
                 }
             });
@@ -258,8 +260,8 @@ private:
             for (const std::uint32_t beside : samples_.at(search_.topology_.points[corner])) visit(beside);
     }
 
-    // How far an edge's first face is from being seen from its side: the cosine, times the distance.
-    [[nodiscard]] double slant(std::uint32_t edge) const {
+    // The distance of the eye from the plane of an edge's first face; 0: the face is seen edge-on.
+    [[nodiscard]] double distanceFromPlane(std::uint32_t edge) const {
         const std::uint32_t t = search_.edges_.shared.faces[2 * edge];
         const glm::dvec3 corner{search_.mesh_.positions[search_.mesh_.indices[3 * std::size_t{t}]]};
         return std::abs(glm::dot(search_.edges_.faceNormals[t], eye_.view(corner)));
@@ -275,17 +277,18 @@ private:
 };
 
 std::vector<std::uint32_t> ContourSearch::searchAtRandom(const MeshEye& eye, ContourMemory& memory) const {
-    constexpr double samplesARoot = 16.0;  // tests a view: this times the root of the number of edges
-    constexpr std::size_t firstView = 4;   // times as many
-    constexpr std::size_t descentsOneIn =
-        16;  // of the last view's edges that are none now: their neighbours lead the same way
+    constexpr double samplesPerRoot = 16.0;  // a view tests this times the root of the number of edges
+    constexpr std::size_t firstView = 4;     // times as many in the first view
+    // Of the last view's edges that are no contours any more, one in so many descends: its neighbours lead the same
+    // way.
+    constexpr std::size_t descentsOneIn = 16;
     const std::vector<std::uint32_t>& order = samples().order;
     Walk walk{*this, eye};
     std::size_t lost = 0;
     for (const std::uint32_t edge : memory.last)
         if (!walk.test(edge) && !walk.isFound(edge) && lost++ % descentsOneIn == 0) walk.descend(edge);
     auto tests =
-        static_cast<std::size_t>(samplesARoot * std::sqrt(static_cast<double>(edges_.shared.halfEdges.size())));
+        static_cast<std::size_t>(samplesPerRoot * std::sqrt(static_cast<double>(edges_.shared.halfEdges.size())));
     if (memory.last.empty()) tests *= firstView;
     for (std::size_t i = 0; i < std::min(tests, order.size()); ++i) {
         walk.test(order[memory.sample % order.size()]);

@@ -14,7 +14,7 @@
 namespace inkedge::lines {
 namespace {
 
-// An instance and the eye in its mesh's space, where facing needs no care for mirrors.
+// Collects the curves of an instance, with the eye in mesh space (MeshEye).
 class InstanceCurves {
 public:
     InstanceCurves(const Scene& scene, std::uint32_t instance, const InstanceEdges& edges, const Screen& screen,
@@ -29,15 +29,15 @@ public:
           borders_{edges.borders},
           isolines_{edges.isolines},
           to_{to},
-          place_{scene.instances()[instance].transform} {
-        place_[3] += place_ * glm::dvec4{mesh_.origin, 0.0} - glm::dvec4{scene.bounds().centre, 0.0};
-        const glm::dmat4 back = glm::inverse(place_);
+          toWorld_{scene.instances()[instance].transform} {
+        toWorld_[3] += toWorld_ * glm::dvec4{mesh_.origin, 0.0} - glm::dvec4{scene.bounds().centre, 0.0};
+        const glm::dmat4 back = glm::inverse(toWorld_);
         eye_ = {screen.orthographic(), glm::dvec3{back * glm::dvec4{screen.eye(), 1.0}},
                 glm::dmat3{back} * screen.direction()};
     }
 
     void collect(ContourMemory& memory) {
-        if (glm::determinant(glm::dmat3{place_}) == 0.0) return;  // scaled to a point
+        if (glm::determinant(glm::dmat3{toWorld_}) == 0.0) return;  // scaled to a point
         contours_ = search_.find(eye_, choice_.finder, memory);
         chooseSmoothPatches();
         addContourEdges();
@@ -52,8 +52,8 @@ private:
     [[nodiscard]] glm::dvec3 position(std::uint32_t corner) const {
         return glm::dvec3{mesh_.positions[mesh_.indices[corner]]};
     }
-    [[nodiscard]] glm::dvec3 toWorld(glm::dvec3 p) const { return glm::dvec3{place_ * glm::dvec4{p, 1.0}}; }
-    // From the eye to a point: x - C.
+    [[nodiscard]] glm::dvec3 toWorld(glm::dvec3 p) const { return glm::dvec3{toWorld_ * glm::dvec4{p, 1.0}}; }
+    // The vector from the eye to a point: x - C.
     [[nodiscard]] glm::dvec3 view(glm::dvec3 p) const { return eye_.view(p); }
     [[nodiscard]] SceneFace face(std::uint32_t t) const { return {instance_, t}; }
     [[nodiscard]] bool hidesItsBack(std::uint32_t t) const { return choice_.eyeOutside && edges_.closed[t] != 0; }
@@ -97,7 +97,7 @@ private:
         return segment;
     }
 
-    // Whether a closed part is concave at an edge: such a contour lies behind the part itself.
+    // Whether a closed component is concave at an edge: the component itself hides such a contour.
     [[nodiscard]] bool isHiddenFold(std::uint32_t e) const {
         const std::uint32_t h = edges_.shared.halfEdges[e];
         const std::uint32_t t = edges_.shared.faces[2 * e];
@@ -108,7 +108,7 @@ private:
         return glm::dot(edges_.faceNormals[t], opposite - position(h)) * edges_.closed[t] > 0.0;
     }
 
-    // Whether a smooth contour stands for the contour edge.
+    // Whether a smooth contour replaces a contour edge.
     [[nodiscard]] bool isReplaced(std::uint32_t e) const {
         return smooth_[topology_.patches[edges_.shared.halfEdges[e] / 3]] && mayBeSmooth(e);
     }
@@ -117,12 +117,13 @@ private:
     [[nodiscard]] bool isMarked(std::uint32_t halfEdge) const {
         return draws(LineType::Marked) && lines::isMarked(mesh_, topology_, halfEdge);
     }
-    // Where all these types are drawn no contour or boundary becomes a marked line: chains need not be parted.
+    // Whether a contour or boundary may become a marked line; if all their types are drawn none does, and chains need
+    // not be divided.
     [[nodiscard]] bool marksOutlines() const {
         return !draws(LineType::Outline) || !draws(LineType::Occlusion) || !draws(LineType::Boundary);
     }
 
-    // The third point of one of an edge's two faces: of the one that is seen less edge-on.
+    // The third point of one of an edge's two faces: of the face that is seen less edge-on.
     [[nodiscard]] glm::dvec3 innerOf(std::uint32_t h) const {
         const glm::dvec3 from = position(h);
         const glm::dvec3 side = glm::cross(position(nextHalfEdge(h)) - from, view(from));
@@ -172,7 +173,7 @@ private:
     }
 
     void addBorders() {
-        for (const BorderPart& part : borders_) {
+        for (const BorderSegment& part : borders_) {
             Curve curve = Curve::Boundary;
             const bool marked = part.marked && draws(LineType::Marked);
             if (part.other != noFace) {
@@ -198,8 +199,8 @@ private:
         }
     }
 
-    // Whether the two faces at a seam lie to one side of it in the picture: a contour.
-    [[nodiscard]] bool bothToOneSide(const BorderPart& part) const {
+    // Whether the two faces at a seam lie to one side of it in the picture: the seam is then a contour.
+    [[nodiscard]] bool bothToOneSide(const BorderSegment& part) const {
         const glm::dvec3 from = toWorld(position(part.halfEdge));
         const glm::dvec3 to = toWorld(position(nextHalfEdge(part.halfEdge)));
         const glm::dvec3 inner = toWorld(position(nextHalfEdge(nextHalfEdge(part.halfEdge))));
@@ -207,7 +208,7 @@ private:
         return (glm::dot(side, inner - from) > 0.0) == (glm::dot(side, part.otherInner - from) > 0.0);
     }
 
-    // An edge of many faces is a contour if all of them lie to one side of it in the picture.
+    // Adds edges of many faces. Such an edge is a contour if all its faces lie to one side of it in the picture.
     void addMany() {
         for (std::size_t i = 0; i + 1 < edges_.manyBegins.size(); ++i) {
             const std::uint32_t begin = edges_.manyBegins[i];
@@ -248,7 +249,7 @@ private:
         }
     }
 
-    // Of a line that follows an edge, the other face there.
+    // The other face at the edge that a line follows.
     [[nodiscard]] SceneFace faceBeside(const IsolineSegment& line) const {
         for (int k = 0; k < 3; ++k) {
             if (line.weights[0][k] != 0.0 || line.weights[1][k] != 0.0) continue;
@@ -258,29 +259,28 @@ private:
         return noFace;
     }
 
-    // Equation 2 at each corner: n . (x - C).
-    void findSlants() {
-        slants_.resize(mesh_.positions.size());
-        inRanges(slants_.size(), [&](std::size_t begin, std::size_t end) {
+    // Equation 2 at each vertex: n . (x - C).
+    void computeViewDots() {
+        viewDots_.resize(mesh_.positions.size());
+        inRanges(viewDots_.size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                slants_[i] = glm::dot(glm::dvec3{mesh_.normals[i]}, view(glm::dvec3{mesh_.positions[i]}));
+                viewDots_[i] = glm::dot(glm::dvec3{mesh_.normals[i]}, view(glm::dvec3{mesh_.positions[i]}));
         });
     }
 
-    // A triangle as smooth contours see it: its corners, n . (x - C) at each, and the names of the edges from each to
-    // the next.
+    // A triangle for the search of smooth contours.
     struct Facet {
-        std::uint32_t face;  // that it is, or lies on
+        std::uint32_t face;  // of the mesh, that the triangle is or lies on
         glm::dvec3 corners[3];
-        double slants[3];
-        double slant;  // of its plane, by the side that the corners' normals point to
-        Key edges[3];
-        double size;  // mesh units: how far off the mesh it may lie
+        double viewDots[3];   // n . (x - C) at the corners
+        double planeViewDot;  // that of the triangle's plane, whose normal is on the side of the corners' normals
+        Key edges[3];         // the names of the edges from each corner to the next
+        double size;          // mesh units: how far off the mesh the triangle may lie
     };
 
     void addRefinedContours() {
         const auto projection = screen_.orthographic() ? Projection::Orthographic : Projection::Perspective;
-        const glm::dvec3 eye = eye_.orthographic ? eye_.direction : eye_.place + mesh_.origin;
+        const glm::dvec3 eye = eye_.orthographic ? eye_.direction : eye_.position + mesh_.origin;
         const RefinedContourMesh refined = refineNear(mesh_, *choice_.control, eye, projection, choice_.refinement);
         std::unordered_map<std::uint64_t, std::uint32_t> edges;
         for (std::size_t t = 0; t < refined.controlTriangles.size(); ++t) {
@@ -289,14 +289,14 @@ private:
             const std::uint32_t* const corners = &refined.indices[3 * t];
             for (std::size_t k = 0; k < 3; ++k) {
                 facet.corners[k] = refined.positions[corners[k]];
-                facet.slants[k] = glm::dot(refined.normals[corners[k]], view(facet.corners[k]));
+                facet.viewDots[k] = glm::dot(refined.normals[corners[k]], view(facet.corners[k]));
                 normals += glm::dvec3{refined.normals[corners[k]]};
                 const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
                 const auto next = static_cast<std::uint32_t>(edges.size());
                 facet.edges[k] =
                     refinedKey(instance_, edges.try_emplace((std::uint64_t{low} << 32U) | high, next).first->second);
             }
-            facet.slant = planeSlant(facet.corners, normals);
+            facet.planeViewDot = viewDotOfPlane(facet.corners, normals);
             addSmoothContour(facet);
         }
     }
@@ -310,10 +310,11 @@ private:
 
     void addSmoothContours() {
         if (choice_.refinement > 0) return addRefinedContours();
-        findSlants();
+        computeViewDots();
         for (std::uint32_t t = 0; t < topology_.patches.size(); ++t) {
             const std::uint32_t* const corners = &mesh_.indices[3 * std::size_t{t}];
-            const bool plus[3]{slants_[corners[0]] >= 0.0, slants_[corners[1]] >= 0.0, slants_[corners[2]] >= 0.0};
+            const bool plus[3]{viewDots_[corners[0]] >= 0.0, viewDots_[corners[1]] >= 0.0,
+                               viewDots_[corners[2]] >= 0.0};
             if (plus[0] == plus[1] && plus[1] == plus[2]) continue;
             if (!smooth_[topology_.patches[t]] || topology_.originals[t] != t) continue;
             Facet facet{t, {}, {}, 0.0, {}, longestEdge(t)};
@@ -322,54 +323,54 @@ private:
                 const std::uint32_t h = 3 * t + k;
                 const std::uint32_t twin = topology_.twins[h];
                 facet.corners[k] = position(h);
-                facet.slants[k] = slants_[corners[k]];
+                facet.viewDots[k] = viewDots_[corners[k]];
                 normals += glm::dvec3{mesh_.normals[corners[k]]};
                 facet.edges[k] = edgeKey(instance_, isHalfEdge(twin) ? std::min(h, twin) : h);
             }
-            facet.slant = planeSlant(facet.corners, normals);
+            facet.planeViewDot = viewDotOfPlane(facet.corners, normals);
             addSmoothContour(facet);
         }
     }
 
-    [[nodiscard]] double planeSlant(const glm::dvec3 (&corners)[3], glm::dvec3 normals) const {
+    [[nodiscard]] double viewDotOfPlane(const glm::dvec3 (&corners)[3], glm::dvec3 normals) const {
         const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         return glm::dot(normal, view(corners[0])) * (glm::dot(normal, normals) < 0.0 ? -1.0 : 1.0);
     }
 
     void addSmoothContour(const Facet& facet) {
-        const auto& [face, corners, slants, slant, edges, size] = facet;
-        const bool plus[3]{slants[0] >= 0.0, slants[1] >= 0.0, slants[2] >= 0.0};
+        const auto& [face, corners, viewDots, planeViewDot, edges, size] = facet;
+        const bool plus[3]{viewDots[0] >= 0.0, viewDots[1] >= 0.0, viewDots[2] >= 0.0};
         if (plus[0] == plus[1] && plus[1] == plus[2]) return;
-        const bool hidden = hidesItsBack(face) && turnsTowardsEye(corners, slants, edges_.closed[face]);
+        const bool hidden = hidesItsBack(face) && turnsTowardsEye(corners, viewDots, edges_.closed[face]);
         if (hidden && !keepsHidden()) return;
         Segment segment;
         segment.hidden = hidden;
-        segment.occludes = false;  // the faces' own contour does
+        segment.occludes = false;  // the mesh contour of the faces does
         segment.faces = {SceneFace{instance_, face}, noFace};
         std::size_t found = 0;
         std::uint32_t inner = 0;
         for (std::uint32_t k = 0; k < 3; ++k) {
             const std::uint32_t next = (k + 1) % 3;
-            // In the picture the surface lies to the side where it is turned as the facet is.
-            if (slants[k] * slant > slants[inner] * slant) inner = k;
+            // In the picture the surface lies to the side where n . (x - C) has the sign of the triangle's plane.
+            if (viewDots[k] * planeViewDot > viewDots[inner] * planeViewDot) inner = k;
             if (plus[k] == plus[next]) continue;
-            const double a = std::abs(slants[k]);
-            const double b = std::abs(slants[next]);
+            const double a = std::abs(viewDots[k]);
+            const double b = std::abs(viewDots[next]);
             segment.ends[found] = toWorld((b * corners[k] + a * corners[next]) / (a + b));  // equation 4
             segment.keys[found++] = edges[k];
         }
         segment.inner = toWorld(corners[inner]);
-        segment.slack = size * std::cbrt(std::abs(glm::determinant(glm::dmat3{place_})));
+        segment.slack = size * std::cbrt(std::abs(glm::determinant(glm::dmat3{toWorld_})));
         to_.push_back(segment);
     }
 
-    // Whether the surface, followed away from the eye, turns its front to it: the contour is then behind the surface.
-    [[nodiscard]] bool turnsTowardsEye(const glm::dvec3 (&corners)[3], const double (&slants)[3], int outward) const {
+    // Whether the surface, followed away from the eye, turns its front to the eye: the surface then hides the contour.
+    [[nodiscard]] bool turnsTowardsEye(const glm::dvec3 (&corners)[3], const double (&viewDots)[3], int outward) const {
         const glm::dvec3 u = corners[1] - corners[0];
         const glm::dvec3 v = corners[2] - corners[0];
         const glm::dvec3 normal = glm::cross(u, v);
         const glm::dvec3 gradient =
-            glm::cross(v, normal) * (slants[1] - slants[0]) + glm::cross(normal, u) * (slants[2] - slants[0]);
+            glm::cross(v, normal) * (viewDots[1] - viewDots[0]) + glm::cross(normal, u) * (viewDots[2] - viewDots[0]);
         return glm::dot(gradient, view(corners[0])) * outward < 0.0;
     }
 
@@ -380,14 +381,14 @@ private:
     const MeshEdges& edges_;
     const Screen& screen_;
     const CurveChoice& choice_;
-    std::span<const BorderPart> borders_;
+    std::span<const BorderSegment> borders_;
     std::span<const IsolineSegment> isolines_;
     std::vector<Segment>& to_;
-    glm::dmat4 place_;
+    glm::dmat4 toWorld_;
     MeshEye eye_;
     FoundContours contours_;
-    std::vector<bool> smooth_;    // one a patch
-    std::vector<double> slants_;  // one a position
+    std::vector<bool> smooth_;      // one per patch
+    std::vector<double> viewDots_;  // one per position: n . (x - C)
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <inkedge/scene.h>
 #include <inkedge/settings.h>
 
-#include "lines/find/border_parts.h"
+#include "lines/find/border_segments.h"
 #include "lines/find/contour_finders.h"
 #include "lines/find/isolines.h"
 #include "lines/screen.h"
@@ -16,43 +16,44 @@
 
 namespace inkedge::lines {
 
-/// Which lines of instances are wanted.
+/// Which lines of instances to find.
 struct CurveChoice {
     Contour contour = Contour::Auto;
     ContourFinder finder = ContourFinder::Every;
-    int refinement = 0;                      ///< levels of subdivision near smooth contours
-    const ControlMesh* control = nullptr;    ///< of the mesh; with a refinement
-    HiddenLines hidden = HiddenLines::None;  ///< what a part itself hides is found only if it is wanted
-    bool eyeOutside = true;  ///< the eye and the near plane are outside the scene: closed parts hide their backs
+    int refinement = 0;                    ///< levels of subdivision near smooth contours
+    const ControlMesh* control = nullptr;  ///< of the mesh; with a refinement
+    /// None: lines that a closed component itself hides are not found.
+    HiddenLines hidden = HiddenLines::None;
+    bool eyeOutside = true;  ///< the eye and the near plane are outside the scene: closed components hide their backs
     LineTypes lines = allLineTypes;  ///< PictureSettings::lines: whether marked edges are drawn, and as what
 };
 
-/// What one instance's mesh has of its own, whatever the view.
+/// The edges of one instance that do not depend on the view.
 struct InstanceEdges {
-    const ContourSearch& search;               ///< the mesh's
-    std::span<const BorderPart> borders;       ///< the instance's, of findBorderParts()
-    std::span<const IsolineSegment> isolines;  ///< the mesh's that are wanted
+    const ContourSearch& search;               ///< of the mesh
+    std::span<const BorderSegment> borders;    ///< of the instance, from findBorderSegments()
+    std::span<const IsolineSegment> isolines;  ///< of the mesh, for the steps of the settings
 };
 
 /// The contours, boundaries, creases, marked edges and isoparametric lines of one instance that a camera may see.
 ///
 /// A mesh contour is an edge between a front-facing and a back-facing face (Hertzmann 1999, section 3.2). A smooth
-/// contour crosses faces where n . (x - C), interpolated between their corners, is zero (equations 2 to 4), zeros
-/// counted as plus. With Contour::Auto a patch has smooth contours if its mesh contour has edges of under smoothEdge
-/// pixels in the mean: there they are within a pixel or so of the mesh's, without its zigzag; larger faces are seen for
-/// what they are.
+/// contour crosses faces where n . (x - C), interpolated between their corners, is zero (equations 2 to 4); zero counts
+/// as plus. With Contour::Auto a patch has smooth contours if the edges of its mesh contour are under smoothEdge pixels
+/// long in the mean. Smooth contours then lie within about a pixel of the mesh contours, without their zigzag; on
+/// patches with larger faces the mesh contours are drawn.
 ///
-/// With a refinement every patch has smooth contours, and they are those of the limit surface, found on the triangles
-/// of refineNear(); all else stays on the mesh as it is.
+/// With a refinement every patch has smooth contours. They are those of the limit surface, found on the triangles of
+/// refineNear(). All other lines are those of the mesh.
 ///
-/// Of closed, consistently wound parts the contours that the part itself hides are left out, or marked as hidden if
-/// those are wanted: concave edges, and smooth contours where the surface turns towards the eye; also what lies within
-/// or between back-facing faces.
+/// On closed, consistently wound components some lines are hidden by the component itself: contours at concave edges,
+/// smooth contours where the surface turns towards the eye, and lines within or between back-facing faces. They are
+/// left out, or marked as hidden if hidden lines are drawn.
 /// @param memory  of the instance, for ContourFinder::Random
 void collectInstanceCurves(const Scene&, std::uint32_t instance, const InstanceEdges&, ContourMemory& memory,
                            const Screen&, const CurveChoice&, std::vector<Segment>& to);
 
-/// Pixels.
+/// The mean length of contour edges under which contours are smooth, pixels.
 inline constexpr double smoothEdge = 3.0;
 
 }  // namespace inkedge::lines

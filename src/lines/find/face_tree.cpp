@@ -16,7 +16,7 @@ struct Keyed {
     std::uint32_t triangle;
 };
 
-// The low 21 bits, two zeros after each.
+// The low 21 bits of a number, with two zeros after each.
 std::uint64_t spread(std::uint64_t x) {
     x = (x | x << 32U) & 0x1F00000000FFFFU;
     x = (x | x << 16U) & 0x1F0000FF0000FFU;
@@ -27,12 +27,12 @@ std::uint64_t spread(std::uint64_t x) {
 
 class Builder {
 public:
-    Builder(const Mesh& mesh, const MeshTopology& topology, double widest)
-        : mesh_{mesh}, topology_{topology}, widest_{static_cast<float>(widest)} {}
+    Builder(const Mesh& mesh, const MeshTopology& topology, double maxAngle)
+        : mesh_{mesh}, topology_{topology}, widest_{static_cast<float>(maxAngle)} {}
 
     FaceTree build() {
         tree_.normals = makeFaceNormals(mesh_);
-        placePoints();
+        fillPoints();
         sortFaces();
         if (!keys_.empty()) {
             tree_.nodes.reserve(keys_.size());
@@ -42,9 +42,10 @@ public:
     }
 
 private:
-    void placePoints() {
+    void fillPoints() {
         tree_.points.resize(topology_.pointCount);
-        for (std::size_t c = topology_.points.size(); c-- > 0;)  // the first corner at a point says where it is
+        for (std::size_t c = topology_.points.size();
+             c-- > 0;)  // the last assignment is that of a point's first corner
             tree_.points[topology_.points[c]] = mesh_.positions[mesh_.indices[c]];
     }
 
@@ -76,7 +77,7 @@ private:
         for (const Keyed& keyed : keys_) tree_.triangles.push_back(keyed.triangle);
     }
 
-    // By 16 bits at a time, least ones first.
+    // A radix sort by 16 bits at a time, the lowest first.
     void sortByKey() {
         constexpr std::size_t few = 4096;
         if (keys_.size() < few) {
@@ -94,7 +95,7 @@ private:
         }
     }
 
-    // Where the highest bit that the keys of a range differ in goes from 0 to 1.
+    // The first key of a range that has the highest bit in which the keys differ.
     [[nodiscard]] std::uint32_t splitOf(std::uint32_t begin, std::uint32_t end) const {
         const std::uint64_t differing = keys_[begin].key ^ keys_[end - 1].key;
         if (differing == 0) return (begin + end) / 2;
@@ -136,7 +137,7 @@ private:
             const glm::dvec3 normal = tree_.normals[tree_.triangles[i]];
             sum += glm::dot(normal, first) < 0.0 ? -normal : normal;
         }
-        const glm::dvec3 axis = glm::normalize(sum);  // no term of it points away from the first
+        const glm::dvec3 axis = glm::normalize(sum);  // every term was turned to the side of the first
         double cosine = 1.0;
         for (std::uint32_t i = begin; i < end; ++i)
             cosine = std::min(cosine, std::abs(glm::dot(tree_.normals[tree_.triangles[i]], axis)));
@@ -165,7 +166,7 @@ private:
         node.angle = angle <= widest_ ? angle : FaceTree::wideCone;
     }
 
-    static constexpr float rounding = 5e-4F;  // radians: what acos() of a float near 1 is off by
+    static constexpr float rounding = 5e-4F;  // radians: the error of acos() of a float near 1
 
     const Mesh& mesh_;
     const MeshTopology& topology_;
@@ -176,8 +177,8 @@ private:
 
 }  // namespace
 
-FaceTree buildFaceTree(const Mesh& mesh, const MeshTopology& topology, double widest) {
-    return Builder{mesh, topology, widest}.build();
+FaceTree buildFaceTree(const Mesh& mesh, const MeshTopology& topology, double maxAngle) {
+    return Builder{mesh, topology, maxAngle}.build();
 }
 
 }  // namespace inkedge

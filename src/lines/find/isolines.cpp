@@ -8,13 +8,13 @@
 namespace inkedge {
 namespace {
 
-constexpr double samePlace = 1e-4;  // of an edge's length: what float coordinates on two sides of a seam differ by
+constexpr double sameShare = 1e-4;  // of an edge's length: float coordinates on two sides of a seam differ by less
 
-// Where a line meets an edge of the mesh, or a point: then both are the same and the share is 0.
-struct Crossing {
+// Where a line meets an edge of the mesh; or a point, which is then both ends of the edge, and the share is 0.
+struct EdgePoint {
     std::uint32_t lesserPoint;
     std::uint32_t greaterPoint;
-    double share;  // of the way from the lesser to the greater
+    double share;  // of the way from the lesser to the greater point
 };
 
 class Finder {
@@ -47,7 +47,7 @@ private:
         }
         const auto [low, high] = std::ranges::minmax(values);
         constexpr double largest = 2147483000.0;
-        if (low == high || high - low > mostStepsAcrossAFace || low < -largest || high > largest) return;
+        if (low == high || high - low > maxStepsPerFace || low < -largest || high > largest) return;
         for (double step = std::ceil(low); step <= high; ++step)
             addLine(triangle, coordinate, static_cast<std::int32_t>(step), values);
     }
@@ -55,12 +55,12 @@ private:
     void addLine(std::uint32_t triangle, std::uint32_t coordinate, std::int32_t step,
                  const std::array<double, 3>& values) {
         IsolineSegment segment{triangle, coordinate, step, {}, {}, {}};
-        std::array<Crossing, 2> crossings{};
+        std::array<EdgePoint, 2> ends{};
         std::size_t count = 0;
         const auto add = [&](std::uint32_t from, std::uint32_t to, double share) {
             segment.weights[count][static_cast<int>(from)] += 1.0 - share;
             segment.weights[count][static_cast<int>(to)] += share;
-            crossings[count++] = {pointOf(triangle, from), pointOf(triangle, to), share};
+            ends[count++] = {pointOf(triangle, from), pointOf(triangle, to), share};
         };
         for (std::uint32_t k = 0; k < 3 && count < 2; ++k) {
             const std::uint32_t next = (k + 1) % 3;
@@ -73,17 +73,17 @@ private:
             else
                 add(next, k, below / (below - above));
         }
-        if (count < 2) return;  // it only touches a corner
-        for (std::size_t i = 0; i < 2; ++i) segment.ends[i] = place(triangle, segment.weights[i]);
+        if (count < 2) return;  // the line only touches a corner
+        for (std::size_t i = 0; i < 2; ++i) segment.ends[i] = positionAt(triangle, segment.weights[i]);
         segments_.push_back(segment);
-        crossings_.push_back(crossings);
+        ends_.push_back(ends);
     }
 
     [[nodiscard]] std::uint32_t pointOf(std::uint32_t triangle, std::uint32_t corner) const {
         return topology_.points[3 * std::size_t{triangle} + corner];
     }
 
-    [[nodiscard]] glm::dvec3 place(std::uint32_t triangle, glm::dvec3 weights) const {
+    [[nodiscard]] glm::dvec3 positionAt(std::uint32_t triangle, glm::dvec3 weights) const {
         glm::dvec3 sum{0.0};
         for (std::uint32_t k = 0; k < 3; ++k)
             sum += weights[static_cast<int>(k)] *
@@ -91,7 +91,7 @@ private:
         return sum;
     }
 
-    // A line along an edge is found by each of its faces: the first keeps it.
+    // A line along an edge is found in each face of the edge: only the first one is kept.
     void dropRepeatedEdges() {
         struct Along {
             std::uint32_t lesserPoint;
@@ -101,7 +101,7 @@ private:
         };
         std::vector<Along> along;
         for (std::uint32_t i = 0; i < segments_.size(); ++i) {
-            const auto& [a, b] = crossings_[i];
+            const auto& [a, b] = ends_[i];
             if (a.lesserPoint != a.greaterPoint || b.lesserPoint != b.greaterPoint) continue;
             const auto [lesser, greater] = std::minmax(a.lesserPoint, b.lesserPoint);
             along.push_back({lesser, greater, segments_[i].coordinate, i});
@@ -115,27 +115,28 @@ private:
         for (std::size_t i = 0; i < segments_.size(); ++i) {
             if (repeated[i]) continue;
             segments_[kept] = segments_[i];
-            crossings_[kept++] = crossings_[i];
+            ends_[kept++] = ends_[i];
         }
         segments_.resize(kept);
-        crossings_.resize(kept);
+        ends_.resize(kept);
     }
 
     void numberNodes() {
         std::vector<std::uint32_t> order(2 * segments_.size());
         std::iota(order.begin(), order.end(), 0U);
-        const auto crossing = [&](std::uint32_t end) { return crossings_[end / 2][end % 2]; };
+        const auto edgePoint = [&](std::uint32_t end) { return ends_[end / 2][end % 2]; };
         const auto key = [&](std::uint32_t end) {
             const IsolineSegment& segment = segments_[end / 2];
-            return std::tuple{segment.coordinate, segment.step, crossing(end).lesserPoint, crossing(end).greaterPoint};
+            return std::tuple{segment.coordinate, segment.step, edgePoint(end).lesserPoint,
+                              edgePoint(end).greaterPoint};
         };
         std::ranges::sort(order, [&](std::uint32_t x, std::uint32_t y) {
-            return std::tuple{key(x), crossing(x).share, x} < std::tuple{key(y), crossing(y).share, y};
+            return std::tuple{key(x), edgePoint(x).share, x} < std::tuple{key(y), edgePoint(y).share, y};
         });
         std::uint32_t node = 0;
         for (std::size_t i = 0; i < order.size(); ++i) {
             const bool isNew = i > 0 && (key(order[i]) != key(order[i - 1]) ||
-                                         crossing(order[i]).share - crossing(order[i - 1]).share > samePlace);
+                                         edgePoint(order[i]).share - edgePoint(order[i - 1]).share > sameShare);
             if (isNew) ++node;
             segments_[order[i] / 2].nodes[order[i] % 2] = node;
         }
@@ -144,7 +145,7 @@ private:
     const Mesh& mesh_;
     const MeshTopology& topology_;
     std::vector<IsolineSegment> segments_;
-    std::vector<std::array<Crossing, 2>> crossings_;  // of the ends of each
+    std::vector<std::array<EdgePoint, 2>> ends_;  // one pair per segment: its ends
 };
 
 }  // namespace

@@ -13,24 +13,24 @@
 
 namespace inkedge {
 
-/// Where a texture coordinate passes one of its steps on a face.
+/// A segment of a face along which a texture coordinate has the value of one of its steps.
 struct IsolineSegment {
-    std::uint32_t triangle = 0;          ///< of the mesh
-    std::uint32_t coordinate = 0;        ///< 0: u, 1: v
-    std::int32_t step = 0;               ///< the coordinate there times the steps
-    std::array<glm::dvec3, 2> ends;      ///< mesh space less Mesh::origin
-    std::array<glm::dvec3, 2> weights;   ///< of the triangle's corners, likewise: barycentric coordinates
-    std::array<std::uint32_t, 2> nodes;  ///< one an end: segments that share a number go on into each other there;
-                                         ///< 0, 1, 2, ... with no number left out
+    std::uint32_t triangle = 0;         ///< of the mesh
+    std::uint32_t coordinate = 0;       ///< 0: u, 1: v
+    std::int32_t step = 0;              ///< the coordinate there times the steps
+    std::array<glm::dvec3, 2> ends;     ///< mesh space less Mesh::origin
+    std::array<glm::dvec3, 2> weights;  ///< the ends in barycentric coordinates of the triangle
+    /// One per end: segments with the same number are joined there. 0, 1, 2, ... with no number left out.
+    std::array<std::uint32_t, 2> nodes;
 };
 
-/// A face that a coordinate passes more steps of than this gives no lines: they would be an even grey.
-inline constexpr double mostStepsAcrossAFace = 1000.0;
+/// A face across which a coordinate passes more steps than this has no lines: they would be an even grey.
+inline constexpr double maxStepsPerFace = 1000.0;
 
-/// The lines along which u is a multiple of 1 / steps.u, and v of 1 / steps.v, where the coordinate is linear across
-/// each face. They lie on faces, from edge to edge; a line that follows an edge is one segment, whatever faces share
-/// it, and a face in which the coordinate is the same everywhere has none. Lines go on across a seam where both sides
-/// have the same value at the same place. Repeated faces and those with two corners at one point take no part.
+/// The lines along which u is a multiple of 1 / steps.u, and v of 1 / steps.v. Coordinates are linear across each face.
+/// Segments lie on faces, from edge to edge. A line that follows an edge is one segment, however many faces share the
+/// edge. A face with the same coordinate everywhere has no line. Lines go on across a seam where both sides have the
+/// same value at the same position. Repeated faces, and faces with two corners at one point, are left out.
 ///
 /// Ordered by triangle, coordinate and step. A mesh without texture coordinates has none. Pure, thread-safe,
 /// O(n log n).

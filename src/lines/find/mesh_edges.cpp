@@ -22,7 +22,7 @@ bool takesPart(const MeshTopology& topology, std::uint32_t t) {
 }
 
 bool sameNormals(const Mesh& mesh, const MeshTopology& topology, std::uint32_t halfEdge, std::uint32_t twin) {
-    constexpr float same = 0.9999F;  // cosine: under a degree
+    constexpr float same = 0.9999F;  // cosine of an angle under a degree
     const bool opposite = topology.points[halfEdge] != topology.points[twin];
     const std::uint32_t atStart = opposite ? nextHalfEdge(twin) : twin;
     const std::uint32_t atEnd = opposite ? twin : nextHalfEdge(twin);
@@ -33,7 +33,7 @@ bool sameNormals(const Mesh& mesh, const MeshTopology& topology, std::uint32_t h
     return agree(halfEdge, atStart) && agree(nextHalfEdge(halfEdge), atEnd);
 }
 
-// The half-edges of edges that many faces share, an edge's next to each other.
+// Collects the half-edges of edges that many faces share. Those of one edge follow each other.
 void collectMany(const MeshTopology& topology, MeshEdges& edges) {
     auto& many = edges.many;
     for (std::uint32_t h = 0; h < topology.twins.size(); ++h)
@@ -53,20 +53,20 @@ void collectMany(const MeshTopology& topology, MeshEdges& edges) {
     edges.manyBegins.push_back(static_cast<std::uint32_t>(many.size()));
 }
 
-// The face that a thin one is a part of.
+// The face that a thin face is a part of.
 struct Whole {
     std::uint32_t face;
-    bool against = false;  // it is wound against the thin one
+    bool against = false;  // whether the face is wound against the thin one
 };
 
 Whole wholeOf(const Mesh& mesh, const MeshTopology& topology, const std::vector<glm::dvec3>& normals, std::uint32_t t) {
-    constexpr int longestRow = 32;  // of thin faces beside each other
+    constexpr int maxThin = 32;  // thin faces in a row
     Whole whole{t};
     const auto length = [&](std::uint32_t h) {
         return glm::length(mesh.positions[mesh.indices[nextHalfEdge(h)]] - mesh.positions[mesh.indices[h]]);
     };
     std::uint32_t entry = noHalfEdge;
-    for (int step = 0; step < longestRow && normals[whole.face] == glm::dvec3{0.0}; ++step) {
+    for (int step = 0; step < maxThin && normals[whole.face] == glm::dvec3{0.0}; ++step) {
         std::uint32_t longest = noHalfEdge;
         for (std::uint32_t h = 3 * whole.face; h < 3 * whole.face + 3; ++h) {
             if (!isHalfEdge(topology.twins[h]) || h == entry) continue;
@@ -80,7 +80,8 @@ Whole wholeOf(const Mesh& mesh, const MeshTopology& topology, const std::vector<
     return whole;
 }
 
-// Two faces that share an edge; which ones, and whether they meet in a crease, where thin faces lie between.
+// Adds an edge that two faces share. If thin faces lie between them it looks for the two faces beyond, and whether they
+// meet in a crease.
 void addShared(const Mesh& mesh, const MeshTopology& topology, std::uint32_t h, double creaseCosine, MeshEdges& edges) {
     const std::uint32_t twin = topology.twins[h];
     const auto isThin = [&](std::uint32_t t) { return edges.faceNormals[t] == glm::dvec3{0.0}; };

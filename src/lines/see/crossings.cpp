@@ -8,8 +8,8 @@
 namespace inkedge::lines {
 namespace {
 
-constexpr double cellSize = 8.0;    // pixels
-constexpr double leastStep = 0.05;  // footprints: what is nearer by less lies on the same surface
+constexpr double cellSize = 8.0;  // pixels
+constexpr double minStep = 0.05;  // footprints: an occluder that is nearer by less lies on the same surface
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -19,7 +19,7 @@ public:
         : columns_{static_cast<int>(std::ceil(size.width / cellSize))},
           rows_{static_cast<int>(std::ceil(size.height / cellSize))} {}
 
-    // Calls visit(cell) for each cell that a segment touches, and perhaps a few beside it.
+    // Calls visit(cell) for each cell that a segment touches, and perhaps for a few cells beside it.
     template <class Visit>
     void forEachCell(const ScreenSegment& s, Visit&& visit) const {
         const glm::dvec2 a = s.ends[0].pixel / cellSize;
@@ -35,7 +35,7 @@ public:
         for (int row = firstRow; row <= lastRow; ++row) {
             double low = std::min(a.x, b.x);
             double high = std::max(a.x, b.x);
-            if (firstRow != lastRow && a.y != b.y) {  // where the segment is between the row's borders
+            if (firstRow != lastRow && a.y != b.y) {  // the part of the segment between the row's borders
                 const auto at = [&](double y) {
                     return a.x + (b.x - a.x) * std::clamp((y - a.y) / (b.y - a.y), 0.0, 1.0);
                 };
@@ -51,9 +51,9 @@ public:
         }
     }
 
-    [[nodiscard]] std::size_t cellOf(glm::dvec2 place) const {
-        const int column = std::clamp(static_cast<int>(std::floor(place.x / cellSize)), 0, columns_ - 1);
-        const int row = std::clamp(static_cast<int>(std::floor(place.y / cellSize)), 0, rows_ - 1);
+    [[nodiscard]] std::size_t cellOf(glm::dvec2 pixel) const {
+        const int column = std::clamp(static_cast<int>(std::floor(pixel.x / cellSize)), 0, columns_ - 1);
+        const int row = std::clamp(static_cast<int>(std::floor(pixel.y / cellSize)), 0, rows_ - 1);
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
     }
 
@@ -80,9 +80,9 @@ double footprints(double length, const ScreenSegment& s, const Screen& screen) {
 }  // namespace
 
 std::vector<Crossing> findCrossings(std::span<const Segment> segments, std::span<const ScreenSegment> screenSegments,
-                                    const Screen& screen, const SurfaceParts* parts) {
+                                    const Screen& screen, const SurfaceComponents* components) {
     const Grid grid{screen.size()};
-    // Occluders by cell: counted, then filled in.
+    // The occluders of each cell: first counted, then filled in.
     std::vector<std::uint32_t> begins(grid.cells() + 1, 0);
     for (std::size_t s = 0; s < segments.size(); ++s)
         if (segments[s].occludes) grid.forEachCell(screenSegments[s], [&](std::size_t cell) { ++begins[cell + 1]; });
@@ -98,7 +98,7 @@ std::vector<Crossing> findCrossings(std::span<const Segment> segments, std::span
         if (!segments[s].drawn) continue;
         const ScreenSegment& own = screenSegments[s];
         const glm::dvec2 along = own.ends[1].pixel - own.ends[0].pixel;
-        const Slack slack = slackOf(segments[s], footprints(segments[s].slack, own, screen), parts);
+        const Slack slack = slackOf(segments[s], footprints(segments[s].slack, own, screen), components);
         const std::size_t before = crossings.size();
         grid.forEachCell(own, [&](std::size_t cell) {
             for (std::uint32_t i = begins[cell]; i < begins[cell + 1]; ++i) {
@@ -110,11 +110,12 @@ std::vector<Crossing> findCrossings(std::span<const Segment> segments, std::span
                 const double v = cross(between, along) / area;
                 if (!(u > 0.0 && u < 1.0 && v >= 0.0 && v <= 1.0)) continue;
                 if (grid.cellOf(own.ends[0].pixel + u * along) != cell) continue;  // each crossing once
-                const double ownNearness = own.ends[0].nearness + u * (own.ends[1].nearness - own.ends[0].nearness);
-                const double itsNearness =
-                    other.ends[0].nearness + v * (other.ends[1].nearness - other.ends[0].nearness);
-                if (screen.footprintsBefore(itsNearness, ownNearness) <=
-                    leastStep + slack.of(segments[occluders[i]].faces[0]))
+                const double ownInverseDepth =
+                    own.ends[0].inverseDepth + u * (own.ends[1].inverseDepth - own.ends[0].inverseDepth);
+                const double otherInverseDepth =
+                    other.ends[0].inverseDepth + v * (other.ends[1].inverseDepth - other.ends[0].inverseDepth);
+                if (screen.footprintsBefore(otherInverseDepth, ownInverseDepth) <=
+                    minStep + slack.of(segments[occluders[i]].faces[0]))
                     continue;
                 if (!meet(segments[s], segments[occluders[i]])) crossings.push_back({s, u});
             }

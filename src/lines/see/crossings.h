@@ -6,22 +6,22 @@
 
 #include "lines/chains.h"
 #include "lines/screen.h"
-#include "lines/see/surface_parts.h"
+#include "lines/see/surface_components.h"
 #include "lines/segment.h"
 
 namespace inkedge::lines {
 
-/// Where in the picture a drawn segment passes behind a contour or a boundary: there it may become hidden, or seen.
+/// A point of the picture where a drawn segment passes behind a contour or a boundary: its visibility may change there.
 struct Crossing {
     std::uint32_t segment;
     double at;  ///< 0 to 1 between the segment's ends in the picture
 };
 
-/// All of them, by segment and place: case 1 of section 3.4 of Hertzmann 1999, with segments sorted into a grid as
-/// Markosian et al. 1997 do. Segments that have an end in common do not cross.
-/// @param parts  a smooth contour's slack is that of its own part only; null: all are one
+/// All crossings, ordered by segment, then along the segment: case 1 of section 3.4 of Hertzmann 1999, with segments
+/// sorted into a grid as by Markosian et al. 1997. Segments that have an end in common do not cross.
+/// @param components  a smooth contour's slack is for its own component only; null: the scene is one component
 /// O(n + pairs in a cell).
 [[nodiscard]] std::vector<Crossing> findCrossings(std::span<const Segment>, std::span<const ScreenSegment>,
-                                                  const Screen&, const SurfaceParts* parts = nullptr);
+                                                  const Screen&, const SurfaceComponents* components = nullptr);
 
 }  // namespace inkedge::lines

@@ -62,7 +62,7 @@ using Geometry = Handle<RTCGeometry, &rtcReleaseGeometry>;
                              reasonFor(error)};
 }
 
-// Refuses if a call since the last check failed: most often for want of memory.
+// Refuses if a call since the last check failed, usually because memory ran out.
 void check(const Device& device) {
     if (const RTCError error = rtcGetDeviceError(device.get()); error != RTC_ERROR_NONE) refuse(error);
 }

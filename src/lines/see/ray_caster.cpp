@@ -16,7 +16,7 @@
 namespace inkedge::lines {
 namespace {
 
-constexpr double leastStep = 1e-5;  // of a point's distance: a face must be nearer by more to hide it
+constexpr double minStep = 1e-5;  // of a point's distance: a face must be nearer by more to hide the point
 
 std::unique_ptr<Rays> raysOf(const Scene& scene) {
     std::vector<RayMesh> meshes;
@@ -42,18 +42,18 @@ struct RayCaster::State {
     std::unique_ptr<Rays> rays;
     double radius = 0.0;
 
-    // A way that enters the scene's sphere: floats are fine there, however far off the eye is.
+    // The part of a ray within the scene's bounding sphere: floats are precise there, however far off the eye is.
     struct Way {
         glm::dvec3 from;
         glm::dvec3 along;  // to the point
-        double begin;      // where the faces that count begin, 0 at from, 1 at the point
+        double begin;      // faces count from here on; 0 at from, 1 at the point
     };
 
     [[nodiscard]] Way wayTo(const Screen& screen, glm::dvec3 point) const {
         const glm::dvec3 whole = screen.ray(point);
         const double depth = screen.depth(point);
         const double near = depth > 0.0 ? screen.near() / depth : 0.0;
-        // From the point back to where the ray enters the sphere, or to the near plane if that is nearer.
+        // Back from the point to where the ray enters the sphere, or to the near plane if that is nearer.
         const double reach = 2.0 * radius / glm::length(whole);
         const double enter = std::clamp(1.0 - reach, 0.0, 1.0 - 1e-9);
         const glm::dvec3 along = whole * (1.0 - enter);
@@ -64,7 +64,7 @@ struct RayCaster::State {
         return {glm::vec3{way.from}, glm::vec3{way.along}, static_cast<float>(begin), static_cast<float>(end)};
     }
 
-    // Where the way meets a face's plane, in double precision; of one seen edge-on, as single precision has it.
+    // Where the way meets the plane of a face, in double precision; for a face seen edge-on the single precision value.
     [[nodiscard]] double planeAt(const Way& way, SceneFace face, float single) const {
         constexpr double edgeOn = 1e-4;  // cosine
         const WorldTriangles triangles{scene, scene.instances()[face.instance], scene.bounds().centre};
@@ -86,14 +86,15 @@ RayCaster::~RayCaster() = default;
 
 bool RayCaster::hides(const Screen& screen, glm::dvec3 point, std::span<const SceneFace> own,
                       const Slack& slack) const {
-    constexpr int mostHits = 64;  // own faces and those at the point itself; more is a pile of faces in one place
+    constexpr int maxHits =
+        64;  // own faces and those at the point itself; only piles of faces at one position have more
     const State::Way way = state_->wayTo(screen, point);
     const double length = glm::length(way.along);
     const double distance = glm::length(screen.ray(point));
-    const double alike = slack.parts == nullptr ? slack.length : 0.0;  // what all faces have need not be asked of each
-    const double end = 1.0 - (leastStep * distance + alike) / length;
+    const double alike = slack.components == nullptr ? slack.length : 0.0;  // a slack for all faces
+    const double end = 1.0 - (minStep * distance + alike) / length;
     double begin = way.begin;
-    for (int i = 0; i < mostHits && begin < end; ++i) {
+    for (int i = 0; i < maxHits && begin < end; ++i) {
         const std::optional<RayHit> hit = state_->rays->first(State::rayAlong(way, begin, end));
         if (!hit) return false;
         const SceneFace face{hit->instance, hit->triangle};
@@ -105,9 +106,9 @@ bool RayCaster::hides(const Screen& screen, glm::dvec3 point, std::span<const Sc
 }
 
 std::optional<glm::dvec3> RayCaster::firstNormal(glm::dvec3 from, glm::dvec3 to, std::span<const SceneFace> own) const {
-    constexpr int mostHits = 8;
+    constexpr int maxHits = 8;
     double begin = 0.0;
-    for (int i = 0; i < mostHits && begin < 1.0; ++i) {
+    for (int i = 0; i < maxHits && begin < 1.0; ++i) {
         const std::optional<RayHit> hit = state_->rays->first(State::rayAlong({from, to - from, 0.0}, begin, 1.0));
         if (!hit) return {};
         const SceneFace face{hit->instance, hit->triangle};

@@ -7,7 +7,7 @@
 #include <inkedge/scene.h>
 
 #include "lines/screen.h"
-#include "lines/see/surface_parts.h"
+#include "lines/see/surface_components.h"
 #include "lines/segment.h"
 
 namespace inkedge::lines {
@@ -16,7 +16,7 @@ namespace inkedge::lines {
 /// centre of Scene::bounds().
 class RayCaster {
 public:
-    /// Builds a bounding volume hierarchy a mesh, and one of the instances. The scene must outlive it.
+    /// Builds a bounding volume hierarchy for each mesh, and one for the instances. The scene must outlive this.
     /// @throws Error  (Kind::Runtime) if Embree is not there or runs out of memory
     explicit RayCaster(const Scene&);
     ~RayCaster();
@@ -24,9 +24,9 @@ public:
     RayCaster& operator=(const RayCaster&) = delete;
 
     /// Whether a face lies between the near plane and a point. A face counts if it is nearer than the point by over
-    /// 1e-5 of its distance, worked out in double precision.
+    /// 1e-5 of the point's distance, computed in double precision.
     /// @param own    faces that do not count
-    /// @param slack  how much nearer still a face must be
+    /// @param slack  how much nearer than that a face must be
     /// Thread-safe.
     [[nodiscard]] bool hides(const Screen&, glm::dvec3 point, std::span<const SceneFace> own,
                              const Slack& slack = {}) const;
@@ -34,7 +34,7 @@ public:
     /// Whether the ray through a point meets any face beyond the near plane, before or behind the point. Thread-safe.
     [[nodiscard]] bool meets(const Screen&, glm::dvec3 point) const;
 
-    /// The normal, of either side, of the first face that a straight way meets: from one point to another. Thread-safe.
+    /// The normal, of either side, of the first face between one point and another. Thread-safe.
     /// @param own  faces that do not count
     [[nodiscard]] std::optional<glm::dvec3> firstNormal(glm::dvec3 from, glm::dvec3 to,
                                                         std::span<const SceneFace> own) const;

@@ -11,11 +11,11 @@
 
 #include "modules/open_module.h"
 
-// What the library and the module of Embree say to each other.
+// The interface between the library and the Embree module.
 
 namespace inkedge::lines {
 
-/// A straight way: from + t * along, where begin <= t <= end.
+/// A segment: from + t * along, where begin <= t <= end.
 struct Ray {
     glm::vec3 from;
     glm::vec3 along;
@@ -29,7 +29,7 @@ struct RayHit {
     float at;                ///< t
 };
 
-/// Triangles placed in space, and what rays meet of them, from either side. Safe to ask from several threads.
+/// Finds the triangles of instances that rays meet, from either side. Thread-safe.
 class Rays {
 public:
     Rays() = default;
@@ -42,11 +42,11 @@ public:
     [[nodiscard]] virtual bool meetsAny(const Ray&) const noexcept = 0;
 };
 
-/// Triangles that repeat another are left out: they would hide the edges of their like.
+/// The triangles of a mesh. Triangles that repeat another are left out: they would hide each other's edges.
 struct RayMesh {
     std::span<const glm::vec3> positions;
-    std::span<const std::uint32_t> indices;    ///< three a triangle
-    std::span<const std::uint32_t> originals;  ///< one a triangle: the first of its like, most often itself
+    std::span<const std::uint32_t> indices;    ///< three per triangle
+    std::span<const std::uint32_t> originals;  ///< MeshTopology::originals
 };
 
 struct RayInstance {
@@ -60,7 +60,8 @@ struct MadeRays {
 };
 
 struct RayMaker {
-    /// Builds a bounding volume hierarchy a mesh, and one of the instances. Keeps nothing of what it is given.
+    /// Builds a bounding volume hierarchy for each mesh, and one for the instances. Keeps no reference to the
+    /// arguments.
     MadeRays (*make)(std::span<const RayMesh>, std::span<const RayInstance>);
 };
 inline constexpr ModuleOf<RayMaker> embreeModule{{.purpose = "lines from object space",

@@ -9,13 +9,13 @@
 namespace inkedge::lines {
 namespace {
 
-constexpr double fine = 0.25;     // pixels: how closely a change is placed; shorter pieces are not looked at
-constexpr double lookBack = 0.5;  // pixels from a change to where it is looked at again
+constexpr double fine = 0.25;     // pixels: the precision of a change; shorter pieces are not looked at
+constexpr double lookBack = 0.5;  // pixels from a change to where the chain is looked at again
 
-class ChainParter {
+class ChainDivider {
 public:
-    ChainParter(const Chain& chain, std::span<const ScreenSegment> segments, std::span<const Crossing> crossings,
-                std::span<const std::uint32_t> firstCrossings, const Judge& judge)
+    ChainDivider(const Chain& chain, std::span<const ScreenSegment> segments, std::span<const Crossing> crossings,
+                 std::span<const std::uint32_t> firstCrossings, const Judge& judge)
         : chain_{chain},
           segments_{segments},
           crossings_{crossings},
@@ -53,22 +53,22 @@ public:
     }
 
 private:
-    [[nodiscard]] double lengthAt(double place) const {
+    [[nodiscard]] double lengthAt(double position) const {
         const auto count = static_cast<double>(chain_.links.size());
-        if (place > count) return lengths_.back() + lengthAt(place - count);
-        const auto i = std::min(static_cast<std::size_t>(place), chain_.links.size() - 1);
-        return lengths_[i] + (place - static_cast<double>(i)) * (lengths_[i + 1] - lengths_[i]);
+        if (position > count) return lengths_.back() + lengthAt(position - count);
+        const auto i = std::min(static_cast<std::size_t>(position), chain_.links.size() - 1);
+        return lengths_[i] + (position - static_cast<double>(i)) * (lengths_[i + 1] - lengths_[i]);
     }
-    [[nodiscard]] double placeAt(double length) const {
+    [[nodiscard]] double positionAt(double length) const {
         const auto after = std::upper_bound(lengths_.begin() + 1, lengths_.end() - 1, length);
         const auto i = static_cast<std::size_t>(after - lengths_.begin()) - 1;
         const double own = lengths_[i + 1] - lengths_[i];
         return static_cast<double>(i) + (own > 0.0 ? std::clamp((length - lengths_[i]) / own, 0.0, 1.0) : 0.5);
     }
     [[nodiscard]] Seen judge(double length) const {
-        const double place = placeAt(length);
-        const auto i = std::min(static_cast<std::size_t>(place), chain_.links.size() - 1);
-        const double at = place - static_cast<double>(i);
+        const double position = positionAt(length);
+        const auto i = std::min(static_cast<std::size_t>(position), chain_.links.size() - 1);
+        const double at = position - static_cast<double>(i);
         const Chain::Link link = chain_.links[i];
         return judge_(link.segment, link.reversed ? 1.0 - at : at);
     }
@@ -82,35 +82,35 @@ private:
         }
     }
 
-    void judgePiece(double beginPlace, double endPlace) {
-        const double begin = lengthAt(beginPlace);
-        const double end = lengthAt(endPlace);
+    void judgePiece(double beginPosition, double endPosition) {
+        const double begin = lengthAt(beginPosition);
+        const double end = lengthAt(endPosition);
         if (end - begin < fine) {
-            if (endPlace > beginPlace) {
-                parts_.push_back({beginPlace, endPlace, Seen::Hidden});
+            if (endPosition > beginPosition) {
+                parts_.push_back({beginPosition, endPosition, Seen::Hidden});
                 unjudged_.push_back(true);
             }
             return;
         }
         const int samples = std::max(1, static_cast<int>(std::ceil((end - begin) / sampleStep)));
-        double from = beginPlace;
+        double from = beginPosition;
         double before = 0.0;
         Seen seen{};
         for (int i = 0; i < samples; ++i) {
             const double length = begin + (i + 0.5) * (end - begin) / samples;
             const Seen now = judge(length);
             if (i > 0 && now != seen) {
-                const double change = placeAt(bisect(before, length, seen));
+                const double change = positionAt(bisect(before, length, seen));
                 add(from, change, seen);
                 from = change;
             }
             seen = now;
             before = length;
         }
-        add(from, endPlace, seen);
+        add(from, endPosition, seen);
     }
 
-    // Where between two lengths it is no longer as at the first.
+    // The length between two others at which the chain is no longer seen as at the first.
     [[nodiscard]] double bisect(double low, double high, Seen atLow) const {
         while (high - low > fine) {
             const double middle = 0.5 * (low + high);
@@ -119,11 +119,11 @@ private:
         return 0.5 * (low + high);
     }
 
-    // Pieces too short to look at are as what comes before them, or after.
+    // Pieces too short to look at are seen as the part before them or, at the chain's start, after them.
     void settleUnjudged() {
         if (parts_.empty()) return;
         const auto first = std::find(unjudged_.begin(), unjudged_.end(), false);
-        if (first == unjudged_.end()) {  // a chain of specks
+        if (first == unjudged_.end()) {  // all pieces are too short
             const double whole = lengths_.back();
             const Seen seen = judge(0.5 * whole);
             parts_ = {{0.0, static_cast<double>(chain_.links.size()), seen}};
@@ -137,8 +137,8 @@ private:
         joinAlike();
     }
 
-    // A chain may also turn behind its own faces, at a joint and without a crossing: where a part's last bit is not as
-    // its samples are, it ends before.
+    // A chain may also turn behind its own faces, at a joint and without a crossing: a part whose last bit is not seen
+    // as its samples are ends before that.
     void settleEnds() {
         std::vector<Part> settled;
         for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -146,10 +146,10 @@ private:
             const auto changes = [&](std::size_t j) { return isSeen(parts_[j].seen) != isSeen(part.seen); };
             const double begin = lengthAt(part.begin);
             const double end = lengthAt(part.end);
-            const double head = i > 0 && changes(i - 1) ? strayFrom(begin, end, part.seen) : begin;
-            const double tail = i + 1 < parts_.size() && changes(i + 1) ? strayFrom(end, head, part.seen) : end;
-            const double first = head > begin ? placeAt(head) : part.begin;
-            const double last = tail < end ? placeAt(tail) : part.end;
+            const double head = i > 0 && changes(i - 1) ? settledEnd(begin, end, part.seen) : begin;
+            const double tail = i + 1 < parts_.size() && changes(i + 1) ? settledEnd(end, head, part.seen) : end;
+            const double first = head > begin ? positionAt(head) : part.begin;
+            const double last = tail < end ? positionAt(tail) : part.end;
             if (head > begin) settled.push_back({part.begin, first, parts_[i - 1].seen});
             settled.push_back({first, last, part.seen});
             if (tail < end) settled.push_back({last, part.end, parts_[i + 1].seen});
@@ -158,15 +158,15 @@ private:
         joinAlike();
     }
 
-    // How far from its end, towards another length, a part is not as it ought to be: the end itself where it is, or is
-    // too short to tell.
-    [[nodiscard]] double strayFrom(double end, double other, Seen seen) const {
+    // The length, from an end of a part towards another length, from which on the part is seen as it should be; the end
+    // itself if the part is, or is too short to be looked at.
+    [[nodiscard]] double settledEnd(double end, double other, Seen seen) const {
         const double step = other > end ? lookBack : -lookBack;
-        const int most =
+        const int maxSteps =
             static_cast<int>(std::min(0.5 * std::abs(other - end), 0.5 * sampleStep + lookBack) / lookBack);
-        int strays = 0;
-        while (strays < most && isSeen(judge(end + (strays + 1) * step)) != isSeen(seen)) ++strays;
-        return strays == 0 ? end : end + (strays + 0.5) * step;
+        int steps = 0;
+        while (steps < maxSteps && isSeen(judge(end + (steps + 1) * step)) != isSeen(seen)) ++steps;
+        return steps == 0 ? end : end + (steps + 0.5) * step;
     }
 
     void joinAlike() {
@@ -186,7 +186,7 @@ private:
         if (chain_.closed) joinAtStart();
     }
 
-    // A closed chain begins anywhere: no part of it ends there.
+    // The start of a closed chain is arbitrary: a part may go on over it.
     void joinAtStart() {
         const auto count = static_cast<double>(chain_.links.size());
         if (parts_.size() == 1) parts_[0] = {0.0, count, parts_[0].seen};
@@ -197,7 +197,7 @@ private:
 
     [[nodiscard]] double length(const Part& part) const { return lengthAt(part.end) - lengthAt(part.begin); }
 
-    // What is seen before part i, at -1, or after it, at 1; none: the chain ends there.
+    // How the part before part i (step -1), or after it (step 1), is seen; none: the chain ends there.
     [[nodiscard]] std::optional<Seen> beside(std::size_t i, int step) const {
         const std::size_t count = parts_.size();
         const bool atEnd = step < 0 ? i == 0 : i + 1 == count;
@@ -205,12 +205,12 @@ private:
         return parts_[(step < 0 ? i + count - 1 : i + 1) % count].seen;
     }
 
-    // Specks beside a gap that stays: no gap is filled from what goes on to them.
+    // Hides short visible parts beside a gap that stays, so that the gap between them and the next part is not filled.
     void dropSpecksAtGaps() {
         double gap = 0.0;
         const auto visit = [&](std::size_t i) {
             const double own = length(parts_[i]);
-            const bool drops = own < leastPart && gap >= longestGap && !isSeen(beside(i, -1).value_or(Seen::Outline)) &&
+            const bool drops = own < minPart && gap >= maxGap && !isSeen(beside(i, -1).value_or(Seen::Outline)) &&
                                !isSeen(beside(i, 1).value_or(Seen::Outline));
             if (drops) parts_[i].seen = Seen::Hidden;
             gap = parts_[i].seen == Seen::Hidden ? gap + own : 0.0;
@@ -224,14 +224,14 @@ private:
     void clean() {
         dropSpecksAtGaps();
         for (std::size_t i = 0; i < parts_.size(); ++i) {
-            const bool isShort = parts_[i].seen == Seen::Hidden && length(parts_[i]) < longestGap;
+            const bool isShort = parts_[i].seen == Seen::Hidden && length(parts_[i]) < maxGap;
             if (isShort && beside(i, -1) && beside(i, 1)) parts_[i].seen = *beside(i, -1);
         }
         merge();
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             const bool alone =
                 !isSeen(beside(i, -1).value_or(Seen::Hidden)) && !isSeen(beside(i, 1).value_or(Seen::Hidden));
-            if (isSeen(parts_[i].seen) && alone && parts_.size() > 1 && length(parts_[i]) < leastPart)
+            if (isSeen(parts_[i].seen) && alone && parts_.size() > 1 && length(parts_[i]) < minPart)
                 parts_[i].seen = Seen::Hidden;
         }
         merge();
@@ -244,7 +244,7 @@ private:
     const Judge& judge_;
     std::vector<double> lengths_;  // pixels from the chain's start to each joint
     std::vector<Part> parts_;
-    std::vector<bool> unjudged_;  // one a part
+    std::vector<bool> unjudged_;  // one per part
 };
 
 }  // namespace
@@ -252,7 +252,7 @@ private:
 std::vector<Part> partChain(const Chain& chain, std::span<const ScreenSegment> segments,
                             std::span<const Crossing> crossings, std::span<const std::uint32_t> firstCrossings,
                             const Judge& judge) {
-    return ChainParter{chain, segments, crossings, firstCrossings, judge}.part();
+    return ChainDivider{chain, segments, crossings, firstCrossings, judge}.part();
 }
 
 }  // namespace inkedge::lines

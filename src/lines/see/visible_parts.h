@@ -10,7 +10,7 @@
 
 namespace inkedge::lines {
 
-/// What is seen at one place of a segment.
+/// How one point of a segment is seen.
 enum class Seen : std::uint8_t {
     Hidden,
     Outline,  ///< a contour or boundary with nothing behind it
@@ -18,9 +18,9 @@ enum class Seen : std::uint8_t {
     Seam,     ///< a boundary across which another surface goes on: no line
 };
 
-/// A part of a chain that looks the same throughout. Places count segments: 2.25 is a quarter along the third in the
-/// picture. In a closed chain the last part may go on over the chain's start: it then ends beyond the number of
-/// segments.
+/// A part of a chain that is seen the same way throughout. Positions along a chain count segments: 2.25 is a quarter
+/// along the third segment in the picture. In a closed chain the last part may go on over the chain's start: its end is
+/// then over the number of segments.
 struct Part {
     double begin;
     double end;
@@ -29,21 +29,25 @@ struct Part {
 
 [[nodiscard]] constexpr bool isSeen(Seen seen) noexcept { return seen == Seen::Outline || seen == Seen::Inside; }
 
-/// Judges a place of a segment, 0 to 1 in the picture. Called by several threads at once.
+/// Judges how a point of a segment is seen. Called by several threads at once.
+/// @param at  0 to 1 between the segment's ends in the picture
 using Judge = std::function<Seen(std::uint32_t segment, double at)>;
 
 inline constexpr double sampleStep = 6.0;  ///< pixels
 
-/// Parts a chain where what is seen changes: at crossings, at its joints, and where two samples between these
-/// disagree. Pieces between crossings are sampled at least every sampleStep pixels and bisected where samples disagree; where
-/// a part ends at a crossing it is looked at again half a pixel from there, and on back to where it is what it was
-/// taken for. Hidden parts shorter than longestGap between seen ones count as seen, and seen ones shorter than
-/// leastPart as hidden, first those beside what stays hidden: both are the mesh's facets, not the shape's.
+/// Divides a chain into parts where the way in which it is seen changes: at crossings, at its joints, and where two
+/// samples between these disagree.
+///
+/// Pieces between crossings are sampled at least every sampleStep pixels, and bisected where samples disagree. A part
+/// that ends at a crossing is looked at again half a pixel from its end; if it is seen otherwise there the end moves
+/// back, in steps, to where it is seen as its samples are. Hidden parts shorter than maxGap between visible ones count
+/// as visible, and visible parts shorter than minPart as hidden, first those beside parts that stay hidden. Both come
+/// from the facets of the mesh, not from the shape.
 [[nodiscard]] std::vector<Part> partChain(const Chain&, std::span<const ScreenSegment>,
                                           std::span<const Crossing> crossings,
                                           std::span<const std::uint32_t> firstCrossings, const Judge&);
 
-inline constexpr double longestGap = 2.5;
-inline constexpr double leastPart = 1.0;
+inline constexpr double maxGap = 2.5;   ///< pixels
+inline constexpr double minPart = 1.0;  ///< pixels
 
 }  // namespace inkedge::lines

@@ -1,4 +1,4 @@
-#include "lines/find/border_parts.h"
+#include "lines/find/border_segments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,18 +13,18 @@
 namespace inkedge::lines {
 namespace {
 
-// A part of a border that another border runs along.
+// A stretch of a border along which another border runs.
 struct Cover {
     double from;
     double to;
-    std::uint32_t other;  // into Borders::edges(); noBorder: that one names the part
+    std::uint32_t other;  // into Borders::edges(); noBorder: the stretch is listed for the other border
     bool bends;
 };
 constexpr std::uint32_t noBorder = ~0U;
 
 std::vector<std::vector<Cover>> findCovers(const Scene& scene, Borders& borders) {
     const double straightCosine = -std::cos(glm::radians(scene.creaseAngle()));
-    constexpr double foldedBack = 0.999;  // two layers that end together: no surface goes on
+    constexpr double foldedBack = 0.999;  // over this cosine two layers end together: no surface goes on
     std::vector<std::vector<Cover>> covers(borders.edges().size());
     for (std::uint32_t i = 0; i < covers.size(); ++i) {
         const BorderEdge& border = borders.edges()[i];
@@ -47,58 +47,57 @@ bool isMarkedBorder(const Scene& scene, const BorderEdge& edge) {
     return isOfKind(mesh, edge.halfEdge, noHalfEdge, EdgeKind::Marked);
 }
 
-// Those of faces too thin to say where a surface would go on.
-void addThinBorders(const Scene& scene, std::span<const MeshEdges> meshes, std::vector<BorderPart>& parts) {
+// Adds the borders of faces that are too thin to say where the surface goes on.
+void addThinBorders(const Scene& scene, std::span<const MeshEdges> meshes, std::vector<BorderSegment>& segments) {
     for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
         const std::uint32_t mesh = scene.instances()[i].mesh;
         for (const std::uint32_t h : meshes[mesh].thinBorders) {
-            parts.push_back({i, h, 0.0, 1.0});
-            parts.back().marked = isMarked(scene.meshes()[mesh], topologyOf(scene, mesh), h);
+            segments.push_back({i, h, 0.0, 1.0});
+            segments.back().marked = isMarked(scene.meshes()[mesh], topologyOf(scene, mesh), h);
         }
     }
 }
 
 }  // namespace
 
-std::vector<BorderPart> findBorderParts(const Scene& scene, std::span<const MeshEdges> meshes) {
+std::vector<BorderSegment> findBorderSegments(const Scene& scene, std::span<const MeshEdges> meshes) {
     Borders borders{instancedMeshesOf(scene),
                     [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& { return meshes[mesh].faceNormals; }};
     const std::vector<std::vector<Cover>> covers = findCovers(scene, borders);
-    std::vector<BorderPart> parts;
+    std::vector<BorderSegment> segments;
     for (std::uint32_t i = 0; i < covers.size(); ++i) {
         const BorderEdge& edge = borders.edges()[i];
         const bool marked = isMarkedBorder(scene, edge);
         const auto add = [&](double from, double to) {
-            parts.push_back({edge.instance, edge.halfEdge, from, to});
-            parts.back().marked = marked;
+            segments.push_back({edge.instance, edge.halfEdge, from, to});
+            segments.back().marked = marked;
         };
-        const double least =
-            borders.tolerance() / glm::length(edge.b - edge.a);  // shorter gaps between covers are none
+        const double minGap = borders.tolerance() / glm::length(edge.b - edge.a);  // between two covers
         std::vector<Cover> own = covers[i];
         std::ranges::sort(own, [](const Cover& a, const Cover& b) { return a.from < b.from; });
         double reached = 0.0;
         for (const Cover& cover : own) {
-            if (cover.from > reached + least) add(reached, cover.from);
+            if (cover.from > reached + minGap) add(reached, cover.from);
             const double from = std::max(cover.from, reached);
             reached = std::max(reached, cover.to);
             if (cover.to <= from || cover.other == noBorder) continue;
             const BorderEdge& other = borders.edges()[cover.other];
-            parts.push_back({edge.instance,
-                             edge.halfEdge,
-                             from,
-                             cover.to,
-                             {other.instance, other.halfEdge / 3},
-                             0.5 * (other.a + other.b) + other.into * glm::length(other.b - other.a),
-                             cover.bends,
-                             marked || isMarkedBorder(scene, other)});
+            segments.push_back({edge.instance,
+                                edge.halfEdge,
+                                from,
+                                cover.to,
+                                {other.instance, other.halfEdge / 3},
+                                0.5 * (other.a + other.b) + other.into * glm::length(other.b - other.a),
+                                cover.bends,
+                                marked || isMarkedBorder(scene, other)});
         }
-        if (reached < 1.0 - least) add(reached, 1.0);
+        if (reached < 1.0 - minGap) add(reached, 1.0);
     }
-    addThinBorders(scene, meshes, parts);
-    std::ranges::stable_sort(parts, [](const BorderPart& a, const BorderPart& b) {
+    addThinBorders(scene, meshes, segments);
+    std::ranges::stable_sort(segments, [](const BorderSegment& a, const BorderSegment& b) {
         return a.instance != b.instance ? a.instance < b.instance : a.halfEdge < b.halfEdge;
     });
-    return parts;
+    return segments;
 }
 
 }  // namespace inkedge::lines

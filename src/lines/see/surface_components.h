@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <inkedge/scene.h>
+
+#include "lines/find/border_segments.h"
+#include "lines/segment.h"
+#include "scene/scene_face.h"
+
+namespace inkedge::lines {
+
+/// The connected components of a scene's surface. Faces are connected across the edges that two of them share, and
+/// instances across the seams between them.
+class SurfaceComponents {
+public:
+    /// O(n).
+    SurfaceComponents(const Scene&, std::span<const BorderSegment> borders);
+
+    /// The number of a face's component.
+    [[nodiscard]] std::uint32_t of(SceneFace face) const noexcept {
+        return components_[begins_[face.instance] + ofFaces_[meshes_[face.instance]][face.triangle]];
+    }
+
+    [[nodiscard]] bool areOne() const noexcept { return areOne_; }
+
+private:
+    std::vector<std::uint32_t> meshes_;                // one per instance
+    std::vector<std::uint32_t> begins_;                // one per instance: where its components begin in components_
+    std::vector<std::vector<std::uint32_t>> ofFaces_;  // one per mesh: the component of each face within the mesh
+    std::vector<std::uint32_t> components_;
+    bool areOne_;
+};
+
+/// How far faces of a point's own component may be nearer than the point without hiding it.
+struct Slack {
+    double length = 0.0;                            ///< world units or pixel footprints, as the user of it says
+    const SurfaceComponents* components = nullptr;  ///< null: the slack is for every face
+    std::uint32_t component = 0;
+    [[nodiscard]] double of(SceneFace face) const noexcept {
+        return components == nullptr || components->of(face) == component ? length : 0.0;
+    }
+};
+
+[[nodiscard]] inline Slack slackOf(const Segment& segment, double length,
+                                   const SurfaceComponents* components) noexcept {
+    if (length == 0.0 || components == nullptr) return {length};
+    return {length, components, components->of(segment.faces[0])};
+}
+
+}  // namespace inkedge::lines
