@@ -16,28 +16,28 @@
 
 namespace inkedge {
 
-/// Draws strokes with a brush, each line's together: where a line's strokes meet, a pixel takes the brush's ink of the
-/// one that is nearest to it.
+/// Draws strokes with a brush. The strokes of a line are drawn together: where they meet a pixel takes the brush's ink
+/// of the nearest stroke.
 class BrushedStrokes {
 public:
     /// @param strokes  must outlive it; those of a line follow each other
     /// @param rows     width and height of what cover() is called for
     BrushedStrokes(const Brush&, std::span<const Stroke> strokes, const std::array<Pen, penCount>&, Size rows);
 
-    /// Raises coverage to that of strokes, each pixel's times the brush's ink there.
+    /// Raises coverage to that of strokes, times the brush's ink.
     /// @param coverage  of the rows, 0 to 1
     /// @param shown     some of the strokes, in their order
-    /// @param pens      those whose strokes are drawn
+    /// @param pens      the pens whose strokes are drawn
     void cover(Image<float>& coverage, Rows, std::span<const BoxedStroke> shown, const std::bitset<penCount>& pens);
 
 private:
-    // Which line a stroke is of, and whether its ends are that line's or a dash's, beyond which the brush goes straight
-    // on; around the others it turns.
+    // How a stroke is connected to its line. Beyond an open end, that of the line or of a dash, the brush goes straight
+    // on; around other ends it turns.
     struct InLine {
-        std::uint32_t line;
+        std::uint32_t line;  // index of the line's first stroke
         bool opensFrom;
         bool opensTo;
-        float around;  // pixels of way around a closed line; of an open one 0
+        float around;  // length around a closed line, pixels; 0 for an open line
     };
 
     static std::vector<InLine> linesOf(std::span<const Stroke>);
@@ -49,13 +49,13 @@ private:
     void add(const BoxedStroke&, Rows);
 
     std::span<const Stroke> strokes_;
-    std::vector<InLine> inLine_;                                // one a stroke
-    std::array<std::optional<FittedBrush>, penCount> brushes_;  // one for each pen that draws strokes
+    std::vector<InLine> inLine_;                                // one per stroke
+    std::array<std::optional<FittedBrush>, penCount> brushes_;  // of each pen that draws strokes
 
-    // One line in the rows, before it meets the others.
+    // One line in the rows, before it is painted over the others.
     Image<float> coverage_;
-    Image<float> distance_;  // of its nearest stroke, pixels
-    Image<float> ink_;       // that this stroke brings
+    Image<float> distance_;  // to the line's nearest stroke, pixels
+    Image<float> ink_;       // of that stroke
 };
 
 }  // namespace inkedge

@@ -13,7 +13,7 @@
 namespace inkedge {
 namespace {
 
-// Some rows of the picture, small enough to stay in the processor's cache while strokes are laid over each other.
+// Rows that are painted together: few enough to stay in the processor's cache while strokes are painted.
 constexpr int stripRows = 16;
 
 struct Strip {
@@ -22,7 +22,7 @@ struct Strip {
     Image<float> coverage;
 };
 
-// Lays a colour over a picture as far as it covers.
+// Paints a colour over a picture by its coverage.
 void blend(Strip& strip, Color color) {
     const float channels[3]{static_cast<float>(color.red), static_cast<float>(color.green),
                             static_cast<float>(color.blue)};
@@ -47,13 +47,14 @@ void blend(Strip& strip, Color color) {
     }
 }
 
-// Pens of one colour, which are laid on together.
+// Pens of one colour, which are painted together.
 struct Coat {
     Color color;
     std::bitset<penCount> pens;
 };
 
-// What covers comes later: of each colour where its first line type stands, those of hidden lines before all others.
+// Coats in the order in which they are painted. Hidden lines come before visible ones; among these the coat whose first
+// line type comes first in LineType is painted last.
 std::vector<Coat> coatsOf(const std::array<Pen, penCount>& all) {
     std::vector<Coat> coats;
     const auto addPens = [&](std::size_t first) {
@@ -65,7 +66,8 @@ std::vector<Coat> coatsOf(const std::array<Pen, penCount>& all) {
             coat.pens.set(i);
             added.push_back(coat);
         }
-        // A colour that goes on is one coat, so that what is hidden joins what is seen.
+        // The last coat of hidden lines and the first of visible ones are one if they have one colour, so that they
+        // join.
         if (!coats.empty() && coats.back().color == added.front().color) {
             coats.back().pens |= added.front().pens;
             added.erase(added.begin());

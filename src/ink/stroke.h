@@ -13,10 +13,11 @@ inline constexpr std::uint8_t fullWidth = 128;
 struct Stroke {
     glm::vec2 from;
     glm::vec2 to;
-    std::uint8_t pen;                    ///< 0..penCount-1: which of pens()
+    std::uint8_t pen;                    ///< index into pens()
     std::uint8_t widthFrom = fullWidth;  ///< 128ths of the pen's width
     std::uint8_t widthTo = fullWidth;    ///< between the two it changes evenly
-    float arc = 0.0F;  ///< pixels of way along its line before it, for a brush; 0 begins a line, whose strokes follow
+    /// Length of the line before this stroke, pixels, for a brush. 0: the first stroke of a line, whose others follow.
+    float arc = 0.0F;
 };
 
 }  // namespace inkedge

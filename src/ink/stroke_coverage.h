@@ -13,7 +13,7 @@
 namespace inkedge {
 
 inline constexpr float halfDiagonal = 0.70711F;  // of a pixel
-inline constexpr float shortestOffset = 1e-4F;   // pixels: a shorter one has no direction worth the name
+inline constexpr float shortestOffset = 1e-4F;   // pixels: a shorter offset has no reliable direction
 
 /// The share of a pixel's square that a band of one width and direction covers.
 class BandShare {
@@ -22,7 +22,7 @@ public:
     /// @param width   pixels
     BandShare(glm::vec2 normal, float width);
 
-    /// Exact.
+    /// The exact share.
     /// @param distance  pixels, of the band's centre line from the pixel's centre
     /// @return          0 to 1
     [[nodiscard]] float at(float distance) const;
@@ -31,13 +31,13 @@ private:
     [[nodiscard]] float beside(float distance) const;
 
     float halfWidth_;
-    float longer_;  // how far the square reaches across, along its longer axis
-    float even_;    // up to here a line cuts two opposite sides
-    float end_;     // from here on it cuts none
+    float longer_;  // the larger component of the normal
+    float even_;    // up to this distance a line cuts two opposite sides of the square
+    float end_;     // from this distance on it cuts none
     float corner_;
 };
 
-/// Pixels from (x0, y0) to (x1, y1), these included; none if it ends before it begins.
+/// Pixels from (x0, y0) to (x1, y1), both included; none if x1 < x0 or y1 < y0.
 struct PixelBox {
     int x0;
     int y0;
@@ -45,18 +45,18 @@ struct PixelBox {
     int y1;
 };
 
-/// Of a stroke at each end, pixels.
+/// The widths of a stroke at its ends, pixels.
 struct EndWidths {
     float from;
     float to;
 };
 [[nodiscard]] EndWidths widthsOf(const Stroke&, float penWidth);
 
-/// A stroke with what it is drawn with.
+/// A stroke, the width of its pen and its pixels.
 struct BoxedStroke {
     const Stroke* stroke;
     float width;   ///< of its pen, pixels
-    PixelBox box;  ///< the pixels of the picture that it may cover
+    PixelBox box;  ///< the pixels of the picture that the stroke may cover
 };
 [[nodiscard]] BoxedStroke boxed(const Stroke&, float penWidth, Size picture);
 
@@ -69,24 +69,24 @@ struct Rows {
     return {box.x0, std::max(box.y0, rows.first), box.x1, std::min(box.y1, rows.first + rows.count - 1)};
 }
 
-/// A stroke's centre line from its start on, and how points along it are measured: from 0 to end.
+/// The centre line of a stroke. Points along it have measures from 0, at the start, to end.
 struct CentreLine {
     glm::vec2 start;
-    glm::vec2 step;     ///< from a measure to one that is larger by 1
-    glm::vec2 measure;  ///< its dot product with a point, seen from the start, is that point's measure
+    glm::vec2 step;     ///< from a point to the point whose measure is larger by 1
+    glm::vec2 measure;  ///< the dot product of this and a point, less the start, is the point's measure
     float end;
     glm::vec2 normal;  ///< unit
 };
-[[nodiscard]] CentreLine measuredInShares(const Stroke&);  ///< the end's measure is 1; 0 of all, if it has no length
+[[nodiscard]] CentreLine measuredInShares(const Stroke&);  ///< the end's measure is 1; without length all are 0
 [[nodiscard]] CentreLine measuredInPixels(const Stroke&);
 
-/// A pixel's centre, as a centre line has it.
+/// A pixel near a centre line.
 struct NearPixel {
-    glm::vec2 centre;       ///< from the line's start
-    float along;            ///< its measure
-    float nearest;          ///< that of the line's nearest point
-    glm::vec2 offset;       ///< from that point
-    float distanceSquared;  ///< of the two
+    glm::vec2 centre;       ///< of the pixel, from the line's start
+    float along;            ///< the measure of the pixel's centre
+    float nearest;          ///< the measure of the line's point that is nearest to the centre
+    glm::vec2 offset;       ///< from that point to the centre
+    float distanceSquared;  ///< the square of the offset's length
 
     [[nodiscard]] bool isBeside(const CentreLine& line, float distance) const {  // not at a cap
         return (along > 0.0F && along < line.end) || distance < shortestOffset;
@@ -117,7 +117,7 @@ void forEachNear(const CentreLine& line, float reach, Image<float>& coverage, Ro
     }
 }
 
-/// How far from its centre line a stroke covers pixels' centres, at most.
+/// The maximum distance between a stroke's centre line and the centre of a pixel that it covers.
 [[nodiscard]] inline float reachOf(float width) { return 0.5F * width + halfDiagonal; }
 
 /// Raises coverage to that of a stroke: a band of its width around its centre line, with round caps.
@@ -141,7 +141,7 @@ inline float BandShare::at(float distance) const {
     return beside(inner) + beside(outer) - 1.0F;
 }
 
-// The share that lies on one side of a line: how far it is from the centre, positive if the centre is on that side.
+// The share that lies on one side of a line. The distance from the centre is positive if the centre is on that side.
 inline float BandShare::beside(float distance) const {
     const float t = std::abs(distance);
     float far = 1.0F;
