@@ -14,10 +14,10 @@
 /// Small scenes whose pictures can be worked out by hand.
 namespace inkedge::scenes {
 
-/// Meshes placed once each, by their transforms.
-inline Scene sceneOf(const std::vector<std::pair<Mesh, glm::dmat4>>& placed, const LoadSettings& settings = {}) {
+/// Meshes instances once each, by their transforms.
+inline Scene sceneOf(const std::vector<std::pair<Mesh, glm::dmat4>>& instances, const LoadSettings& settings = {}) {
     Scene::Data data;
-    for (const auto& [mesh, transform] : placed) {
+    for (const auto& [mesh, transform] : instances) {
         data.instances.push_back({mesh.name, static_cast<std::uint32_t>(data.meshes.size()), transform});
         data.meshes.push_back(mesh);
     }
@@ -81,7 +81,7 @@ inline Mesh quad(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 d) {
     return mesh;
 }
 
-/// One flag an index: whether the edge from there to its triangle's next is of a kind.
+/// One flag per index: whether the edge from there to its triangle's next is of a kind.
 inline std::vector<bool> edgesOfKind(const Mesh& mesh, EdgeKind kind) {
     std::vector<bool> flags;
     for (const EdgeKinds kinds : mesh.edges) flags.push_back(kinds.has(kind));

@@ -74,12 +74,12 @@ public:
     explicit Turntable(const Scene& scene) : scene_{scene} {}
 
     Camera next(bool orthographic) {
-        CameraSettings wish;
-        wish.azimuthAngle = azimuth_;
-        wish.elevationAngle = 20.0;
-        if (orthographic) wish.orthographicHeight = 0.0;
+        CameraSettings cameraSettings;
+        cameraSettings.azimuthAngle = azimuth_;
+        cameraSettings.elevationAngle = 20.0;
+        if (orthographic) cameraSettings.orthographicHeight = 0.0;
         azimuth_ += step;
-        return frameCamera(scene_, wish, size);
+        return frameCamera(scene_, cameraSettings, size);
     }
     MeshEye nextEye(bool orthographic) {
         const Camera camera = next(orthographic);
@@ -110,7 +110,8 @@ void addView(Model model) {
         const Scene& scene = prepared(model).scene;
         for (auto _ : state) RayCaster rays{scene};
     });
-    // Its stages are counters: milliseconds of wall time, the least of all views, which other work disturbs least.
+    // Its stages are counters: milliseconds of wall time, the smallest of all views, which other work disturbs
+    // smallest.
     add("object-lines/" + nameOf(model), [model](benchmark::State& state) {
         const Scene& scene = prepared(model).scene;
         const ObjectLines lines{scene};
@@ -123,8 +124,8 @@ void addView(Model model) {
         for (auto _ : state) {
             const Lines found = lines.find(turntable.next(false), settings);
             for (const StageTime& time : found.times) {
-                double& least = stages.try_emplace(time.stage, time.milliseconds).first->second;
-                least = std::min(least, time.milliseconds);
+                double& smallest = stages.try_emplace(time.stage, time.milliseconds).first->second;
+                smallest = std::min(smallest, time.milliseconds);
             }
             count = found.lines.size();
         }

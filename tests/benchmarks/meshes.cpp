@@ -51,8 +51,8 @@ struct Grid {
 };
 
 Grid gridFor(Shape shape, std::uint64_t triangles) {
-    const auto stepsOf = [](double wish, std::uint32_t unit) {
-        return unit * static_cast<std::uint32_t>(std::max(1.0, std::round(wish / unit)));
+    const auto stepsOf = [](double length, std::uint32_t unit) {
+        return unit * static_cast<std::uint32_t>(std::max(1.0, std::round(length / unit)));
     };
     const double quads = static_cast<double>(triangles) / 2.0;
     const std::uint32_t unitAround = shape == Shape::Cad ? teeth * cornersOfTooth : 4;
@@ -119,18 +119,18 @@ void writeGlb(const Mesh& mesh, const std::filesystem::path& file) {
     const std::size_t indices = mesh.indices.size() * sizeof(std::uint32_t);
     const bool hasNormals = !mesh.normals.empty();
     const std::size_t data = vectors + indices + (hasNormals ? vectors : 0);
-    glm::vec3 least = mesh.positions.front();
-    glm::vec3 most = least;
+    glm::vec3 low = mesh.positions.front();
+    glm::vec3 high = low;
     for (const glm::vec3& position : mesh.positions) {
-        least = glm::min(least, position);
-        most = glm::max(most, position);
+        low = glm::min(low, position);
+        high = glm::max(high, position);
     }
     std::string json = fmt::format(
         R"({{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{{"mesh":0}}],)"
         R"("meshes":[{{"primitives":[{{"attributes":{{"POSITION":0{}}},"indices":1}}]}}],)"
         R"("accessors":[{{"bufferView":0,"componentType":5126,"count":{},"type":"VEC3","min":{},"max":{}}},)"
         R"({{"bufferView":1,"componentType":5125,"count":{},"type":"SCALAR"}})",
-        hasNormals ? R"(,"NORMAL":2)" : "", mesh.positions.size(), floats(least), floats(most), mesh.indices.size());
+        hasNormals ? R"(,"NORMAL":2)" : "", mesh.positions.size(), floats(low), floats(high), mesh.indices.size());
     if (hasNormals) {
         json +=
             fmt::format(R"(,{{"bufferView":2,"componentType":5126,"count":{},"type":"VEC3"}})", mesh.normals.size());

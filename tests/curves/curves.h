@@ -11,13 +11,13 @@
 
 #include <inkedge/lines.h>
 
-/// Lines made by hand, and how far pixels are from them.
+/// Lines made by hand, and how far points are from them.
 namespace inkedge::curves {
 
 inline Line lineThrough(const std::vector<glm::dvec2>& pixels) {
     Line line;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        line.points.push_back({pixels[i], {static_cast<double>(i), pixels[i]}});  // tells which point it was
+        line.points.push_back({pixels[i], {static_cast<double>(i), pixels[i]}});  // x: the index of the point
     }
     return line;
 }
@@ -52,12 +52,13 @@ inline std::vector<glm::dvec2> outlineOf(const Line& line) {
 }
 
 inline double distanceTo(const std::vector<glm::dvec2>& chain, glm::dvec2 p) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i < chain.size(); ++i) least = std::min(least, distanceToEdge(p, chain[i - 1], chain[i]));
-    return least;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < chain.size(); ++i)
+        smallest = std::min(smallest, distanceToEdge(p, chain[i - 1], chain[i]));
+    return smallest;
 }
 
-/// Places on a chain, about step apart, its points included.
+/// Points on a chain, about step apart, its points included.
 inline std::vector<glm::dvec2> sampled(const std::vector<glm::dvec2>& chain, double step) {
     std::vector<glm::dvec2> samples{chain.front()};
     for (std::size_t i = 1; i < chain.size(); ++i) {
@@ -67,12 +68,12 @@ inline std::vector<glm::dvec2> sampled(const std::vector<glm::dvec2>& chain, dou
     return samples;
 }
 
-/// How far the one strays from the other at most, in both directions, by samples step apart.
+/// How far the one strays from the other at largest, in both directions, by samples step apart.
 inline double furthest(const std::vector<glm::dvec2>& a, const std::vector<glm::dvec2>& b, double step) {
-    double most = 0.0;
-    for (const glm::dvec2 p : sampled(a, step)) most = std::max(most, distanceTo(b, p));
-    for (const glm::dvec2 p : sampled(b, step)) most = std::max(most, distanceTo(a, p));
-    return most;
+    double largest = 0.0;
+    for (const glm::dvec2 p : sampled(a, step)) largest = std::max(largest, distanceTo(b, p));
+    for (const glm::dvec2 p : sampled(b, step)) largest = std::max(largest, distanceTo(a, p));
+    return largest;
 }
 
 /// A winding line with smooth bends, straight runs and some noise.

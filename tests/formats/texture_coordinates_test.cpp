@@ -19,7 +19,7 @@ LoadSettings reading() {
 }
 
 // That u and v are the x and y of each corner, v turned over or not.
-void expectLikePlaces(const Mesh& mesh, double tolerance = 1e-6) {
+void expectLikePositions(const Mesh& mesh, double tolerance = 1e-6) {
     ASSERT_EQ(mesh.textureCoordinates.size(), mesh.positions.size());
     for (const std::uint32_t i : mesh.indices) {
         const glm::dvec3 p = gltf_files::position(mesh, i);
@@ -44,21 +44,21 @@ protected:
 
 TEST_F(TextureCoordinates, AreReadOnlyWhenAskedFor) {
     EXPECT_THAT(load(squareWith(squareCoordinates)).meshes.at(0).textureCoordinates, IsEmpty());
-    expectLikePlaces(load(squareWith(squareCoordinates), reading()).meshes.at(0));
+    expectLikePositions(load(squareWith(squareCoordinates), reading()).meshes.at(0));
     EXPECT_THAT(load(indexedTriangle(), reading()).meshes.at(0).textureCoordinates, IsEmpty());
 }
 
 TEST_F(TextureCoordinates, MayBeIntegersOrSparse) {
-    expectLikePlaces(load(squareWith<std::uint8_t>({0, 0, 255, 0, 0, 255, 255, 255}, true), reading()).meshes.at(0));
-    expectLikePlaces(
+    expectLikePositions(load(squareWith<std::uint8_t>({0, 0, 255, 0, 0, 255, 255, 255}, true), reading()).meshes.at(0));
+    expectLikePositions(
         load(squareWith<std::uint16_t>({0, 0, 65535, 0, 0, 65535, 65535, 65535}, true), reading()).meshes.at(0));
     Model sparse = squareWith<float>({0, 0, 1, 0, 7, 7, 1, 1});
-    const int places = sparse.bufferView<std::uint8_t>({2});
+    const int indices = sparse.bufferView<std::uint8_t>({2});
     const int values = sparse.bufferView<float>({0, 1});
     sparse.json["accessors"][2]["sparse"] = {{"count", 1},
-                                             {"indices", {{"bufferView", places}, {"componentType", 5121}}},
+                                             {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
                                              {"values", {{"bufferView", values}}}};
-    expectLikePlaces(load(sparse, reading()).meshes.at(0));
+    expectLikePositions(load(sparse, reading()).meshes.at(0));
 }
 
 TEST_F(TextureCoordinates, ThatAreMalformedAreRefused) {
@@ -131,7 +131,7 @@ TEST_F(PolygonTextureCoordinates, OfObjAreThoseOfItsCornersTurnedOver) {
     const fs::path file = write("square.obj",
                                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 1\nvt 1 1 0\nvt 0\nvt 1 0\nvn 0 0 1\n"
                                 "f 1/1/1 2/2/1 3/3/1\nf 3/3 2/2 4/-1\n");
-    expectLikePlaces(loadScene(file, reading()).meshes().at(0));
+    expectLikePositions(loadScene(file, reading()).meshes().at(0));
     EXPECT_THAT(loadScene(file).meshes().at(0).textureCoordinates, IsEmpty());
 }
 
@@ -160,7 +160,7 @@ TEST_F(PolygonTextureCoordinates, OfPlyAreItsVertices) {
                                       "property list uchar int vertex_indices\nend_header\n0 0 0 0 1\n1 0 0 1 1\n"
                                       "0 1 0 0 0\n1 1 0 1 0\n3 0 1 2\n3 2 1 3\n",
                                       u, v));
-        expectLikePlaces(loadScene(file, reading()).meshes().at(0));
+        expectLikePositions(loadScene(file, reading()).meshes().at(0));
         EXPECT_THAT(loadScene(file).meshes().at(0).textureCoordinates, IsEmpty());
     }
 }

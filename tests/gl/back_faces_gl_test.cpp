@@ -23,9 +23,9 @@ Scene squares(BackFaces backFaces) {
         if (turned) std::swap(mesh.indices[1], mesh.indices[2]), std::swap(mesh.indices[4], mesh.indices[5]);
         mesh.normals.clear();
         mesh.materials.assign(2, material);
-        const glm::dmat4 place = scenes::translation({x, 0, 0});
+        const glm::dmat4 transform = scenes::translation({x, 0, 0});
         data.instances.push_back(
-            {"", static_cast<std::uint32_t>(data.meshes.size()), mirrored ? place * mirror : place});
+            {"", static_cast<std::uint32_t>(data.meshes.size()), mirrored ? transform * mirror : transform});
         data.meshes.push_back(mesh);
     };
     add(-3, false, false, 1);

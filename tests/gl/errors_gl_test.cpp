@@ -92,10 +92,10 @@ TEST_P(GlErrors, sayThatTheContextIsLostAndWhy) {
 TEST_P(GlErrors, areSurvivedByThePoolOfTextures) {
     if (!renderer().backend().software) GTEST_SKIP() << "a graphics card may have the memory";
     const gl::Current current{context()};
-    GLint most = 0;
-    context().api().GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    GLint maxSide = 0;
+    context().api().GetIntegerv(GL_MAX_TEXTURE_SIZE, &maxSide);
     expectError(Error::Kind::Runtime, HasSubstr("expected graphics memory for a picture of "), [&] {
-        (void)gpu().textures.acquire({most, most}, GL_RGBA32F);
+        (void)gpu().textures.acquire({maxSide, maxSide}, GL_RGBA32F);
     });
     EXPECT_NO_THROW((void)gpu().textures.acquire({32, 32}, GL_RGBA32F));
 }
@@ -115,10 +115,10 @@ std::string eglExtensions() {
     return text == nullptr ? "" : text;
 }
 
-TEST_P(GlErrors, ofAResetAreAskedForWhereTheDriverCanTell) {
+TEST_P(GlErrors, ofAResetAreAskedForWhereTheDriverReportsIt) {
     const gl::Current current{context()};
     if (eglExtensions().find("EGL_EXT_create_context_robustness") == std::string::npos) {
-        GTEST_SKIP() << gl_test::backendName(GetParam()) << " cannot tell of a reset here";
+        GTEST_SKIP() << gl_test::backendName(GetParam()) << " does not report resets here";
     }
     GLint strategy = 0;
     context().api().GetIntegerv(GL_RESET_NOTIFICATION_STRATEGY, &strategy);

@@ -50,19 +50,19 @@ inline std::string nameOfInstance(const testing::TestParamInfo<Backend>& instanc
 /// does.
 class Backends : public testing::Environment {
 public:
-    /// Null where the backend is missing; why() then tells the reason.
+    /// Null where the backend is missing; why() then says why.
     Equipment* equipment(Backend backend) {
-        const auto [place, fresh] = made_.try_emplace(backend);
+        const auto [entry, fresh] = made_.try_emplace(backend);
         if (fresh) {
             try {
-                place->second.equipment = std::make_unique<Equipment>(backend);
+                entry->second.equipment = std::make_unique<Equipment>(backend);
             } catch (const Error& error) {
-                place->second.why = error.what();
+                entry->second.why = error.what();
                 std::fprintf(stderr, "\n*** SKIPPED: every test on backend %s: %s\n\n", backendName(backend).c_str(),
                              error.what());
             }
         }
-        return place->second.equipment.get();
+        return entry->second.equipment.get();
     }
     [[nodiscard]] const std::string& why(Backend backend) const { return made_.at(backend).why; }
 

@@ -10,7 +10,7 @@ namespace {
 
 INKEDGE_ON_EACH_BACKEND(Uploading);
 
-// What went through counting(): a function pointer has no place for it. Nothing is drawn, as no program is in use.
+// What went through counting(): a function pointer cannot hold it. Nothing is drawn, as no program is in use.
 GLsizeiptr bytesUploaded = 0;
 GLsizei commandsDrawn = 0;
 PFNGLNAMEDBUFFERSTORAGEPROC upload = nullptr;
@@ -41,7 +41,7 @@ TEST_P(Uploading, StoresAMeshOnceAndDrawsItsInstancesByOneCommand) {
     const gl::Current current{context()};
     const gl::Api api = counting(context().api());
     const gl::UploadedScene uploaded{api, scene};
-    // A placement of 24 floats, a numbering of 3 integers and a patch's number; and some draw commands.
+    // A transform of 24 floats, a numbering of 3 integers and a patch's number; and some draw commands.
     EXPECT_LE(bytesUploaded, meshBytes + instances * (24 * 4 + 3 * 4 + 4) + 1000);
     uploaded.draw(gl::UploadedScene::Part::All, gl::UploadedScene::HiddenBacks::Draw);
     EXPECT_EQ(commandsDrawn, 1);

@@ -29,7 +29,7 @@ using testing::HasSubstr;
 constexpr double longestSeconds =
     sanitized ? 50.0 : 5.0;  // of a processor: what else the machine does is not our doing
 constexpr std::chrono::seconds longestWait{sanitized ? 300 : 60};
-constexpr std::uint64_t mostBytes = std::uint64_t{2} << 30;  // a sanitizer keeps books of its own
+constexpr std::uint64_t maxBytes = std::uint64_t{2} << 30;  // a sanitizer keeps books of its own
 const std::filesystem::path folder{INKEDGE_HOSTILE_FOLDER};
 
 struct Case {
@@ -94,7 +94,7 @@ TEST_P(HostileFile, GivesAPictureOrOneClearError) {
 
     EXPECT_LE(outcome.seconds, longestSeconds);
     if (!sanitized) {
-        EXPECT_LE(outcome.peakBytes, mostBytes);
+        EXPECT_LE(outcome.peakBytes, maxBytes);
     }
     EXPECT_EQ(outcome.out, "");
     if (hostile.picture) {

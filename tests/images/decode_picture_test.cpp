@@ -40,9 +40,9 @@ void expectColor(const Image<std::uint8_t>& image, int x, int y, std::array<int,
     EXPECT_EQ(image.at(x, y, 3), 255);
 }
 
-std::string refusalOf(std::span<const std::uint8_t> bytes, std::uint64_t mostPixels = 1000) {
+std::string refusalOf(std::span<const std::uint8_t> bytes, std::uint64_t maxPixels = 1000) {
     try {
-        (void)decodePicture(bytes, mostPixels);
+        (void)decodePicture(bytes, maxPixels);
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), Error::Kind::Input);
         return error.what();

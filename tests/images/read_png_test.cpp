@@ -121,9 +121,9 @@ TEST(ReadPngToLookAt, isLibpngsSimplifiedReading) {
 
 TEST(ReadPngToLookAt, refusesWhatIsCutOrTooLarge) {
     const Bytes file = written({PNG_COLOR_TYPE_RGB, 8, false, 0, PNG_INTERLACE_NONE});
-    const auto refusal = [](const Bytes& bytes, std::uint64_t mostPixels) -> std::string {
+    const auto refusal = [](const Bytes& bytes, std::uint64_t maxPixels) -> std::string {
         try {
-            static_cast<void>(io::readPngToLookAt(bytes, mostPixels, PngChannels::Rgba));
+            static_cast<void>(io::readPngToLookAt(bytes, maxPixels, PngChannels::Rgba));
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), Error::Kind::Input);
             return error.what();

@@ -123,7 +123,7 @@ TEST(Brush, ofFullInkIsNone) {
         const Brush brush = even(255);
         const auto with = paintStrokes(strokes, picture(5.0), &brush);
         const auto without = paintStrokes(strokes, picture(5.0));
-        for (std::size_t i = 0; i < with.pixels.size(); ++i)  // a rounding of the band's place is a level
+        for (std::size_t i = 0; i < with.pixels.size(); ++i)  // a rounding of the band's position is a level
             ASSERT_NEAR(with.pixels[i], without.pixels[i], 1) << taper << ", pixel " << i;
     }
 }

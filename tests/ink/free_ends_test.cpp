@@ -11,7 +11,7 @@ namespace {
 
 using testing::ElementsAre;
 
-// Through places of the picture, in a parallel view of a unit a pixel: z is nearer.
+// Through pixels of the picture, in a parallel view of one unit per pixel: larger z is nearer.
 Line lineAt(const std::vector<glm::dvec3>& points, LineType type = LineType::Outline) {
     Line line;
     line.type = type;

@@ -63,14 +63,14 @@ TEST_P(Ink, ofASilhouetteIsExactAtEveryAngleAndWidth) {
         const Camera camera = cameraOn(orthographic);
         std::array<ink_measures::Difference, widths.size()> corners;
         for (int i = 0; i < angleCount; ++i) {
-            std::vector<glm::dvec3> places;
+            std::vector<glm::dvec3> ends;
             for (const glm::dvec2 c : {glm::dvec2{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-                places.push_back(turned({0.6 * c.x + 0.0031 * i, 0.6 * c.y - 0.0017 * i, 0}, quarterAngle(i)));
+                ends.push_back(turned({0.6 * c.x + 0.0031 * i, 0.6 * c.y - 0.0017 * i, 0}, quarterAngle(i)));
             }
-            const Scene scene = scenes::sceneOf(scenes::quad(places[0], places[1], places[2], places[3]));
+            const Scene scene = scenes::sceneOf(scenes::quad(ends[0], ends[1], ends[2], ends[3]));
             std::vector<Line> lines;
             for (std::size_t k = 0; k < 4; ++k)
-                lines.push_back(lineBetween(camera, square, places[k], places[(k + 1) % 4]));
+                lines.push_back(lineBetween(camera, square, ends[k], ends[(k + 1) % 4]));
             for (std::size_t w = 0; w < widths.size(); ++w) {
                 const double width = widths[w];
                 SCOPED_TRACE(testing::Message() << (orthographic ? "orthographic" : "perspective") << ", angle "
@@ -82,7 +82,7 @@ TEST_P(Ink, ofASilhouetteIsExactAtEveryAngleAndWidth) {
                 for (const Line& line : lines) {
                     ink_measures::expectStraight(ink_measures::measure(drawn, line, width, corner), width);
                     ink_measures::compareAround(drawn, exact, line.a, corner, corners[w]);
-                    EXPECT_LE(ink_measures::mostMissing(drawn, exact, line), gapLimit);
+                    EXPECT_LE(ink_measures::maxMissing(drawn, exact, line), gapLimit);
                 }
             }
         }
@@ -120,23 +120,23 @@ TEST_P(Ink, ofACreaseIsExactAtEveryAngleAndWidth) {
     }
 }
 
-// Straight as they are, strokes of a bundle of places along an outline lie within this of it.
-struct Places {
-    std::vector<glm::dvec2> places;
+// Straight as they are, strokes of a bundle of points along an outline lie within this of it.
+struct OutlinePoints {
+    std::vector<glm::dvec2> pixels;
     std::vector<glm::dvec2> normals;
 };
 
-void expectCentred(const Image<double>& drawn, const Places& outline, double width) {
+void expectCentred(const Image<double>& drawn, const OutlinePoints& outline, double width) {
     double sum = 0.0;
-    double most = 0.0;
-    for (std::size_t i = 0; i < outline.places.size(); ++i) {
+    double furthest = 0.0;
+    for (std::size_t i = 0; i < outline.pixels.size(); ++i) {
         const double offset =
-            std::abs(ink_measures::offsetAcross(drawn, outline.places[i], outline.normals[i], 0.5 * width + 2.5));
+            std::abs(ink_measures::offsetAcross(drawn, outline.pixels[i], outline.normals[i], 0.5 * width + 2.5));
         sum += offset;
-        most = std::max(most, offset);
+        furthest = std::max(furthest, offset);
     }
-    EXPECT_LE(sum / static_cast<double>(outline.places.size()), ink_measures::centreLimit);
-    EXPECT_LE(most, 1.0);  // nowhere beside its pixel; the average could hide a gap
+    EXPECT_LE(sum / static_cast<double>(outline.pixels.size()), ink_measures::centreLimit);
+    EXPECT_LE(furthest, 1.0);  // nowhere beside its pixel; the average could hide a gap
 }
 
 TEST_P(Ink, ofASphereRunsAlongItsCircle) {
@@ -151,7 +151,7 @@ TEST_P(Ink, ofASphereRunsAlongItsCircle) {
         for (const int side : {64, 320}) {
             const Size size{side, side};
             // Tangents from the eye touch the sphere on a circle; in perspective its picture is an ellipse.
-            Places outline;
+            OutlinePoints outline;
             const glm::dvec3 middle{0.013, -0.021, -4};
             const glm::dvec3 axis = orthographic ? glm::dvec3{0, 0, 1} : -glm::normalize(middle);
             const double distance = glm::length(middle);
@@ -168,7 +168,7 @@ TEST_P(Ink, ofASphereRunsAlongItsCircle) {
                                          middle + height * axis + r * (std::cos(t) * u + std::sin(t) * v));
                 };
                 const glm::dvec2 along = glm::normalize(at(i + 0.1) - at(i - 0.1));
-                outline.places.push_back(at(i));
+                outline.pixels.push_back(at(i));
                 outline.normals.emplace_back(-along.y, along.x);
             }
             for (const double width : {1.0, 3.5}) {
@@ -206,16 +206,16 @@ TEST_P(Ink, ofATorusRunsAlongItsContour) {
     const Scene scene = scenes::sceneOf(torus(major, minor, 512, 256));
     constexpr Size size{320, 240};
     for (const double elevation : {90.0, 60.0, 40.0}) {
-        CameraSettings wish;
-        wish.azimuthAngle = 12.0;
-        wish.elevationAngle = elevation;
-        if (elevation == 90.0) wish.viewUp = glm::dvec3{0, 0, -1};
-        wish.orthographicHeight = 2.9;
-        const Camera camera = frameCamera(scene, wish, size);
+        CameraSettings cameraSettings;
+        cameraSettings.azimuthAngle = 12.0;
+        cameraSettings.elevationAngle = elevation;
+        if (elevation == 90.0) cameraSettings.viewUp = glm::dvec3{0, 0, -1};
+        cameraSettings.orthographicHeight = 2.9;
+        const Camera camera = frameCamera(scene, cameraSettings, size);
         const glm::dvec3 eye = glm::transpose(glm::dmat3{camera.view}) * glm::dvec3{0, 0, 1};
         // Where the normal cos t e + sin t y stands across the view: tan t = - (e . eye) / (y . eye). One solution's
-        // side of the tube faces outwards from the ring: these places are seen against the background.
-        Places outline;
+        // side of the tube faces outwards from the ring: these points are seen against the background.
+        OutlinePoints outline;
         const auto at = [&](double degrees) {
             const double u = glm::radians(degrees);
             const glm::dvec3 e{std::sin(u), 0, std::cos(u)};
@@ -225,7 +225,7 @@ TEST_P(Ink, ofATorusRunsAlongItsContour) {
         };
         for (int i = 0; i < 360; ++i) {
             const glm::dvec2 along = glm::normalize(at(i + 0.1) - at(i - 0.1));
-            outline.places.push_back(at(i));
+            outline.pixels.push_back(at(i));
             outline.normals.emplace_back(-along.y, along.x);
         }
         for (const double width : {1.0, 3.5}) {
@@ -302,8 +302,8 @@ TEST_P(Ink, neitherThinsOutNorDoublesWhereTypesMeet) {
             ink_measures::Difference junctions;
             for (const double side : {-1.0, 1.0}) {
                 for (const double end : {-0.4, 0.4}) {
-                    const glm::dvec2 place = scenes::pixel(camera, square, at(side * 0.2, end, 0));
-                    ink_measures::compareAround(drawn, exact, place, 0.5 * width + 3.0, junctions);
+                    const glm::dvec2 pixel = scenes::pixel(camera, square, at(side * 0.2, end, 0));
+                    ink_measures::compareAround(drawn, exact, pixel, 0.5 * width + 3.0, junctions);
                 }
             }
             EXPECT_LE(junctions.rms(), ink_measures::cornerRmsLimit);
@@ -317,10 +317,10 @@ TEST_P(Ink, neitherThinsOutNorDoublesWhereTypesMeet) {
 TEST_P(Ink, ofACubeHasNoGaps) {
     const Scene scene = scenes::sceneOf(scenes::cube());
     for (int i = 0; i < angleCount; ++i) {
-        CameraSettings wish;
-        wish.azimuthAngle = 12.0 * i + 5.0;
-        wish.elevationAngle = 20.0 + i;
-        const Camera camera = frameCamera(scene, wish, square);
+        CameraSettings cameraSettings;
+        cameraSettings.azimuthAngle = 12.0 * i + 5.0;
+        cameraSettings.elevationAngle = 20.0 + i;
+        const Camera camera = frameCamera(scene, cameraSettings, square);
         const auto corner = [](int k) {
             return glm::dvec3{(k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1};
         };
@@ -346,10 +346,10 @@ TEST_P(Ink, ofACubeHasNoGaps) {
                         return &other != &line && ink_measures::distance(p, other) < 1.5;
                     });
                 };
-                EXPECT_LE(ink_measures::mostMissing(drawn, exact, line, alone), gapLimit);
+                EXPECT_LE(ink_measures::maxMissing(drawn, exact, line, alone), gapLimit);
                 // Lines that run together leave less than a pixel between them, and a tip that no pixel's centre may
                 // lie in.
-                EXPECT_LE(ink_measures::mostMissing(drawn, exact, line), tipLimit);
+                EXPECT_LE(ink_measures::maxMissing(drawn, exact, line), tipLimit);
             }
         }
     }

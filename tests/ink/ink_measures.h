@@ -133,12 +133,12 @@ private:
     int count_ = 0;
 };
 
-/// The ink's width around a place on a line, as a mean under a raised cosine that is `length` long. Coverage gives it
+/// The ink's width around a point on a line, as a mean under a raised cosine that is `length` long. Coverage gives it
 /// without bias: the ink under the window over the window's own integral.
 /// @param of  of a pixel (x, y): its coverage
 template <class Coverage>
-double widthAround(Size size, const Line& line, double place, double length, double reach, Coverage of) {
-    const glm::dvec2 middle = line.a + place * line.direction();
+double widthAround(Size size, const Line& line, double along, double length, double reach, Coverage of) {
+    const glm::dvec2 middle = line.a + along * line.direction();
     const double extent = 0.5 * length + reach + 1.0;
     double sum = 0.0;
     for (int y = std::max(0, static_cast<int>(middle.y - extent));
@@ -158,7 +158,7 @@ double widthAround(Size size, const Line& line, double place, double length, dou
 struct StraightStroke {
     double rms = 0.0;
     double meanWidth = 0.0;
-    double minWidth = 1e9;     // along the line, each a mean over some pixels; the window's own error
+    double minWidth = 1e9;       // along the line, each a mean over some pixels; the window's own error
     double greatestWidth = 0.0;  // on exact coverage is taken off
 };
 
@@ -185,8 +185,8 @@ inline StraightStroke measure(const Image<double>& ink, const Line& line, double
     EXPECT_GT(difference.count(), inner) << "no ink to measure";
     // Only over the whole length is the window's own error under a thousandth.
     result.meanWidth = widthAround(ink.size, line, 0.5 * line.length(), inner, reach, drawn);
-    for (double place = end + 0.5 * window; place <= line.length() - end - 0.5 * window; place += 1.0) {
-        const double there = width + widthAround(ink.size, line, place, window, reach, error);
+    for (double along = end + 0.5 * window; along <= line.length() - end - 0.5 * window; along += 1.0) {
+        const double there = width + widthAround(ink.size, line, along, window, reach, error);
         result.minWidth = std::min(result.minWidth, there);
         result.greatestWidth = std::max(result.greatestWidth, there);
     }
@@ -206,38 +206,38 @@ inline void expectStraight(const StraightStroke& found, double width) {
     EXPECT_LE(found.greatestWidth, found.meanWidth + widthLimit);
 }
 
-/// Adds the pixels within a radius of a place.
-inline void compareAround(const Image<double>& drawn, const Image<double>& exact, glm::dvec2 place, double radius,
+/// Adds the pixels within a radius of a point.
+inline void compareAround(const Image<double>& drawn, const Image<double>& exact, glm::dvec2 point, double radius,
                           Difference& difference) {
     for (int y = 0; y < drawn.size.height; ++y) {
         for (int x = 0; x < drawn.size.width; ++x) {
-            if (glm::distance(centre(x, y), place) <= radius) difference.add(drawn.at(x, y), exact.at(x, y));
+            if (glm::distance(centre(x, y), point) <= radius) difference.add(drawn.at(x, y), exact.at(x, y));
         }
     }
 }
 
-/// The most ink that a place on a line lacks.
-/// @param counts  of a place: whether to look there
+/// The maximum ink that is missing at a point of a line.
+/// @param counts  whether to look at a point
 template <class Counts>
-double mostMissing(const Image<double>& drawn, const Image<double>& exact, const Line& line, Counts counts) {
-    double most = 0.0;
+double maxMissing(const Image<double>& drawn, const Image<double>& exact, const Line& line, Counts counts) {
+    double maximum = 0.0;
     const int samples = static_cast<int>(4.0 * line.length());
     for (int i = 0; i <= samples; ++i) {
         const glm::dvec2 p = glm::mix(line.a, line.b, static_cast<double>(i) / samples);
-        if (counts(p)) most = std::max(most, inkAt(exact, p) - inkAt(drawn, p));
+        if (counts(p)) maximum = std::max(maximum, inkAt(exact, p) - inkAt(drawn, p));
     }
-    return most;
+    return maximum;
 }
-inline double mostMissing(const Image<double>& drawn, const Image<double>& exact, const Line& line) {
-    return mostMissing(drawn, exact, line, [](glm::dvec2) { return true; });
+inline double maxMissing(const Image<double>& drawn, const Image<double>& exact, const Line& line) {
+    return maxMissing(drawn, exact, line, [](glm::dvec2) { return true; });
 }
 
-/// How far the ink's middle lies from a place, across a line there: pixels along the normal; not a number without ink.
-inline double offsetAcross(const Image<double>& ink, glm::dvec2 place, glm::dvec2 normal, double reach) {
+/// How far the ink's middle lies from a point, across a line there: pixels along the normal; not a number without ink.
+inline double offsetAcross(const Image<double>& ink, glm::dvec2 point, glm::dvec2 normal, double reach) {
     double sum = 0.0;
     double moment = 0.0;
     for (double s = -reach; s <= reach; s += 0.1) {
-        const double there = inkAt(ink, place + s * normal);
+        const double there = inkAt(ink, point + s * normal);
         sum += there;
         moment += s * there;
     }

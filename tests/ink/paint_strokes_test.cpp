@@ -93,7 +93,7 @@ TEST(PaintStrokes, endInRoundCaps) {
         ink_measures::compareAround(ink, ink_measures::exactInk({120, 120}, lines, width), line.b, 0.5 * width + 1.5,
                                     cap);
         EXPECT_LE(cap.rms(), ink_measures::rmsLimit) << width;
-        if (width < 8.0) continue;  // a pixel is too coarse to tell
+        if (width < 8.0) continue;  // a pixel is too coarse to judge
         // A square cap would still be black where the round one's diagonal has left.
         const double corner = 0.5 * width * 0.95;
         EXPECT_LT(ink_measures::inkAt(ink, line.b + corner * (line.direction() + line.normal())), 0.2) << width;
@@ -213,7 +213,7 @@ TEST(PaintStrokes, beyondThePictureDoNoHarm) {
 }
 
 // Large pictures are painted some rows at a time.
-TEST(PaintStrokes, isTheSameAtAnyPlaceOfALargePicture) {
+TEST(PaintStrokes, isTheSameAnywhereInALargePicture) {
     constexpr Size large{8192, 1100};
     constexpr Size small{8192, 60};
     for (const int down : {0, 482, 500, 512, 994, 1010, 1040}) {  // whole pixels

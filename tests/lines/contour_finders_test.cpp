@@ -42,7 +42,7 @@ struct Searched {
         const Mesh& mesh = scene.meshes()[number];
         const auto isFront = [&](std::uint32_t t) {
             const glm::dvec3 corner{mesh.positions[mesh.indices[3 * std::size_t{t}]]};
-            return glm::dot(edges.faceNormals[t], eye.orthographic ? eye.direction : corner - eye.place) < 0.0;
+            return glm::dot(edges.faceNormals[t], eye.orthographic ? eye.direction : corner - eye.position) < 0.0;
         };
         Edges found;
         for (std::uint32_t e = 0; e < edges.shared.halfEdges.size(); ++e) {
@@ -69,7 +69,7 @@ struct Searched {
     std::unique_ptr<ContourSearch> search;
 };
 
-MeshEye from(glm::dvec3 place) { return {false, place, {}}; }
+MeshEye from(glm::dvec3 position) { return {false, position, {}}; }
 MeshEye along(glm::dvec3 direction) { return {true, {}, direction}; }
 
 // Along the axes, where flat models have faces seen exactly from their side, and at random.
@@ -82,10 +82,10 @@ std::vector<glm::dvec3> directions() {
 }
 
 // Triangles between random points: edges of one, two and many faces, wound anyhow; some collapsed.
-Mesh soup(unsigned seed, std::size_t triangles, float scale = 1.0F) {
+Mesh randomTriangles(unsigned seed, std::size_t triangles, float scale = 1.0F) {
     std::mt19937 numbers{seed};
     Mesh mesh;
-    mesh.name = "soup";
+    mesh.name = "random triangles";
     for (std::size_t i = 0; i < triangles / 2; ++i) {
         const auto next = [&] { return scale * (static_cast<float>(numbers() % 2048) / 1024.0F - 1.0F); };
         mesh.positions.emplace_back(next(), next(), next());
@@ -157,7 +157,8 @@ TEST(ContourFinders, EveryAndGaussFindWhatTheDefinitionSaysOnAssets) {
 
 TEST(ContourFinders, EveryAndGaussFindWhatTheDefinitionSaysOnAnyMesh) {
     for (unsigned seed = 0; seed < 20; ++seed)
-        expectTheDefinition(Searched{sceneOf(soup(seed, 60 + 40 * seed))}, "soup " + std::to_string(seed));
+        expectTheDefinition(Searched{sceneOf(randomTriangles(seed, 60 + 40 * seed))},
+                            "random triangles " + std::to_string(seed));
     expectTheDefinition(Searched{sceneOf(cube())}, "cube");
     expectTheDefinition(Searched{sceneOf(hills(64))}, "hills");
     expectTheDefinition(Searched{sceneOf(everyOtherFaceTurned(hills(64)))}, "every other face turned");
@@ -166,13 +167,14 @@ TEST(ContourFinders, EveryAndGaussFindWhatTheDefinitionSaysOnAnyMesh) {
 
 TEST(ContourFinders, FindTheSameFromInsideAFacesPlane) {
     const Searched model{sceneOf(cube())};
-    for (const glm::dvec3 place : {glm::dvec3{1, 5, 5}, glm::dvec3{7, -1, 1}, glm::dvec3{1, 1, 1}, glm::dvec3{0, 0, 0}})
-        EXPECT_EQ(model.find(from(place), ContourFinder::Every), model.expected(from(place)));
+    for (const glm::dvec3 position :
+         {glm::dvec3{1, 5, 5}, glm::dvec3{7, -1, 1}, glm::dvec3{1, 1, 1}, glm::dvec3{0, 0, 0}})
+        EXPECT_EQ(model.find(from(position), ContourFinder::Every), model.expected(from(position)));
 }
 
 TEST(ContourFinders, FindTheSameInSmallAndLargeUnits) {
     for (const float scale : {1e-15F, 1e-6F, 1e6F, 1e15F})
-        expectTheDefinition(Searched{sceneOf(soup(3, 400, scale))}, "scaled by " + std::to_string(scale));
+        expectTheDefinition(Searched{sceneOf(randomTriangles(3, 400, scale))}, "scaled by " + std::to_string(scale));
 }
 
 TEST(ContourFinders, GiveNothingForAMeshWithoutSharedEdges) {

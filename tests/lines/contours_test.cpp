@@ -57,11 +57,11 @@ std::map<std::pair<LineType, bool>, double> lengths(const std::vector<Line>& lin
 TEST(Contours, OfAMirroredInstanceAreThoseOfTheOtherSeenInAMirror) {
     glm::dmat4 mirror{1.0};
     mirror[0][0] = -1.0;
-    const glm::dmat4 place = rotation(25, {1, 2, 3});
+    const glm::dmat4 transform = rotation(25, {1, 2, 3});
     const std::vector<Mesh> meshes{torus(2.0, 0.8, 60, 24), box({1, 2, 3}), sheet(3.0, 4)};
     for (const Mesh& mesh : meshes) {
-        const Scene scene = sceneOf(mesh, place);
-        const Scene mirrored = sceneOf(mesh, mirror * place);
+        const Scene scene = sceneOf(mesh, transform);
+        const Scene mirrored = sceneOf(mesh, mirror * transform);
         for (const Contour contour : {Contour::Mesh, Contour::Smooth, Contour::Auto}) {
             for (const HiddenLines hidden : {HiddenLines::None, HiddenLines::Solid}) {
                 const Wish wish{.contour = contour, .hidden = hidden};
@@ -70,7 +70,7 @@ TEST(Contours, OfAMirroredInstanceAreThoseOfTheOtherSeenInAMirror) {
                 ASSERT_EQ(found.size(), expected.size()) << mesh.name;
                 for (const auto& [what, pixels] : expected) {
                     ASSERT_TRUE(found.contains(what)) << mesh.name;
-                    EXPECT_NEAR(found.at(what), pixels, 0.5) << mesh.name;  // ends are placed to a quarter
+                    EXPECT_NEAR(found.at(what), pixels, 0.5) << mesh.name;  // ends are found to a quarter
                 }
             }
         }

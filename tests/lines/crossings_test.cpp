@@ -135,9 +135,9 @@ TEST(Crossings, AreThoseThatEveryPairHas) {
             const double determinant = r.y * t.x - r.x * t.y;
             const double u = ((q.y - p.y) * t.x - (q.x - p.x) * t.y) / determinant;
             const double v = ((q.y - p.y) * r.x - (q.x - p.x) * r.y) / determinant;
-            const glm::dvec3 place = p + u * r;
+            const glm::dvec3 point = p + u * r;
             if (u <= 0.0 || u >= 1.0 || v < 0.0 || v > 1.0) continue;
-            if ((q + v * t).z - place.z > 0.05) expected.push_back({s, u});
+            if ((q + v * t).z - point.z > 0.05) expected.push_back({s, u});
         }
         std::sort(expected.begin() + first, expected.end(), [](auto a, auto b) { return a.at < b.at; });
     }

@@ -91,15 +91,15 @@ TEST(Isolines, HaveTheirPlaceInTheFace) {
     ASSERT_GT(segments.size(), 20U);
     for (const IsolineSegment& s : segments) {
         for (std::size_t i = 0; i < 2; ++i) {
-            glm::dvec3 place{0.0};
+            glm::dvec3 position{0.0};
             glm::dvec2 uv{0.0};
             for (int k = 0; k < 3; ++k) {
                 const std::uint32_t vertex = mesh.indices[3 * s.triangle + static_cast<std::uint32_t>(k)];
                 EXPECT_GE(s.weights[i][k], 0.0);
-                place += s.weights[i][k] * glm::dvec3{mesh.positions[vertex]};
+                position += s.weights[i][k] * glm::dvec3{mesh.positions[vertex]};
                 uv += s.weights[i][k] * glm::dvec2{mesh.textureCoordinates[vertex]};
             }
-            EXPECT_LT(glm::distance(place, s.ends[i]), 1e-12);
+            EXPECT_LT(glm::distance(position, s.ends[i]), 1e-12);
             EXPECT_NEAR(uv[static_cast<int>(s.coordinate)] * (s.coordinate == 0 ? 5 : 7), s.step, 1e-9);
         }
     }

@@ -81,7 +81,7 @@ struct Piece {
 };
 
 // Edges that are lines, if they are seen: between a front and a back face, of one face, or bent by more than the angle;
-// found by their ends' places. The scene has one sheet of surface at each place: no seams.
+// found by the positions of their ends. The scene has one sheet of surface at each position: no seams.
 std::vector<Piece> linesOfEdges(const Scene& scene, const Judge& judge) {
     struct Faces {
         Piece piece;
@@ -96,25 +96,26 @@ std::vector<Piece> linesOfEdges(const Scene& scene, const Judge& judge) {
         std::map<std::array<std::array<float, 3>, 2>, Faces> edges;
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
             std::array<glm::dvec3, 3> world;
-            std::array<std::array<float, 3>, 3> places;
+            std::array<std::array<float, 3>, 3> corners;
             for (std::size_t k = 0; k < 3; ++k) {
                 const glm::vec3 p = mesh.positions[mesh.indices[i + k]];
                 for (std::size_t axis = 0; axis < 3; ++axis)  // seams of revolution close but for a rounding
-                    places[k][axis] = std::round(p[static_cast<int>(axis)] * 65536.0F) + 0.0F;
+                    corners[k][axis] = std::round(p[static_cast<int>(axis)] * 65536.0F) + 0.0F;
                 world[k] = glm::dvec3{instance.transform * glm::dvec4{mesh.origin + glm::dvec3{p}, 1.0}};
             }
             const glm::dvec3 normal = glm::cross(world[1] - world[0], world[2] - world[0]);
             if (glm::length(normal) == 0.0) continue;
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::size_t next = (k + 1) % 3;
-                Faces& faces = edges[std::array{std::min(places[k], places[next]), std::max(places[k], places[next])}];
+                Faces& faces =
+                    edges[std::array{std::min(corners[k], corners[next]), std::max(corners[k], corners[next])}];
                 faces.piece = {world[k], world[next]};
                 faces.inner = faces.inner || (!mesh.edges.empty() && mesh.edges[i + k].has(EdgeKind::Inner));
                 faces.front.push_back(judge.faces(world));
                 faces.normals.push_back(glm::normalize(normal));
             }
         }
-        for (const auto& [place, faces] : edges) {
+        for (const auto& [ends, faces] : edges) {
             const bool single = faces.front.size() == 1;
             const bool contour = faces.front.size() == 2 && faces.front[0] != faces.front[1];
             const bool crease =
@@ -133,7 +134,7 @@ void sample(glm::dvec2 a, glm::dvec2 b, Visit visit) {
     for (int i = 0; i < count; ++i) visit((i + 0.5) / count);
 }
 
-// Which places have a drawn line within a distance; cells as wide as that.
+// Which pixels have a drawn line within a distance; cells as wide as that.
 class Drawn {
 public:
     Drawn(Size size, double reach) : size_{size}, reach_{reach} {}
@@ -220,9 +221,9 @@ void measure(const Scene& scene, const Camera& camera, Measured& to) {
         if (!line.visible) continue;
         forEachPiece(line, [&](const LinePoint& p, const LinePoint& q) {
             sample(p.pixel, q.pixel, [&](double s) {
-                const glm::dvec2 place = p.pixel + s * (q.pixel - p.pixel);
-                drawn.add(place);
-                if (!drawn.inside(place)) return;
+                const glm::dvec2 at = p.pixel + s * (q.pixel - p.pixel);
+                drawn.add(at);
+                if (!drawn.inside(at)) return;
                 ++to.drawn;
                 // The point between p and q that the picture shows there: on the ray, so by depths.
                 const double a = (camera.view * glm::dvec4{p.position, 1}).z;
@@ -235,10 +236,10 @@ void measure(const Scene& scene, const Camera& camera, Measured& to) {
     for (const Piece& piece : linesOfEdges(scene, judge)) {
         sample(pixel(camera, wish.size, piece.a), pixel(camera, wish.size, piece.b), [&](double t) {
             const glm::dvec3 point = piece.a + t * (piece.b - piece.a);
-            const glm::dvec2 place = pixel(camera, wish.size, point);
-            if (!drawn.inside(place) || judge.hides(point)) return;
+            const glm::dvec2 at = pixel(camera, wish.size, point);
+            if (!drawn.inside(at) || judge.hides(point)) return;
             ++to.seen;
-            to.missed += drawn.near(place) ? 0 : 1;
+            to.missed += drawn.near(at) ? 0 : 1;
         });
     }
     measureEnds(lines, judge, to);

@@ -14,7 +14,7 @@ using testing::ElementsAre;
 using testing::FieldsAre;
 using testing::SizeIs;
 
-constexpr double placed = 0.13;  // pixels: a change is placed to half of 0.25
+constexpr double precision = 0.13;  // pixels: a change is precision to half of 0.25
 
 // A chain along the x axis of the picture, of segments of these lengths; those that run backwards have less than 0.
 struct Straight {
@@ -57,9 +57,9 @@ struct Straight {
             return look(ends[0].pixel.x + at * (ends[1].pixel.x - ends[0].pixel.x));
         });
     }
-    [[nodiscard]] double x(double place) const {
-        const auto i = std::min(static_cast<std::size_t>(place), begins.size() - 2);
-        return begins[i] + (place - double(i)) * (begins[i + 1] - begins[i]);
+    [[nodiscard]] double x(double position) const {
+        const auto i = std::min(static_cast<std::size_t>(position), begins.size() - 2);
+        return begins[i] + (position - double(i)) * (begins[i + 1] - begins[i]);
     }
 };
 
@@ -88,12 +88,12 @@ TEST(VisibleParts, ChangeWithinHalfAFinestStepElsewhere) {
     for (double at = 3.5; at < 71.0; at += 1.7) {
         const auto parts = line.part([&](double x) { return insideUntil(x, at); });
         ASSERT_THAT(parts, SizeIs(2)) << at;
-        EXPECT_NEAR(line.x(parts[0].end), at, placed);
+        EXPECT_NEAR(line.x(parts[0].end), at, precision);
     }
 }
 
 TEST(VisibleParts, EndWhereTheyTurnBehindWithoutACrossing) {
-    // The only sample between two crossings is seen; the chain goes on hidden from a place on, or up to it.
+    // The only sample between two crossings is seen; the chain goes on hidden from some point on, or up to it.
     const Straight line{{60.0}};
     for (const double at : {22.6, 23.1, 23.9, 24.4}) {
         const auto parts = line.part([&](double x) { return insideUntil(x, at); }, {20.0, 25.0});
@@ -122,7 +122,7 @@ TEST(VisibleParts, HaveEveryChangeWiderThanTheSampleStep) {
     const auto parts =
         line.part([](double x) { return static_cast<int>(x / 12.5) % 2 == 0 ? Seen::Outline : Seen::Hidden; });
     ASSERT_THAT(parts, SizeIs(8));
-    for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(line.x(parts[i].begin), 12.5 * double(i), placed);
+    for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(line.x(parts[i].begin), 12.5 * double(i), precision);
 }
 
 TEST(VisibleParts, CoverTheChainWithoutGaps) {

@@ -9,10 +9,10 @@
 namespace inkedge {
 namespace {
 
-double mostOf(const Scene& scene) {
-    double most = 0.0;
-    for (const float c : scene.meshes()[0].curvatures) most = std::max(most, std::abs(static_cast<double>(c)));
-    return most;
+double maximumOf(const Scene& scene) {
+    double maximum = 0.0;
+    for (const float c : scene.meshes()[0].curvatures) maximum = std::max(maximum, std::abs(static_cast<double>(c)));
+    return maximum;
 }
 
 Scene curved(const Mesh& mesh, double creaseAngle = LoadSettings{}.creaseAngle) {
@@ -51,20 +51,20 @@ TEST(MeanCurvature, ofAPlaneIsNothingAndAcrossABendOfAreaA) {
     Mesh roof;
     roof.positions = {{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, -1}};
     roof.indices = {0, 1, 2, 1, 0, 3};
-    EXPECT_NEAR(mostOf(curved(roof, 91.0)), 0.25 * std::numbers::pi / 2.0 / (1.0 / 3.0), 1e-6);
-    EXPECT_EQ(mostOf(curved(roof, 89.0)), 0.0) << "a crease";
+    EXPECT_NEAR(maximumOf(curved(roof, 91.0)), 0.25 * std::numbers::pi / 2.0 / (1.0 / 3.0), 1e-6);
+    EXPECT_EQ(maximumOf(curved(roof, 89.0)), 0.0) << "a crease";
 }
 
 TEST(MeanCurvature, endsAtCreases) {
     // A tube between two flat lids: half of one over its radius, up to its rims.
     constexpr int sides = 90;
     Mesh tube;
-    const auto place = [](int i, float z) {
+    const auto position = [](int i, float z) {
         const double angle = 2.0 * std::numbers::pi * i / sides;
         return glm::vec3{std::cos(angle), std::sin(angle), z};
     };
     for (const float z : {0.0F, 0.1F})
-        for (int i = 0; i < sides; ++i) tube.positions.push_back(place(i, z));
+        for (int i = 0; i < sides; ++i) tube.positions.push_back(position(i, z));
     tube.positions.insert(tube.positions.end(), {{0, 0, 0}, {0, 0, 0.1F}});
     for (std::uint32_t i = 0; i < sides; ++i) {
         const std::uint32_t next = (i + 1) % sides;

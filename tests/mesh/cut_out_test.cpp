@@ -117,7 +117,7 @@ TEST(CutOutTest, ADiscIsCutOutOfASheetWithoutAGap) {
     CutOut cutOut{mapOf(size, [](double x, double y) { return std::hypot(x / size - 0.5, y / size - 0.5) < radius; }),
                   clamped, 127.5};
     const Mesh mesh = Sheet{9}.cut(cutOut);
-    // Half a texel all along: as well as texels that are there or not tell where the outline runs.
+    // Half a texel all along: as good as if texels were only opaque or not.
     const double circumference = 2.0 * M_PI * radius;
     EXPECT_NEAR(signedArea(mesh), M_PI * radius * radius, circumference * 0.5 / size);
     EXPECT_NEAR(innerBorder(mesh), circumference, staircase * circumference);
@@ -173,7 +173,7 @@ TEST(CutOutTest, RepeatedPicturesRepeatTheOutline) {
     EXPECT_NEAR(share, M_PI * 12 * 12 / (size * size), 0.02);
 }
 
-TEST(CutOutTest, TrianglesWithoutAreaInThePictureAreJudgedByOnePlace) {
+TEST(CutOutTest, TrianglesWithoutAreaInThePictureAreJudgedByOnePoint) {
     CutOut cutOut{mapOf(8, [](double x, double) { return x < 4; }), clamped, 127.5};
     EXPECT_THAT(cutOut.cut({glm::dvec2{0.1, 0.5}, glm::dvec2{0.1, 0.5}, glm::dvec2{0.1, 0.5}}), SizeIs(1));
     EXPECT_THAT(cutOut.cut({glm::dvec2{0.9, 0.5}, glm::dvec2{0.9, 0.5}, glm::dvec2{0.9, 0.5}}), IsEmpty());
@@ -185,7 +185,7 @@ TEST(CutOutTest, RefusesWhatWouldTakeTooLong) {
     EXPECT_THROW(static_cast<void>(cutOut.cut({glm::dvec2{NAN, 0}, glm::dvec2{1, 0}, glm::dvec2{0, 1}})), Error);
 }
 
-// Noise has more outline than anything drawn. Its polygons touch themselves in many places, where a few of their
+// Noise has more outline than anything drawn. Its polygons touch themselves in many points, where a few of their
 // triangles may overlap: under a hundredth of the area.
 TEST(CutOutTest, NoiseIsCut) {
     std::mt19937 random{3};

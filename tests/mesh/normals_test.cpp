@@ -57,7 +57,7 @@ void expectUnitNormals(const Mesh& mesh) {
 }
 
 TEST(CompleteNormals, splitsAtTheCreaseAngle) {
-    // A hundredth of a degree to either side: float positions place the bend within 1e-5 degrees.
+    // A hundredth of a degree to either side: float positions give the bend within 1e-5 degrees.
     const Mesh smooth = completed(fold(40.0), with(Normals::Auto, 40.01));
     EXPECT_EQ(smooth.positions.size(), 6U);
     expectNear(cornerNormal(smooth, 1), rightNormal(20.0));
@@ -116,17 +116,17 @@ TEST(CompleteNormals, givesASphereRadialNormals) {
     }
 }
 
-TEST(CompleteNormals, smoothsAcrossVerticesThatShareAPlace) {
-    Mesh soup;
+TEST(CompleteNormals, smoothsAcrossVerticesAtOnePosition) {
+    Mesh split;
     const Mesh shared = fold(20.0);
     for (const std::uint32_t i : shared.indices) {
-        soup.indices.push_back(static_cast<std::uint32_t>(soup.positions.size()));
-        soup.positions.push_back(shared.positions[i]);
+        split.indices.push_back(static_cast<std::uint32_t>(split.positions.size()));
+        split.positions.push_back(shared.positions[i]);
     }
-    const Mesh made = completed(soup, with(Normals::Auto));
+    const Mesh made = completed(split, with(Normals::Auto));
     expectNear(cornerNormal(made, 1), rightNormal(10.0));
     expectNear(cornerNormal(made, 6), rightNormal(10.0));
-    EXPECT_EQ(made.positions.size(), 6U) << "one vertex a place and normal";
+    EXPECT_EQ(made.positions.size(), 6U) << "one vertex per position and normal";
 }
 
 TEST(CompleteNormals, keepsApartWhatOnlyTouchesInAPoint) {

@@ -100,7 +100,7 @@ TEST(BuildTopology, takesManyEdgesAtOnePoint) {
     }
 }
 
-TEST(BuildTopology, joinsAcrossVerticesThatShareAPlace) {
+TEST(BuildTopology, joinsAcrossVerticesAtOnePosition) {
     Mesh mesh = meshOf({0, 1, 2, 3, 4, 5});
     mesh.positions[3] = mesh.positions[2];
     mesh.positions[4] = mesh.positions[1];
@@ -152,7 +152,7 @@ TEST(BendCosine, isThatOfTheAngleBetweenTheFaces) {
         Mesh mesh = fold(degrees);
         const MeshTopology topology = buildTopology(mesh);
         ASSERT_EQ(topology.twins[1], 11U);
-        // Float positions place the faces within 1e-7.
+        // Float positions give the faces within 1e-7.
         EXPECT_NEAR(bendCosine(topology, 1, 11), std::cos(glm::radians(degrees)), 1e-6);
         std::swap(mesh.indices[9], mesh.indices[10]);  // winds the neighbour the other way round
         const MeshTopology against = buildTopology(mesh);
@@ -260,7 +260,7 @@ TEST(BuildPatches, marksTheEdgesOfCreasesOnBothSides) {
 }
 
 TEST(BuildTopology, givesNoNormalToFacesThinnerThanRounding) {
-    // The box of these corners has a diagonal of 1: the weld tolerance is 5e-7, the least height 2e-6.
+    // The box of these corners has a diagonal of 1: the weld tolerance is 5e-7, the minimum height 2e-6.
     Mesh mesh;
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0.5F, 1.5e-6F, 0}, {0.5F, 2.5e-6F, 0}};
     mesh.indices = {0, 1, 2, 0, 1, 3};

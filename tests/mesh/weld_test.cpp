@@ -12,7 +12,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TEST(WeldByPosition, numbersPlacesInOrderOfAppearance) {
+TEST(WeldByPosition, numbersPointsInOrderOfAppearance) {
     const std::vector<glm::vec3> positions{{5, 0, 0}, {1, 2, 3}, {5, 0, 0}, {0, 0, 0}, {1, 2, 3}, {5, 0, 0}};
     const Weld weld = weldByPosition(positions);
     EXPECT_THAT(weld.point, ElementsAre(0, 1, 0, 2, 1, 0));
@@ -66,7 +66,7 @@ TEST(WeldByPosition, weldsEqualPositionsWhateverStandsNearThemSince) {
     EXPECT_THAT(weldByPosition(positions).point, ElementsAre(0, 1, 2, 2, 3, 2));
 }
 
-TEST(WeldByPosition, weldsAllThatStandInOnePlace) {
+TEST(WeldByPosition, weldsAllAtOnePosition) {
     const Weld weld = weldByPosition(std::vector<glm::vec3>(3, glm::vec3{1, 2, 3}));
     EXPECT_THAT(weld.point, ElementsAre(0, 0, 0));
     EXPECT_EQ(weld.pointCount, 1U);
@@ -93,7 +93,7 @@ TEST(WeldByPosition, ofNothingIsNothing) {
 }
 
 TEST(WeldByPosition, findsEveryPairAmongMany) {
-    // Each point of a 40^3 grid twice, far apart in the list, with coordinates whose bits differ in few places.
+    // Each point of a 40^3 grid twice, far apart in the list, with coordinates of few differing bits.
     std::vector<glm::vec3> positions;
     for (int copy = 0; copy < 2; ++copy) {
         for (int i = 0; i < 64000; ++i) positions.emplace_back(i % 40, (i / 40) % 40, i / 1600);

@@ -10,14 +10,14 @@
 namespace {
 
 // Fewer or more black pixels than this are no outline drawing of a model that fills the picture.
-constexpr double fewestLines = 0.002;
-constexpr double mostLines = 0.5;
+constexpr double minLines = 0.002;
+constexpr double maxLines = 0.5;
 
 bool hasLines(const inkedge::Image<std::uint8_t>& picture) {
     const auto black = std::count(picture.pixels.begin(), picture.pixels.end(), std::uint8_t{0});
     const double share = static_cast<double>(black) / static_cast<double>(picture.pixels.size());
     std::printf("%td of %zu pixels are black\n", black, picture.pixels.size());
-    return share > fewestLines && share < mostLines;
+    return share > minLines && share < maxLines;
 }
 
 }  // namespace

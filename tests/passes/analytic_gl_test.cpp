@@ -68,7 +68,7 @@ void expectLines(const Image<std::uint8_t>& mask, const std::vector<Segment>& li
 // the centre is then at most sqrt(2) r from it. The tenth is for vertices that snap to a grid of 1/256 pixel.
 double kernelReach(Kernel kernel) { return std::sqrt(2.0) * (kernel == Kernel::Sobel ? 1.0 : 2.0) + 0.1; }
 // Of the pixels along a line those whose centre lies within half a diagonal of it have a neighbour on the other side.
-// Where lines cross at a slant, one of these may see too little change; the next one then does.
+// Where lines cross at an angle, one of these may see too little change; the next one then does.
 constexpr double lineReach = 1.5;
 
 TEST_P(AnalyticScene, tiltedPlaneHasNoEdgeInWindowDepth) {
@@ -112,7 +112,7 @@ TEST_P(AnalyticScene, tiltedPlaneHasNoEdgeInWindowDepth) {
                         EXPECT_NEAR(maps.depthMagnitude.at(x, y), middle, 1e-5) << x << ", " << y;
                     }
                 }
-                // In linear depth a steep plane is not even: the measure above can tell.
+                // In linear depth a steep plane is not even: the measure above shows it.
                 if (tilt < 50.0) continue;
                 settings.detector.depthMap = DepthMap::Linear;
                 const Maps linear = renderer().render(scene, camera, settings);
@@ -132,11 +132,11 @@ TEST_P(AnalyticScene, cubeShowsItsNineVisibleEdges) {
     const Scene scene = scenes::sceneOf(scenes::cube());
     for (const bool orthographic : {false, true}) {
         for (const double azimuth : {35.0, -50.0}) {
-            CameraSettings wish;
-            wish.azimuthAngle = azimuth;
-            wish.elevationAngle = 30.0;
-            if (orthographic) wish.orthographicHeight = 0.0;
-            const Camera camera = frameCamera(scene, wish, size);
+            CameraSettings cameraSettings;
+            cameraSettings.azimuthAngle = azimuth;
+            cameraSettings.elevationAngle = 30.0;
+            if (orthographic) cameraSettings.orthographicHeight = 0.0;
+            const Camera camera = frameCamera(scene, cameraSettings, size);
             // From above, of the bottom's corners the one that lies farthest off is hidden, and so are its three edges.
             int hidden = 0;
             for (int i = 0; i < 8; ++i) {
@@ -165,7 +165,7 @@ TEST_P(AnalyticScene, cubeShowsItsNineVisibleEdges) {
     }
 }
 
-// A camera on +Z that shows the square -2..2 at 32 pixels a unit.
+// A camera on +Z that shows the square -2..2 at 32 pixels per unit.
 constexpr Size square{128, 128};
 Camera flatCamera() {
     Camera camera;
@@ -186,7 +186,7 @@ std::vector<Segment> rectangle(const Camera& camera, glm::dvec2 low, glm::dvec2 
 
 TEST_P(AnalyticScene, boxInFrontHidesTheOutlineOfTheOneBehind) {
     const Camera camera = flatCamera();
-    // Seen along their sides, both show one face, and both faces the same normal: depth alone tells them apart.
+    // Seen along their sides, both show one face, and both faces the same normal: only depth differs.
     const Scene scene = scenes::sceneOf({{scenes::box({1.5, 1.5, 1}), scenes::translation({-0.5, -0.5, 1.5})},
                                          {scenes::box({2.1, 2.1, 1}), scenes::translation({0.5, 0.5, -1.5})}});
     // The front one's whole outline, and the other's from where it comes out: at (0.25, -0.55) and (-0.55, 0.25).

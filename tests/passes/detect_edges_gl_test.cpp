@@ -103,10 +103,10 @@ TEST_P(DetectEdges, equalsItsDefinitionOnItsOwnMaps) {
     const Scene scene = mixedScene();
     for (const bool orthographic : {false, true}) {
         for (const double zoom : {1.0, 2.5}) {
-            CameraSettings wish;
-            wish.zoomFactor = zoom;
-            if (orthographic) wish.orthographicHeight = 0.0;
-            const Camera camera = frameCamera(scene, wish, size);
+            CameraSettings cameraSettings;
+            cameraSettings.zoomFactor = zoom;
+            if (orthographic) cameraSettings.orthographicHeight = 0.0;
+            const Camera camera = frameCamera(scene, cameraSettings, size);
             for (const Kernel kernel : {Kernel::Sobel, Kernel::Farid}) {
                 for (const DepthMap depthMap : {DepthMap::Linear, DepthMap::Window}) {
                     SCOPED_TRACE(testing::Message() << (orthographic ? "orthographic" : "perspective") << ", zoom "

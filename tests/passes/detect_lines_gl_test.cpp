@@ -49,14 +49,15 @@ struct Comparison {
 // Triangles of all sizes and attitudes that run through each other.
 Scene randomScene(unsigned seed) {
     std::mt19937 random{seed};
-    std::uniform_real_distribution<float> place{-1.0F, 1.0F};
+    std::uniform_real_distribution<float> coordinate{-1.0F, 1.0F};
     std::uniform_real_distribution<float> size{0.02F, 0.8F};
     Mesh mesh;
     for (std::uint32_t t = 0; t < 120; ++t) {
-        const glm::vec3 middle{place(random), place(random), place(random)};
+        const glm::vec3 middle{coordinate(random), coordinate(random), coordinate(random)};
         const float extent = size(random);
         for (std::uint32_t k = 0; k < 3; ++k) {
-            mesh.positions.push_back(middle + extent * glm::vec3{place(random), place(random), place(random)});
+            mesh.positions.push_back(middle +
+                                     extent * glm::vec3{coordinate(random), coordinate(random), coordinate(random)});
             mesh.indices.push_back(3 * t + k);
         }
     }
@@ -114,14 +115,14 @@ TEST_P(DetectLines, equalTheReference) {
         for (const bool orthographic : {false, true}) {
             for (const Size size : {Size{160, 120}, Size{161, 123}, Size{98, 203}}) {
                 for (const double angle : {20.0, 30.0, 100.0}) {
-                    CameraSettings wish;
-                    wish.azimuthAngle = 20.0 + 7.0 * static_cast<double>(s);
-                    wish.elevationAngle = angle - 10.0;
-                    wish.zoomFactor = angle < 30.0 ? 4.0 : 1.0;
-                    if (orthographic) wish.orthographicHeight = 0.0;
+                    CameraSettings cameraSettings;
+                    cameraSettings.azimuthAngle = 20.0 + 7.0 * static_cast<double>(s);
+                    cameraSettings.elevationAngle = angle - 10.0;
+                    cameraSettings.zoomFactor = angle < 30.0 ? 4.0 : 1.0;
+                    if (orthographic) cameraSettings.orthographicHeight = 0.0;
                     SCOPED_TRACE(testing::Message() << "scene " << s << ", " << size.width << " x " << size.height
                                                     << ", crease angle " << angle);
-                    const Comparison found = comparer.compare(frameCamera(all[s], wish, size), size, angle);
+                    const Comparison found = comparer.compare(frameCamera(all[s], cameraSettings, size), size, angle);
                     EXPECT_LE(found.different, 2 + roundingShare * found.decisions);
                     sum.decisions += found.decisions;
                     sum.different += found.different;

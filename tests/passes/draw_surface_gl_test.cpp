@@ -24,14 +24,14 @@ constexpr double halfStep = 1.0 / 510.0;
 // The processor interpolates in float along a plane equation through the picture: a0 + x dx + y dy, each term rounded,
 // where x dx may be many times the value itself. Measured on llvmpipe, up to 60 degrees from facing the eye: 1e-6.
 constexpr double floatInterpolation = 1e-5;
-// On a surface seen at a grazing angle the slopes dx, dy are steep and magnify the rounding of the vertices' places,
+// On a surface seen at a grazing angle the slopes dx, dy are steep and magnify the rounding of the vertices' positions,
 // which processors snap to a grid of 1/256 pixel.
 constexpr double snapping = 1.0 / 256.0;
 
 Camera look(const Scene& scene, bool orthographic, Size size) {
-    CameraSettings wish;
-    if (orthographic) wish.orthographicHeight = 0.0;
-    return frameCamera(scene, wish, size);
+    CameraSettings cameraSettings;
+    if (orthographic) cameraSettings.orthographicHeight = 0.0;
+    return frameCamera(scene, cameraSettings, size);
 }
 
 Maps draw(Renderer& renderer, const Scene& scene, const Camera& camera, Size size,
@@ -192,11 +192,11 @@ TEST_P(DrawSurface, givesAFineSphereTheNormalsOfATrueOne) {
 TEST_P(DrawSurface, lightsTheInsideOfASphereFromInside) {
     constexpr Size size{64, 64};
     const Scene scene = scenes::sceneOf(scenes::sphere(1.0, 128));
-    CameraSettings wish;
-    wish.position = glm::dvec3{0.2, 0, 0};
-    wish.direction = glm::dvec3{0, 0, -1};
-    wish.viewAngle = 60.0;
-    const Camera camera = frameCamera(scene, wish, size);
+    CameraSettings cameraSettings;
+    cameraSettings.position = glm::dvec3{0.2, 0, 0};
+    cameraSettings.direction = glm::dvec3{0, 0, -1};
+    cameraSettings.viewAngle = 60.0;
+    const Camera camera = frameCamera(scene, cameraSettings, size);
     const Maps maps = draw(renderer(), scene, camera, size);
     const reference::Surface surface = reference::drawSurface(scene, camera, LightSpace::Camera, size);
     const glm::dvec3 centre{camera.view * glm::dvec4{0, 0, 0, 1}};
@@ -264,16 +264,16 @@ TEST_P(DrawSurface, equalsItsDefinitionInTwoPasses) {
     }
 }
 
-TEST_P(DrawSurface, placesEveryInstanceOfAMeshWhereItBelongs) {
+TEST_P(DrawSurface, drawsEveryInstanceOfAMeshWhereItBelongs) {
     constexpr Size size{128, 128};
     Scene::Data data;
     data.meshes = {scenes::box({1, 0.6, 0.8}), scenes::sphere(0.5, 12)};
     data.meshes[1].origin = {0.1, 0.2, -0.1};
     // Mirrored and plain ones mixed, so that the order of drawing is not that of the scene.
     for (int i = 0; i < 12; ++i) {
-        const glm::dvec3 place{i % 4 - 1.5, i / 4 - 1.0, 0.1 * i};
+        const glm::dvec3 position{i % 4 - 1.5, i / 4 - 1.0, 0.1 * i};
         data.instances.push_back({"", static_cast<std::uint32_t>(i % 2),
-                                  scenes::translation(1.4 * place) * scenes::rotation(25.0 * i, {1, 1, 0}) *
+                                  scenes::translation(1.4 * position) * scenes::rotation(25.0 * i, {1, 1, 0}) *
                                       scenes::scaling({i % 3 == 0 ? -1 : 1, 1, 1})});
     }
     const Scene scene{data};
@@ -322,11 +322,11 @@ TEST_P(DrawSurface, keepsDepthPreciseWhereNearAndFarAreFarApart) {
     // A floor that begins below the camera and ends a thousand times as far away; near / far is 1e-4.
     const Scene scene =
         scenes::sceneOf(scenes::quad({-50, -0.05, 50}, {50, -0.05, 50}, {50, -0.05, -50}, {-50, -0.05, -50}));
-    CameraSettings wish;
-    wish.position = glm::dvec3{0, 0, 0};
-    wish.direction = glm::dvec3{0, 0, -1};
-    wish.viewAngle = 60.0;
-    const Camera camera = frameCamera(scene, wish, size);
+    CameraSettings cameraSettings;
+    cameraSettings.position = glm::dvec3{0, 0, 0};
+    cameraSettings.direction = glm::dvec3{0, 0, -1};
+    cameraSettings.viewAngle = 60.0;
+    const Camera camera = frameCamera(scene, cameraSettings, size);
     ASSERT_LE(camera.near / camera.far, 1.01e-4);
     const reference::Surface surface = reference::drawSurface(scene, camera, LightSpace::Camera, size);
     for (const NormalLights lights : {NormalLights::Single, NormalLights::TwoPass}) {

@@ -36,10 +36,10 @@ Scene ballAndBox() {
 }
 
 Camera cameraFor(const Scene& scene, bool orthographic = false) {
-    CameraSettings wish;
-    wish.azimuthAngle = 25.0;
-    if (orthographic) wish.orthographicHeight = 0.0;
-    return frameCamera(scene, wish, size);
+    CameraSettings cameraSettings;
+    cameraSettings.azimuthAngle = 25.0;
+    if (orthographic) cameraSettings.orthographicHeight = 0.0;
+    return frameCamera(scene, cameraSettings, size);
 }
 
 // Pixels that differ by more than this.
@@ -90,7 +90,7 @@ TEST_P(Styles, hatchMarksEqualTheirDefinition) {
                 reference::hatch(found.planes, found.focalLength, orthographic, *settings.hatchBend,
                                  settings.hatchShade, settings.hatchWidth);
             EXPECT_GT(sumOf(found.ink), 50.0);
-            // Slopes of a plane are floats: where a mark is placed by their difference some 1/1000 of a pixel; 2 of 255
+            // Slopes of a plane are floats: where a mark lies by their difference some 1/1000 of a pixel; 2 of 255
             // with rounding. Whether facets go on is decided at angles within rounding of each other now and then.
             EXPECT_LE(farFrom(found.ink, expected, 2.0), 8);
         }
@@ -109,10 +109,10 @@ Scene fold(double bend) {
 }
 
 Camera frontOf(const Scene& scene, double azimuth = 0.0) {
-    CameraSettings wish;
-    wish.azimuthAngle = azimuth;
-    wish.elevationAngle = 0.0;
-    return frameCamera(scene, wish, size);
+    CameraSettings cameraSettings;
+    cameraSettings.azimuthAngle = azimuth;
+    cameraSettings.elevationAngle = 0.0;
+    return frameCamera(scene, cameraSettings, size);
 }
 
 TEST_P(Styles, aHatchMarkIsAsWideAsItIsSetAndLiesWhereFacetsMeet) {
@@ -226,25 +226,25 @@ TEST_P(Styles, aBrushIsAsWideAsItIsSet) {
         settings.style = sumiWith(width, 8);
         const Image<std::uint8_t> picture = pictureOf(renderer(), scene, camera, settings);
         double ink = 0.0;
-        double most = 0.0;
+        double darkest = 0.0;
         for (int x = 0; x < size.width / 2; ++x) {
             ink += inkAt(picture, x, size.height / 2);
-            most = std::max(most, inkAt(picture, x, size.height / 2));
+            darkest = std::max(darkest, inkAt(picture, x, size.height / 2));
         }
-        EXPECT_GT(most, 0.9);
+        EXPECT_GT(darkest, 0.9);
         // A soft line is half as dark over about its width.
-        EXPECT_NEAR(ink / most, width, 0.3 * width);
+        EXPECT_NEAR(ink / darkest, width, 0.3 * width);
     }
 }
 
 TEST_P(Styles, samplingDepthLeavesStreaks) {
     // A floor that runs away from the eye: streaks are level.
     const Scene scene = scenes::sceneOf(scenes::quad({-3, 0, 3}, {3, 0, 3}, {3, 0, -3}, {-3, 0, -3}));
-    CameraSettings wish;
-    wish.azimuthAngle = 0.0;
-    wish.elevationAngle = 45.0;
-    wish.orthographicHeight = 3.0;
-    const Camera camera = frameCamera(scene, wish, size);
+    CameraSettings cameraSettings;
+    cameraSettings.azimuthAngle = 0.0;
+    cameraSettings.elevationAngle = 45.0;
+    cameraSettings.orthographicHeight = 3.0;
+    const Camera camera = frameCamera(scene, cameraSettings, size);
     const auto streaksDown = [&](int steps) {
         Settings settings;
         settings.style = sumiWith(2, 8, steps);
@@ -310,9 +310,9 @@ TEST_P(Styles, pencilStrokesStrayTheSameWayWhileTheCameraMoves) {
     Settings drawn;
     drawn.style = pencilWith(3, 3, 1);
     const auto cameraAt = [&](double azimuth) {
-        CameraSettings wish;
-        wish.azimuthAngle = azimuth;
-        return frameCamera(scene, wish, size);
+        CameraSettings cameraSettings;
+        cameraSettings.azimuthAngle = azimuth;
+        return frameCamera(scene, cameraSettings, size);
     };
     const auto moved = [&](const Settings& settings) {
         return meanDifference(pictureOf(renderer(), scene, cameraAt(25.0), settings),

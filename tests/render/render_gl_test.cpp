@@ -126,13 +126,13 @@ TEST_P(RendererLines, ofASceneThatStandsWhereADeadOneStoodAreItsOwn) {
         for (const double side : {0.5, 1.5}) {
             const Scene scene = scenes::sceneOf(scenes::cube(side));
             if (reach.empty()) camera = frameCamera(scenes::sceneOf(scenes::cube(2.0)), {}, size);
-            double most = 0.0;
+            double largestX = 0.0;
             for (const Line& line : renderer().lines(scene, camera, settings).lines) {
-                for (const LinePoint& p : line.points) most = std::max(most, p.position.x);
+                for (const LinePoint& p : line.points) largestX = std::max(largestX, p.position.x);
             }
-            reach.push_back(most);
+            reach.push_back(largestX);
         }
-        // In image space a corner is placed to a pixel, a hundredth of this picture.
+        // In image space a corner is found to a pixel, a hundredth of this picture.
         EXPECT_NEAR(reach.at(1) / reach.at(0), 3.0, 0.15);
     }
 }
@@ -192,10 +192,10 @@ TEST_P(RendererLines, fromImageHaveNoneWhereASteepSurfaceGoesOn) {
     const Scene scene = loadScene(INKEDGE_SOURCE_DIR "/assets/statue.glb", smooth);
     const Size whole{320, 480};
     for (const double azimuth : {160.0, 35.0, -30.0, 90.0}) {
-        CameraSettings wish;
-        wish.azimuthAngle = azimuth;
-        wish.elevationAngle = 8.0;
-        const Camera camera = frameCamera(scene, wish, whole);
+        CameraSettings cameraSettings;
+        cameraSettings.azimuthAngle = azimuth;
+        cameraSettings.elevationAngle = 8.0;
+        const Camera camera = frameCamera(scene, cameraSettings, whole);
         Settings settings = settingsOf(LinesFrom::Object);
         settings.picture.size = whole;
         Image<std::uint8_t> near{whole, 1};  // a line of the mesh, seen or hidden, within two pixels

@@ -24,10 +24,10 @@ struct Both {
     Maps whole;
     Maps tiled;
 };
-Both drawBoth(Renderer& renderer, const Scene& scene, Settings settings, CameraSettings wish = {}) {
-    wish.azimuthAngle = 33.0;
-    wish.elevationAngle = 21.0;
-    const Camera camera = frameCamera(scene, wish, settings.picture.size);
+Both drawBoth(Renderer& renderer, const Scene& scene, Settings settings, CameraSettings cameraSettings = {}) {
+    cameraSettings.azimuthAngle = 33.0;
+    cameraSettings.elevationAngle = 21.0;
+    const Camera camera = frameCamera(scene, cameraSettings, settings.picture.size);
     settings.picture.tileSize = PictureSettings::maxTileSize;
     Maps whole = renderer.render(scene, camera, settings);
     settings.picture.tileSize = PictureSettings::minTileSize;
@@ -45,13 +45,13 @@ std::size_t differing(const Image<T>& a, const Image<T>& b) {
 // The largest difference, as a share of the largest value.
 double distance(const Image<float>& a, const Image<float>& b) {
     EXPECT_EQ(a.size, b.size);
-    double most = 0.0;
+    double difference = 0.0;
     double largest = 1e-30;
     for (std::size_t i = 0; i < std::min(a.pixels.size(), b.pixels.size()); ++i) {
-        most = std::max(most, std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i])));
+        difference = std::max(difference, std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i])));
         largest = std::max(largest, std::abs(static_cast<double>(a.pixels[i])));
     }
-    return most / largest;
+    return difference / largest;
 }
 
 void expectSame(const Both& both) {
@@ -127,7 +127,7 @@ TEST_P(Tiling, changesFewPixelsWhereRoundingDecides) {
 }
 
 // An orthographic camera that is moved aside by whole pixels sees what lies there in a wider picture. It projects by
-// other floats, so that vertices may come to lie on other places of the rasteriser's grid, 1/256 pixel beside: the ink
+// other floats, so that vertices may come to lie on other points of the rasteriser's grid, 1/256 pixel beside: the ink
 // then differs by 1/256 of its darkness for each, and by more where a whole sample changes sides.
 TEST_P(Tiling, drawsPicturesThatAreLongerThanAnyTarget) {
     std::vector<std::pair<Mesh, glm::dmat4>> boxes;
@@ -139,11 +139,11 @@ TEST_P(Tiling, drawsPicturesThatAreLongerThanAnyTarget) {
     const Scene scene = scenes::sceneOf(boxes);
     Settings settings;
     settings.picture.size = {20000, 300};
-    CameraSettings wish;
-    wish.orthographicHeight = 3.0;
-    wish.direction = glm::dvec3{0, 0, -1};
-    wish.focalPoint = glm::dvec3{0, 0, 0};
-    const Camera camera = frameCamera(scene, wish, settings.picture.size);
+    CameraSettings cameraSettings;
+    cameraSettings.orthographicHeight = 3.0;
+    cameraSettings.direction = glm::dvec3{0, 0, -1};
+    cameraSettings.focalPoint = glm::dvec3{0, 0, 0};
+    const Camera camera = frameCamera(scene, cameraSettings, settings.picture.size);
     const Image<std::uint8_t> wide = renderer().render(scene, camera, settings).picture;
     ASSERT_EQ(wide.size, (Size{20000, 300}));
 

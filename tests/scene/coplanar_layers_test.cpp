@@ -14,7 +14,7 @@ namespace {
 using testing::Each;
 using testing::ElementsAre;
 
-// One flag a patch of an instance, in the order of instances.
+// One flag per patch of an instance, in the order of instances.
 const std::vector<bool>& layersOf(const Scene& scene) { return patchNumbersOf(scene).layered; }
 
 Mesh square(double x, double y, double side, double z = 0.0) {
@@ -22,9 +22,9 @@ Mesh square(double x, double y, double side, double z = 0.0) {
 }
 
 Scene nodes(const std::vector<Mesh>& meshes, const glm::dmat4& transform = glm::dmat4{1.0}) {
-    std::vector<std::pair<Mesh, glm::dmat4>> placed;
-    for (const Mesh& mesh : meshes) placed.emplace_back(mesh, transform);
-    return scenes::sceneOf(placed);
+    std::vector<std::pair<Mesh, glm::dmat4>> instances;
+    for (const Mesh& mesh : meshes) instances.emplace_back(mesh, transform);
+    return scenes::sceneOf(instances);
 }
 
 TEST(CoplanarLayers, areOverlappingFacesOfDifferentNodes) {
@@ -71,15 +71,15 @@ TEST(CoplanarLayers, doNotAskWhichWayFacesLook) {
     EXPECT_THAT(layersOf(nodes({square(0, 0, 2), back})), ElementsAre(true, true));
 }
 
-TEST(CoplanarLayers, areFoundInAnyPlaneAtAnySizeAndPlace) {
+TEST(CoplanarLayers, areFoundInAnyPlaneAtAnySizeAndPosition) {
     for (const double scale : {1e-4, 1.0, 1e4}) {
         for (int i = 0; i < 24; ++i) {
-            const glm::dmat4 place = scenes::translation(scale * glm::dvec3{300, -200, 100}) *
-                                     scenes::rotation(15.0 * i + 0.1, {1, 0.3 * i, 2.0 - i}) *
-                                     scenes::scaling(glm::dvec3{scale});
-            EXPECT_THAT(layersOf(nodes({square(0, 0, 2), square(0.5, 0.5, 1)}, place)), ElementsAre(true, true))
+            const glm::dmat4 transform = scenes::translation(scale * glm::dvec3{300, -200, 100}) *
+                                         scenes::rotation(15.0 * i + 0.1, {1, 0.3 * i, 2.0 - i}) *
+                                         scenes::scaling(glm::dvec3{scale});
+            EXPECT_THAT(layersOf(nodes({square(0, 0, 2), square(0.5, 0.5, 1)}, transform)), ElementsAre(true, true))
                 << scale << ", " << i;
-            EXPECT_THAT(layersOf(nodes({square(0, 0, 2), square(2, 0.5, 1)}, place)), ElementsAre(false, false))
+            EXPECT_THAT(layersOf(nodes({square(0, 0, 2), square(2, 0.5, 1)}, transform)), ElementsAre(false, false))
                 << scale << ", " << i;
         }
     }

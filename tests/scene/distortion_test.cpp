@@ -18,7 +18,7 @@ Scene::Data dataOf(const Mesh& mesh, const std::vector<glm::dmat4>& transforms) 
     return data;
 }
 
-glm::dvec3 place(const Scene::Data& data, std::size_t instance, std::size_t vertex) {
+glm::dvec3 position(const Scene::Data& data, std::size_t instance, std::size_t vertex) {
     const Instance& i = data.instances[instance];
     const Mesh& mesh = data.meshes[i.mesh];
     return glm::dvec3{i.transform * glm::dvec4{mesh.origin + glm::dvec3{mesh.positions[vertex]}, 1.0}};
@@ -48,12 +48,12 @@ TEST(BakeDistortedInstances, movesEveryVertexToWhereItStoodBefore) {
         const Scene::Data before = dataOf(mesh, {m});
         Scene::Data after = before;
         bakeDistortedInstances(after, LoadLimits{}.vertices);
-        ASSERT_THAT(after.meshes, SizeIs(1)) << "the mesh that no instance places any more is kept";
+        ASSERT_THAT(after.meshes, SizeIs(1)) << "the mesh that no instance uses any more is kept";
         const glm::dmat3 linear{after.instances[0].transform};
         EXPECT_EQ(linear, glm::dmat3{1.0});
         // Positions less their origin are floats: 1e-7 of ten units.
         for (std::size_t v = 0; v < 8; ++v)
-            EXPECT_LT(glm::distance(place(before, 0, v), place(after, 0, v)), 2e-6) << v;
+            EXPECT_LT(glm::distance(position(before, 0, v), position(after, 0, v)), 2e-6) << v;
     }
 }
 

@@ -100,16 +100,16 @@ TEST(Seams, bearTheRoundingOfCoordinatesButNoGap) {
 
 TEST(Seams, areFoundWhereverTheNodesStand) {
     for (const double scale : {1e-4, 1.0, 1e4}) {
-        const glm::dmat4 place = scenes::translation({3e3 * scale, -2e3 * scale, 1e3 * scale}) *
-                                 scenes::rotation(40, {1, 2, 3}) * scenes::scaling(glm::dvec3{scale});
-        EXPECT_THAT(numbersOf(scenes::sceneOf({{left, place}, {right(10.0), place}})), Each(1)) << scale;
-        EXPECT_THAT(numbersOf(scenes::sceneOf({{left, place}, {right(40.0), place}})), ElementsAre(1, 1, 2, 2))
+        const glm::dmat4 transform = scenes::translation({3e3 * scale, -2e3 * scale, 1e3 * scale}) *
+                                     scenes::rotation(40, {1, 2, 3}) * scenes::scaling(glm::dvec3{scale});
+        EXPECT_THAT(numbersOf(scenes::sceneOf({{left, transform}, {right(10.0), transform}})), Each(1)) << scale;
+        EXPECT_THAT(numbersOf(scenes::sceneOf({{left, transform}, {right(40.0), transform}})), ElementsAre(1, 1, 2, 2))
             << scale;
     }
 }
 
 TEST(Seams, joinMirroredNodes) {
-    // One mesh placed twice, the second time mirrored: a symmetric part.
+    // Two instances of one mesh, the second one mirrored: a symmetric part.
     const glm::dmat4 mirror = scenes::scaling({-1, 1, 1});
     EXPECT_THAT(numbersOf(scenes::sceneOf({{left, identity()}, {left, mirror}})), Each(1));
     Scene::Data data;

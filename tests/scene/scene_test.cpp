@@ -29,7 +29,7 @@ Scene::Data cubeData() {
     Scene::Data data;
     data.meshes.push_back(scenes::cube());
     data.meshes.back().name = "part";
-    data.instances.push_back({"place", 0, glm::dmat4{1.0}});
+    data.instances.push_back({"instance", 0, glm::dmat4{1.0}});
     return data;
 }
 
@@ -71,7 +71,7 @@ TEST(Scene, refusesNodesThatAreNoTree) {
     expectRefusal(data, "node 1 'b': expected a parent before it, found 1");
     data.nodes = {{"a"}, {"b", 0}};
     data.instances[0].node = 2;
-    expectRefusal(data, "instance 0 'place': expected a node below 2, found 2");
+    expectRefusal(data, "instance 0 'instance': expected a node below 2, found 2");
 }
 
 TEST(Scene, refusesNormalsThatAreNotOneAPosition) {
@@ -113,7 +113,7 @@ TEST(Scene, refusesTransformsThatAreNotFinite) {
         for (int row = 0; row < 3; ++row) {
             auto data = cubeData();
             data.instances[0].transform[column][row] = infinity;
-            expectRefusal(data, "instance 0 'place': expected a finite transform, found one that is not");
+            expectRefusal(data, "instance 0 'instance': expected a finite transform, found one that is not");
         }
     }
 }
@@ -143,7 +143,7 @@ TEST(Scene, leavesOutInstancesWithoutTriangles) {
     data.instances.push_back({"empty", 1, scenes::translation({1000, 0, 0})});
     const Scene scene{data};
     ASSERT_EQ(scene.instances().size(), 1U);
-    EXPECT_EQ(scene.instances()[0].name, "place");
+    EXPECT_EQ(scene.instances()[0].name, "instance");
     EXPECT_EQ(scene.triangleCount(), 12U);
     EXPECT_NEAR(scene.bounds().radius, std::sqrt(3.0), exact);
 }
@@ -160,9 +160,9 @@ TEST(Scene, givesEveryMeshUnitNormals) {
 TEST(Scene, knowsHowLongItTookToPrepare) {
     const auto begin = std::chrono::steady_clock::now();
     const Scene scene{cubeData()};
-    const std::chrono::duration<double, std::milli> most = std::chrono::steady_clock::now() - begin;
+    const std::chrono::duration<double, std::milli> limit = std::chrono::steady_clock::now() - begin;
     EXPECT_GT(scene.preparationMilliseconds(), 0.0);
-    EXPECT_LE(scene.preparationMilliseconds(), most.count());
+    EXPECT_LE(scene.preparationMilliseconds(), limit.count());
 }
 
 TEST(Scene, countsTheTrianglesOfEveryInstance) {
@@ -216,11 +216,11 @@ TEST(SceneBounds, areThoseOfTheVerticesUnderAnyTransform) {
     glm::dmat4 shear{1.0};
     shear[1][0] = 1.5;
     shear[2][1] = -0.5;
-    const glm::dmat4 place = scenes::translation({3, -1, 2});
+    const glm::dmat4 moved = scenes::translation({3, -1, 2});
     for (const glm::dmat4& transform :
-         {place, place * scenes::rotation(33, {1, 2, 3}), place * scenes::scaling({-1, 1, 1}),
-          place * scenes::scaling({-2, 0.5, -3}) * scenes::rotation(70, {0, 1, 1}), place * shear,
-          place * shear * scenes::scaling({1, -1, 1}), place * scenes::scaling({1, 0, 1})}) {
+         {moved, moved * scenes::rotation(33, {1, 2, 3}), moved * scenes::scaling({-1, 1, 1}),
+          moved * scenes::scaling({-2, 0.5, -3}) * scenes::rotation(70, {0, 1, 1}), moved * shear,
+          moved * shear * scenes::scaling({1, -1, 1}), moved * scenes::scaling({1, 0, 1})}) {
         // A sphere off its box's centre: a box of transformed corners would be too large.
         const Scene scene =
             scenes::sceneOf({{scenes::sphere(1.0, 16), transform}, {scenes::cube(0.1), glm::dmat4{1.0}}});

@@ -80,11 +80,11 @@ TEST_F(EdgeVisibility, SaysWhichLineStringsLieOnNoTriangle) {
 }
 
 TEST_F(EdgeVisibility, CountsTheTrianglesOfStripsThatAreNotDrawn) {
-    // 0 1 2, 2 1 3, then two without area, then 3 4 5 (odd: 3 5 4 by its place).
+    // 0 1 2, 2 1 3, then two without area, then 3 4 5 (odd: 3 5 4 by its index).
     Model model;
-    std::vector<float> places = square;
-    places.insert(places.end(), {3, 0, 0, 3, 1, 0});
-    Json primitive = positions(model.accessor(places, "VEC3"));
+    std::vector<float> points = square;
+    points.insert(points.end(), {3, 0, 0, 3, 1, 0});
+    Json primitive = positions(model.accessor(points, "VEC3"));
     primitive["mode"] = 5;
     primitive["indices"] = model.accessor<std::uint16_t>({0, 1, 2, 3, 3, 4, 5}, "SCALAR");
     primitive["extensions"][extensionName] = {
@@ -131,9 +131,9 @@ std::vector<glm::dvec3> middlesOfMarked(const Mesh& mesh) {
 
 TEST_F(EdgeVisibility, StaysWithItsEdges) {
     Model model;
-    std::vector<float> places = square;
-    places.insert(places.begin(), {9, 9, 9});  // unused, to be dropped
-    Json primitive = positions(model.accessor(places, "VEC3"));
+    std::vector<float> points = square;
+    points.insert(points.begin(), {9, 9, 9});  // unused, to be dropped
+    Json primitive = positions(model.accessor(points, "VEC3"));
     primitive["indices"] = model.accessor<std::uint16_t>({1, 2, 3, 3, 2, 4}, "SCALAR");
     primitive["material"] = 0;
     primitive["extensions"][extensionName] = {{"visibility", model.accessor(packed({2, 0, 0, 0, 0, 2}), "SCALAR")}};
