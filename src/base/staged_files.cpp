@@ -100,7 +100,7 @@ int writeAll(const Descriptor& file, std::span<const std::uint8_t> bytes) {
     return duplicate.open() && duplicate.close() ? 0 : errno;
 }
 
-void writeInPlace(const fs::path& target, std::span<const std::uint8_t> bytes) {
+void overwrite(const fs::path& target, std::span<const std::uint8_t> bytes) {
     const Descriptor file{::open(target.c_str(), O_WRONLY | O_CLOEXEC)};
     if (!file.open()) failToWrite(target, errno);
     if (const int error = writeAll(file, bytes)) failToWrite(target, error);
@@ -146,7 +146,7 @@ void StagedFiles::add(const fs::path& target, std::span<const std::uint8_t> byte
     std::error_code error;
     const fs::file_status status = fs::status(target, error);
     if (fs::is_directory(status)) failToWrite(target, EISDIR);
-    if (fs::exists(status) && !fs::is_regular_file(status)) return writeInPlace(target, bytes);
+    if (fs::exists(status) && !fs::is_regular_file(status)) return overwrite(target, bytes);
     if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0) failToWrite(target, errno);
 
     const fs::path destination = fs::exists(status) ? fs::canonical(target, error) : target;

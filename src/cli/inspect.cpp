@@ -28,7 +28,7 @@ constexpr std::size_t longestList = 20;  // lines for people; JSON has all
 std::string text(const glm::dvec3& v) { return fmt::format("{:.6g},{:.6g},{:.6g}", v.x, v.y, v.z); }
 ordered_json toJson(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-std::size_t placesOf(const Scene& scene, std::size_t mesh) {
+std::size_t instancesOf(const Scene& scene, std::size_t mesh) {
     return static_cast<std::size_t>(
         std::ranges::count(scene.instances(), static_cast<std::uint32_t>(mesh), &Instance::mesh));
 }
@@ -46,7 +46,7 @@ void printJson(const std::string& model, const Scene& scene, double milliseconds
         meshes.push_back({{"name", mesh.name},
                           {"triangles", mesh.indices.size() / 3},
                           {"vertices", mesh.positions.size()},
-                          {"instances", placesOf(scene, i)}});
+                          {"instances", instancesOf(scene, i)}});
     }
     ordered_json cameras = ordered_json::array();
     for (const SceneCamera& camera : scene.cameras()) {
@@ -97,7 +97,7 @@ void printText(const std::string& model, const Scene& scene) {
     lines += list("meshes", scene.meshes().size(), [&](std::size_t i) {
         const Mesh& mesh = scene.meshes()[i];
         return fmt::format("{}: {} triangles, {} vertices, {} instances", named(mesh.name), mesh.indices.size() / 3,
-                           mesh.positions.size(), placesOf(scene, i));
+                           mesh.positions.size(), instancesOf(scene, i));
     });
     lines += list("cameras", scene.cameras().size(), [&](std::size_t i) {
         return fmt::format("{}: {}", named(scene.cameras()[i].name), lens(scene.cameras()[i]));

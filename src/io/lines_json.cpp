@@ -29,16 +29,16 @@ double pointsPerUnit(const Scene& scene) {
 }
 
 std::string lineText(const Line& line, double perUnit) {
-    std::string places;
+    std::string pixels;
     std::string points;
     for (const LinePoint& p : line.points) {
-        const std::string_view comma = places.empty() ? "" : ",";
-        places += fmt::format("{}[{},{}]", comma, rounded(p.pixel.x, thousand), rounded(p.pixel.y, thousand));
+        const std::string_view comma = pixels.empty() ? "" : ",";
+        pixels += fmt::format("{}[{},{}]", comma, rounded(p.pixel.x, thousand), rounded(p.pixel.y, thousand));
         points += fmt::format("{}[{},{},{}]", comma, rounded(p.position.x, perUnit), rounded(p.position.y, perUnit),
                               rounded(p.position.z, perUnit));
     }
     return fmt::format(R"({{"type":"{}","visible":{},"closed":{},"object":{},"patch":{},"places":[{}],"points":[{}]}})",
-                       name(line.type), line.visible, line.closed, line.object, line.patch, places, points);
+                       name(line.type), line.visible, line.closed, line.object, line.patch, pixels, points);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ protected:
     }
 };
 
-TEST_F(Inspect, TellsWhatIsInAFile) {
+TEST_F(Inspect, SaysWhatIsInAFile) {
     const json found = inspected(asset("lantern.glb"));
     EXPECT_EQ(found.at("format"), "glTF 2.0");
     EXPECT_EQ(found.at("instances"), 3);
@@ -32,7 +32,7 @@ TEST_F(Inspect, TellsWhatIsInAFile) {
     EXPECT_EQ(found.at("warnings"), json::array());
 }
 
-TEST_F(Inspect, TellsOfCamerasAndWhatIsNotDrawn) {
+TEST_F(Inspect, SaysWhichCamerasThereAreAndWhatIsNotDrawn) {
     const json found = inspected(asset("primitives.glb"));
     ASSERT_EQ(found.at("cameras").size(), 1U);
     EXPECT_EQ(found.at("cameras").at(0).at("type"), "orthographic");

@@ -61,11 +61,11 @@ std::set<std::string> typesOf(const json& drawing) {
 double lengthOf(const json& drawing) {
     double length = 0.0;
     for (const json& line : drawing.at("lines")) {
-        const json& places = line.at("places");
-        for (std::size_t i = line.at("closed") ? 0 : 1; i < places.size(); ++i) {
-            const json& from = places.at(i > 0 ? i - 1 : places.size() - 1);
-            length += std::hypot(places.at(i).at(0).get<double>() - from.at(0).get<double>(),
-                                 places.at(i).at(1).get<double>() - from.at(1).get<double>());
+        const json& pixels = line.at("places");
+        for (std::size_t i = line.at("closed") ? 0 : 1; i < pixels.size(); ++i) {
+            const json& from = pixels.at(i > 0 ? i - 1 : pixels.size() - 1);
+            length += std::hypot(pixels.at(i).at(0).get<double>() - from.at(0).get<double>(),
+                                 pixels.at(i).at(1).get<double>() - from.at(1).get<double>());
         }
     }
     return length;
@@ -87,12 +87,12 @@ TEST_F(RenderLines, SvgHasAGroupATypeAndVisibility) {
     EXPECT_THAT(text("cube.svg"), AllOf(HasSubstr(R"(width="64" height="48" viewBox="0 0 64 48")"),
                                         HasSubstr("<title>cube.svg</title>")));
     const std::string groups = drawing("cube.svg");
-    const std::vector<std::size_t> places{
+    const std::vector<std::size_t> offsets{
         groups.find(R"(<g class="inkedge crease hidden" stroke="#000000" stroke-width="1" stroke-dasharray="6 4">)"),
         groups.find(R"(<g class="inkedge crease visible" stroke="#000000" stroke-width="2">)"),
         groups.find(R"(<g class="inkedge outline visible" stroke="#000000" stroke-width="2">)")};
-    EXPECT_THAT(places, Each(testing::Lt(groups.size()))) << groups;
-    EXPECT_TRUE(std::ranges::is_sorted(places)) << "what covers last";
+    EXPECT_THAT(offsets, Each(testing::Lt(groups.size()))) << groups;
+    EXPECT_TRUE(std::ranges::is_sorted(offsets)) << "what covers last";
     EXPECT_THAT(groups, HasSubstr(R"(data-object="1")"));
 }
 
@@ -128,7 +128,7 @@ TEST_F(RenderLines, JsonIsWhatTheReadmeSays) {
     EXPECT_EQ(objects, (std::set<int>{1, 2, 3, 4})) << "its four nodes";
 }
 
-TEST_F(RenderLines, JsonPlacesArePointsAsItsCameraSeesThem) {
+TEST_F(RenderLines, JsonPixelsArePointsAsItsCameraSeesThem) {
     for (const Arguments& view : {Arguments{}, Arguments{"--camera-orthographic", "0"}}) {
         expectSuccess(draw("teapot.glb", "teapot.json", view));
         const json all = lines("teapot.json");

@@ -44,7 +44,7 @@ TEST_F(Views, HaveMetadataAndJsonEach) {
     EXPECT_EQ(folder_.names().size(), 15U);
 }
 
-TEST_F(Views, NeedAPlaceEach) {
+TEST_F(Views, NeedAFileNameEach) {
     const auto refused = [&](Arguments more, const std::string& message) {
         Arguments arguments{"render", asset("cube.glb"), "--views", "turntable:2"};
         arguments.insert(arguments.end(), more.begin(), more.end());

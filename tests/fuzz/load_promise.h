@@ -23,7 +23,7 @@ inline LoadSettings smallLimits() {
 
 /// A model gives a scene that can be framed, or an Error for it.
 inline void loadAndFrame(const std::filesystem::path& model) {
-    refusedAtMost([&] {
+    mayBeRefused([&] {
         const Scene scene = loadScene(model, smallLimits());
         for (const std::string& warning : scene.warnings())
             expect(warning.find('\n') == std::string::npos, "warnings of one line", warning);

@@ -31,7 +31,7 @@ inline void write(const std::filesystem::path& file, std::span<const std::uint8_
 
 /// Runs an action that may throw an Error of one line, and nothing else.
 template <class Action>
-void refusedAtMost(Action&& action) {
+void mayBeRefused(Action&& action) {
     try {
         action();
     } catch (const Error& error) {

@@ -114,7 +114,7 @@ TEST_F(Compare, findsAPictureTheSameAsItself) {
     EXPECT_EQ(result.mean, 0.0);
 }
 
-TEST_F(Compare, tellsHowManyHowMuchAndWhere) {
+TEST_F(Compare, saysHowManyHowMuchAndWhere) {
     saveTwo();
     const Comparison result = compare(a_, b_, {});
     EXPECT_FALSE(result.same);

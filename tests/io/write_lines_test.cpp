@@ -107,7 +107,7 @@ TEST(SvgPath, losesNothingByRounding) {
     EXPECT_NEAR(x, 14.0, 1e-6);
 }
 
-TEST(SvgPath, ofOnePlaceIsADot) {
+TEST(SvgPath, ofOnePointIsADot) {
     io::SvgPath path;
     path.moveTo({3, 4});
     path.lineTo({3, 4.001});

@@ -85,7 +85,7 @@ TEST(Isolines, PassThroughCorners) {
     EXPECT_EQ(openChains(segments), 7U);
 }
 
-TEST(Isolines, HaveTheirPlaceInTheFace) {
+TEST(Isolines, HaveTheirPositionInTheFace) {
     const Mesh mesh = sheet(3, {0.1, 0.2}, 1.7);
     const auto segments = isolinesOf(mesh, {5, 7});
     ASSERT_GT(segments.size(), 20U);

@@ -34,7 +34,7 @@ TEST(MeshEdges, HoldEachSharedEdgeOnceAndCreasesByTheirBend) {
     for (std::size_t e = 0; e < 18; ++e) EXPECT_EQ(edges.shared.halfEdges[e] / 3, edges.shared.faces[2 * e]);
 }
 
-TEST(MeshEdges, TellClosedPartsByWhichSideIsOut) {
+TEST(MeshEdges, KnowWhichSideOfClosedComponentsIsOut) {
     EXPECT_THAT(edgesOf(cube()).closed, Each(1));
     EXPECT_THAT(edgesOf(turnedOver(cube())).closed, Each(-1));
     EXPECT_THAT(edgesOf(sheet(2.0, 3)).closed, Each(0));

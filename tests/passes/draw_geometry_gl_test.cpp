@@ -59,8 +59,8 @@ TEST_P(DrawGeometry, InOnePassEqualsAPassForEach) {
 // as vertices snap to a grid of 1/256 pixel, the whole drawing may show the back there. So a few pixels may differ in
 // what they see, but hardly in how far away it is, and the ink around them (a stroke of 1.5 pixels touches 12) with
 // them.
-constexpr float rounding = 3.5e-4F;          // of the depth: a tenth of what a pixel spans there
-constexpr std::ptrdiff_t mostDifferent = 4;  // of 43200 pixels
+constexpr float rounding = 3.5e-4F;         // of the depth: a tenth of what a pixel spans there
+constexpr std::ptrdiff_t maxDifferent = 4;  // of 43200 pixels
 
 TEST_P(DrawGeometry, SkipsHiddenBacksUnseen) {
     int hiding = 0;
@@ -93,8 +93,8 @@ TEST_P(DrawGeometry, SkipsHiddenBacksUnseen) {
                 different += skipped.ids.pixels[4 * i] == whole.ids.pixels[4 * i] ? 0 : 1;
                 EXPECT_NEAR(skipped.depth.pixels[i], whole.depth.pixels[i], rounding * whole.depth.pixels[i]) << asset;
             }
-            EXPECT_LE(different, mostDifferent) << asset;
-            EXPECT_LE(differences(skipped.picture, whole.picture), 12 * mostDifferent) << asset;
+            EXPECT_LE(different, maxDifferent) << asset;
+            EXPECT_LE(differences(skipped.picture, whole.picture), 12 * maxDifferent) << asset;
         }
     }
     EXPECT_GE(hiding, 5);

@@ -34,7 +34,7 @@ TEST(AnswerOfChild, namesACrash) {
     EXPECT_EQ(answer.failure, "found a crash (Segmentation fault)");
 }
 
-TEST(AnswerOfChild, tellsOfAnException) {
+TEST(AnswerOfChild, reportsAnException) {
     const Answer answer = answerOfChild([]() -> std::string { throw std::runtime_error{"no"}; }, longest);
     EXPECT_THAT(answer.failure, StartsWith("found exit status "));
 }

@@ -51,7 +51,7 @@ void expectSame(const Lines& a, const Lines& b) {
     }
 }
 
-TEST_P(RendererLines, tellWhatFoundThem) {
+TEST_P(RendererLines, sayWhatFoundThem) {
     const Scene scene = scenes::sceneOf(scenes::cube());
     for (const Settings& settings : everyWay()) {
         const Lines found = linesOf(renderer(), scene, settings);
