@@ -224,7 +224,7 @@ TEST(Intersections, AreThoseThatEveryPairOfFacesHas) {
         }
         return false;
     };
-    const double flat = std::cos(glm::radians(leastIntersectionAngle));
+    const double flat = std::cos(glm::radians(minIntersectionAngle));
     for (std::uint32_t t = 0; t < half; ++t) {
         for (std::uint32_t u = half; u < 2 * half; ++u) {
             const double apart = glm::distance(corner(t, 0), corner(u, 0));

@@ -7,9 +7,10 @@
 namespace inkedge {
 namespace {
 
-constexpr double besides = std::numbers::pi / 180.0;  // faces around a line that part by less lie on each other
+constexpr double besides =
+    std::numbers::pi / 180.0;  // faces around a line with a smaller angle between them lie on each other
 
-// What a face has in another one's plane.
+// The part of a face that lies in the plane of another face: a segment of the line in which the planes meet.
 struct Span {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
@@ -23,7 +24,7 @@ struct Span {
     }
 };
 
-Span spanOf(const PlacedFace& face, const std::array<double, 3>& distances, glm::dvec3 along) {
+Span spanOf(const SideFace& face, const std::array<double, 3>& distances, glm::dvec3 along) {
     Span span;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
@@ -64,13 +65,13 @@ bool takeTurns(const std::array<double, 2>& a, const std::array<double, 2>& b) {
 
 // The faces of one side that meet the line: the one that it runs across, or the two at the edge that lies on it.
 struct FacePair::Around {
-    std::array<PlacedFace, 2> faces;
+    std::array<SideFace, 2> faces;
     std::array<double, 2> angles;  // about the line, of the two half-planes that the side has there
     std::size_t count = 0;
 };
 
-PlacedFace faceOf(const FaceSide& side, std::uint32_t triangle) {
-    PlacedFace face{triangle, {}, {}, {}};
+SideFace faceOf(const FaceSide& side, std::uint32_t triangle) {
+    SideFace face{triangle, {}, {}, {}};
     for (std::size_t k = 0; k < 3; ++k) {
         face.points[k] = side.topology->points[3 * std::size_t{triangle} + k];
         face.corners[k] = glm::dvec3{side.transform * glm::dvec4{glm::dvec3{side.tree->points[face.points[k]]}, 1.0}};
@@ -79,8 +80,8 @@ PlacedFace faceOf(const FaceSide& side, std::uint32_t triangle) {
     return face;
 }
 
-std::optional<FaceCrossing> FacePair::crossPlanes(const PlacedFace& a, const Distances& distancesOfA,
-                                                  const PlacedFace& b, const Distances& distancesOfB) const {
+std::optional<FaceCrossing> FacePair::crossPlanes(const SideFace& a, const Distances& distancesOfA, const SideFace& b,
+                                                  const Distances& distancesOfB) const {
     const glm::dvec3 along = glm::normalize(glm::cross(a.normal, b.normal));
     const Span ofA = spanOf(a, distancesOfA, along);
     const Span ofB = spanOf(b, distancesOfB, along);
@@ -91,9 +92,9 @@ std::optional<FaceCrossing> FacePair::crossPlanes(const PlacedFace& a, const Dis
     return FaceCrossing{a.triangle, b.triangle, {fromA ? ofA.lowEnd : ofB.lowEnd, toA ? ofA.highEnd : ofB.highEnd}};
 }
 
-// None where the edge is a line of its own.
-std::optional<FacePair::Around> FacePair::around(const FaceSide& side, const PlacedFace& face, int edge,
-                                                 glm::dvec3 along, glm::dvec3 zero) {
+// None if the edge is a line of its own.
+std::optional<FacePair::Around> FacePair::around(const FaceSide& side, const SideFace& face, int edge, glm::dvec3 along,
+                                                 glm::dvec3 zero) {
     if (edge < 0) {
         const double angle = angleAbout(along, zero, glm::cross(face.normal, along));
         return Around{{face, face}, {angle, angle + std::numbers::pi}, 1};
@@ -102,8 +103,8 @@ std::optional<FacePair::Around> FacePair::around(const FaceSide& side, const Pla
     const std::uint32_t twin = side.topology->twins[half];
     if (!isHalfEdge(twin) || side.topology->creases[half]) return {};
     if (side.tree->normals[twin / 3] == glm::dvec3{0.0}) return {};
-    const PlacedFace other = faceOf(side, twin / 3);
-    const auto angleTo = [&](const PlacedFace& of, std::uint32_t apex) {
+    const SideFace other = faceOf(side, twin / 3);
+    const auto angleTo = [&](const SideFace& of, std::uint32_t apex) {
         return angleAbout(along, zero, of.corners[apex] - face.corners[static_cast<std::size_t>(edge)]);
     };
     return Around{{face, other},
@@ -111,16 +112,15 @@ std::optional<FacePair::Around> FacePair::around(const FaceSide& side, const Pla
                   2};
 }
 
-// Whether the two sides cross at the line, and whether these two of their faces are to say so.
-bool FacePair::crossesAtEdge(const PlacedFace& a, int edgeOfA, const PlacedFace& b, int edgeOfB,
-                             glm::dvec3 along) const {
+// Whether the two sides cross at the line, and whether these two of their faces are the ones that report it.
+bool FacePair::crossesAtEdge(const SideFace& a, int edgeOfA, const SideFace& b, int edgeOfB, glm::dvec3 along) const {
     const std::optional<Around> ofA = around(a_, a, edgeOfA, along, a.normal);
     const std::optional<Around> ofB = around(b_, b, edgeOfB, along, a.normal);
     return ofA && ofB && takeTurns(ofA->angles, ofB->angles) && isFirst(*ofA, *ofB);
 }
 
 bool FacePair::isFirst(const Around& a, const Around& b) const {
-    const auto rank = [&](const PlacedFace& x, const PlacedFace& y) {
+    const auto rank = [&](const SideFace& x, const SideFace& y) {
         return sameMesh_ && y.triangle < x.triangle ? std::pair{y.triangle, x.triangle}
                                                     : std::pair{x.triangle, y.triangle};
     };

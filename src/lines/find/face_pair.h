@@ -18,7 +18,7 @@
 namespace inkedge {
 
 /// Radians: faces that meet at less do not cross; and its cosine.
-inline constexpr double minCrossingAngle = glm::radians(leastIntersectionAngle);
+inline constexpr double minCrossingAngle = glm::radians(minIntersectionAngle);
 inline const double maxCrossingCosine = std::cos(minCrossingAngle);
 
 /// A mesh as one of the two sides that may cross.
@@ -29,13 +29,13 @@ struct FaceSide {
 };
 
 /// A face of a side, in the space in which sides are compared.
-struct PlacedFace {
+struct SideFace {
     std::uint32_t triangle;
     std::array<std::uint32_t, 3> points;
     std::array<glm::dvec3, 3> corners;
     glm::dvec3 normal;  ///< unit
 };
-[[nodiscard]] PlacedFace faceOf(const FaceSide&, std::uint32_t triangle);
+[[nodiscard]] SideFace faceOf(const FaceSide&, std::uint32_t triangle);
 
 /// Where a face of one side crosses one of the other.
 struct FaceCrossing {
@@ -47,12 +47,12 @@ struct FaceCrossing {
 /// Finds where two faces cross. The cases of touching are in the docstring of findIntersections().
 class FacePair {
 public:
-    /// @param a, b       must outlive it; one and the same for a mesh against itself
-    /// @param tolerance  distances up to it are none
+    /// @param a, b       must outlive this; the same object for a mesh against itself
+    /// @param tolerance  smaller distances count as 0
     FacePair(const FaceSide& a, const FaceSide& b, double tolerance)
         : a_{a}, b_{b}, tolerance_{tolerance}, sameMesh_{&a == &b} {}
 
-    [[nodiscard]] std::optional<FaceCrossing> cross(const PlacedFace& a, const PlacedFace& b) const {
+    [[nodiscard]] std::optional<FaceCrossing> cross(const SideFace& a, const SideFace& b) const {
         if (!mayCross(a, b)) return {};
         const Distances distancesOfA = distances(a, b);
         if (allOnOneSide(distancesOfA)) return {};
@@ -65,7 +65,7 @@ private:
     using Distances = std::array<double, 3>;
     struct Around;
 
-    [[nodiscard]] bool mayCross(const PlacedFace& a, const PlacedFace& b) const {
+    [[nodiscard]] bool mayCross(const SideFace& a, const SideFace& b) const {
         if (sameMesh_) {
             for (const std::uint32_t p : a.points)
                 if (p == b.points[0] || p == b.points[1] || p == b.points[2]) return false;
@@ -73,8 +73,8 @@ private:
         return std::abs(glm::dot(a.normal, b.normal)) < maxCrossingCosine;
     }
 
-    // Of a face's corners from another one's plane; exactly 0 within the tolerance.
-    [[nodiscard]] Distances distances(const PlacedFace& of, const PlacedFace& plane) const {
+    // The distances of a face's corners from the plane of another face; exactly 0 within the tolerance.
+    [[nodiscard]] Distances distances(const SideFace& of, const SideFace& plane) const {
         Distances distances{};
         for (std::size_t k = 0; k < 3; ++k) {
             const double d = glm::dot(plane.normal, of.corners[k] - plane.corners[0]);
@@ -83,18 +83,19 @@ private:
         return distances;
     }
 
-    // A face with one corner in the plane and the others to one side only touches it, one with three is in it.
+    // Whether a face does not cross the plane. A face with one corner in the plane and the others to one side only
+    // touches it; a face with three corners in the plane lies in it.
     static bool allOnOneSide(const Distances& distances) {
         const auto above = std::ranges::count_if(distances, [](double d) { return d > 0.0; });
         const auto below = std::ranges::count_if(distances, [](double d) { return d < 0.0; });
         return above + below == 0 || (above + below > 1 && (above == 0 || below == 0));
     }
 
-    [[nodiscard]] std::optional<FaceCrossing> crossPlanes(const PlacedFace& a, const Distances& distancesOfA,
-                                                          const PlacedFace& b, const Distances& distancesOfB) const;
-    [[nodiscard]] bool crossesAtEdge(const PlacedFace& a, int edgeOfA, const PlacedFace& b, int edgeOfB,
+    [[nodiscard]] std::optional<FaceCrossing> crossPlanes(const SideFace& a, const Distances& distancesOfA,
+                                                          const SideFace& b, const Distances& distancesOfB) const;
+    [[nodiscard]] bool crossesAtEdge(const SideFace& a, int edgeOfA, const SideFace& b, int edgeOfB,
                                      glm::dvec3 along) const;
-    [[nodiscard]] static std::optional<Around> around(const FaceSide&, const PlacedFace&, int edge, glm::dvec3 along,
+    [[nodiscard]] static std::optional<Around> around(const FaceSide&, const SideFace&, int edge, glm::dvec3 along,
                                                       glm::dvec3 zero);
     [[nodiscard]] bool isFirst(const Around& a, const Around& b) const;
 

@@ -23,22 +23,22 @@ constexpr std::size_t maxSegments = 10'000'000;
 
 double lengthOfDiagonal(const Box& box) { return box.empty() ? 0.0 : glm::length(box.max - box.min); }
 
-// The segments of one pairing, sorted, their ends numbered.
-struct Crossing {
+// The crossings of two sides, sorted, with their ends numbered.
+struct SideCrossings {
     std::vector<FaceCrossing> segments;
-    std::vector<std::uint32_t> nodes;  // two a segment
+    std::vector<std::uint32_t> nodes;  // two per segment
     std::uint32_t nodeCount = 0;
 };
 
-// @param tolerance  ends that lie closer to each other are one
-void numberEnds(Crossing& crossing, double tolerance) {
+// @param tolerance  ends that are nearer to each other are one
+void numberEnds(SideCrossings& crossing, double tolerance) {
     if (crossing.segments.empty()) return;
     const glm::dvec3 origin = crossing.segments.front().ends[0];
     std::vector<glm::vec3> points;
     points.reserve(2 * crossing.segments.size() + 1);
     for (const FaceCrossing& found : crossing.segments)
         for (const glm::dvec3& end : found.ends) points.emplace_back(end - origin);
-    // Far enough away for the tolerance, which goes by the box, to be what it should; no end is there.
+    // A point so far away that the weld tolerance, which is a share of the box, is the tolerance. No end is there.
     points.emplace_back(glm::vec3{static_cast<float>(tolerance / weldTolerance)});
     const Weld weld = weldByPosition(points);
     crossing.nodes.assign(weld.point.begin(), weld.point.end() - 1);
@@ -52,7 +52,7 @@ public:
     std::vector<IntersectionSegment> find() {
         buildTrees();
         findWithinMeshes();
-        for (std::uint32_t i = 0; i < scene_.instances().size(); ++i) placed_.push_back(placedSide(i));
+        for (std::uint32_t i = 0; i < scene_.instances().size(); ++i) instances_.push_back(sideOfInstance(i));
         findBetweenInstances();
         return collect();
     }
@@ -90,11 +90,11 @@ private:
             meshes.push_back(i);
         }
         within_.resize(trees_.size());
-        std::vector<Crossing> found = run(pairings, tolerances);
+        std::vector<SideCrossings> found = run(pairings, tolerances);
         for (std::size_t i = 0; i < meshes.size(); ++i) within_[meshes[i]] = std::move(found[i]);
     }
 
-    [[nodiscard]] FaceSide placedSide(std::uint32_t i) const {
+    [[nodiscard]] FaceSide sideOfInstance(std::uint32_t i) const {
         const Instance& instance = scene_.instances()[i];
         FaceSide side = sides_[instance.mesh];
         side.transform = instance.transform;
@@ -103,28 +103,28 @@ private:
         return side;
     }
 
-    [[nodiscard]] double placedTolerance(std::uint32_t i) const {
-        return toleranceOf(scene_.instances()[i].mesh) * glm::length(glm::dvec3{placed_[i].transform[0]});
+    [[nodiscard]] double toleranceOfInstance(std::uint32_t i) const {
+        return toleranceOf(scene_.instances()[i].mesh) * glm::length(glm::dvec3{instances_[i].transform[0]});
     }
 
-    [[nodiscard]] Box placedBox(std::uint32_t i) const {
+    [[nodiscard]] Box boxOfInstance(std::uint32_t i) const {
         const Box& box = scene_.meshBox(scene_.instances()[i].mesh);
-        const glm::dmat4& transform = placed_[i].transform;
+        const glm::dmat4& transform = instances_[i].transform;
         const glm::dvec3 centre{transform * glm::dvec4{0.5 * (box.min + box.max), 1.0}};
         const glm::dvec3 half = 0.5 * (box.max - box.min);
         const glm::dvec3 reach = glm::abs(glm::dvec3{transform[0]}) * half.x +
                                  glm::abs(glm::dvec3{transform[1]}) * half.y +
-                                 glm::abs(glm::dvec3{transform[2]}) * half.z + placedTolerance(i);
+                                 glm::abs(glm::dvec3{transform[2]}) * half.z + toleranceOfInstance(i);
         return {centre - reach, centre + reach};
     }
 
     void findPairs() {
         std::vector<std::uint32_t> instances;
         std::vector<Box> boxes;
-        for (std::uint32_t i = 0; i < placed_.size(); ++i) {
-            if (placed_[i].tree->nodes.empty() || isFlat(placed_[i].transform)) continue;
+        for (std::uint32_t i = 0; i < instances_.size(); ++i) {
+            if (instances_[i].tree->nodes.empty() || isFlat(instances_[i].transform)) continue;
             instances.push_back(i);
-            boxes.push_back(placedBox(i));
+            boxes.push_back(boxOfInstance(i));
         }
         const BoxTree tree{boxes};
         std::uint64_t stepsLeft = 100'000'000 + 1000 * std::uint64_t{boxes.size()};
@@ -144,25 +144,26 @@ private:
         std::vector<double> tolerances;
         pairings.reserve(pairs_.size());
         for (const InstancePair& pair : pairs_) {
-            tolerances.push_back(std::max(placedTolerance(pair.a), placedTolerance(pair.b)));
-            pairings.emplace_back(placed_[pair.a], placed_[pair.b], tolerances.back());
+            tolerances.push_back(std::max(toleranceOfInstance(pair.a), toleranceOfInstance(pair.b)));
+            pairings.emplace_back(instances_[pair.a], instances_[pair.b], tolerances.back());
         }
         between_ = run(pairings, tolerances);
     }
 
-    static std::vector<Crossing> run(const std::vector<TreePair>& pairings, const std::vector<double>& tolerances) {
-        struct Part {
+    static std::vector<SideCrossings> run(const std::vector<TreePair>& pairings,
+                                          const std::vector<double>& tolerances) {
+        struct TaskCrossings {
             std::size_t pairing;
             TreePair::Task task;
             std::vector<FaceCrossing> found;
         };
-        std::vector<Part> parts;
+        std::vector<TaskCrossings> parts;
         for (std::size_t i = 0; i < pairings.size(); ++i)
             for (const TreePair::Task& task : pairings[i].tasks()) parts.push_back({i, task, {}});
         onEach(parts.size(), [&](std::size_t i) { parts[i].found = pairings[parts[i].pairing].find(parts[i].task); });
 
-        std::vector<Crossing> crossings(pairings.size());
-        for (Part& part : parts) {
+        std::vector<SideCrossings> crossings(pairings.size());
+        for (TaskCrossings& part : parts) {
             std::vector<FaceCrossing>& segments = crossings[part.pairing].segments;
             segments.insert(segments.end(), part.found.begin(), part.found.end());
             part.found = std::vector<FaceCrossing>{};
@@ -178,20 +179,21 @@ private:
         std::vector<IntersectionSegment> segments;
         auto pair = pairs_.begin();
         std::uint32_t firstNode = 0;
-        const auto add = [&](const Crossing& crossing, InstancePair of, const glm::dmat4& transform) {
+        const auto add = [&](const SideCrossings& crossing, InstancePair of, const glm::dmat4& transform) {
             if (segments.size() + crossing.segments.size() > maxSegments) return;
             for (std::size_t i = 0; i < crossing.segments.size(); ++i) {
                 const FaceCrossing& found = crossing.segments[i];
-                const auto placed = [&](glm::dvec3 end) { return glm::dvec3{transform * glm::dvec4{end, 1.0}}; };
+                const auto moved = [&](glm::dvec3 end) { return glm::dvec3{transform * glm::dvec4{end, 1.0}}; };
                 segments.push_back({{of.a, found.a},
                                     {of.b, found.b},
-                                    {placed(found.ends[0]), placed(found.ends[1])},
+                                    {moved(found.ends[0]), moved(found.ends[1])},
                                     {firstNode + crossing.nodes[2 * i], firstNode + crossing.nodes[2 * i + 1]}});
             }
             firstNode += crossing.nodeCount;
         };
-        for (std::uint32_t i = 0; i < placed_.size(); ++i) {
-            if (!isFlat(placed_[i].transform)) add(within_[scene_.instances()[i].mesh], {i, i}, placed_[i].transform);
+        for (std::uint32_t i = 0; i < instances_.size(); ++i) {
+            if (!isFlat(instances_[i].transform))
+                add(within_[scene_.instances()[i].mesh], {i, i}, instances_[i].transform);
             for (; pair != pairs_.end() && pair->a == i; ++pair)
                 add(between_[static_cast<std::size_t>(pair - pairs_.begin())], *pair, glm::dmat4{1.0});
         }
@@ -200,11 +202,11 @@ private:
 
     const Scene& scene_;
     std::vector<FaceTree> trees_;
-    std::vector<FaceSide> sides_;   // one a mesh, in its own space less its origin
-    std::vector<Crossing> within_;  // one a mesh, likewise
-    std::vector<FaceSide> placed_;  // one an instance, in world space less the scene's middle
+    std::vector<FaceSide> sides_;        // one per mesh, in its own space less its origin
+    std::vector<SideCrossings> within_;  // one per mesh, in its own space less its origin
+    std::vector<FaceSide> instances_;    // one per instance, in world space less the scene's middle
     std::vector<InstancePair> pairs_;
-    std::vector<Crossing> between_;  // one a pair
+    std::vector<SideCrossings> between_;  // one per pair
 };
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace inkedge {
 namespace {
 
-// Only a mass of faces in each other's way needs more than these.
+// Only a mass of faces that overlap each other needs more than these.
 constexpr std::uint64_t maxSteps = 50'000'000;  // pairs of nodes or faces that a task looks at
 constexpr std::size_t maxSegmentsOfTask = 500'000;
 
@@ -25,7 +25,7 @@ TreePair::TreePair(const FaceSide& a, const FaceSide& b, double tolerance)
     offset_ = glm::vec3{toA[3]};
     for (int i = 0; i < 3; ++i) absolute_[i] = glm::abs(toA_[i]);
     scale_ = static_cast<float>(glm::length(glm::dvec3{toA[0]}));
-    // Boxes of floats, moved by floats: off by a few roundings of the largest number that occurs.
+    // Boxes of floats, transformed by floats: the error is a few roundings of the largest number that occurs.
     const FaceTree::Node& rootOfA = a.tree->nodes.front();
     const FaceTree::Node& rootOfB = b.tree->nodes.front();
     const double reach =
@@ -55,7 +55,7 @@ std::vector<FaceCrossing> TreePair::find(Task task) const {
     return std::move(search.found);
 }
 
-// The parts of a task that may hold a crossing: itself where it is small enough to be looked at.
+// The smaller tasks of a task that may hold a crossing; the task itself if it is small enough to be looked at.
 template <class Take>
 void TreePair::expand(Task task, Take&& take) const {
     const FaceTree::Node& a = a_.tree->nodes[task.first];
@@ -78,16 +78,17 @@ void TreePair::expand(Task task, Take&& take) const {
     }
 }
 
-TreePair::NodeBox TreePair::placed(const FaceTree::Node& b) const {
+TreePair::NodeBox TreePair::boxInA(const FaceTree::Node& b) const {
     if (sameMesh_) return {b.low, b.high, b.axis};
     const glm::vec3 centre = toA_ * (0.5F * (b.low + b.high)) + offset_;
     const glm::vec3 half = absolute_ * (0.5F * (b.high - b.low));
     return {centre - half, centre + half, toA_ * b.axis / scale_};
 }
 
-// Whether no face of one can cross one of the other: their boxes part, or all of them are nearly parallel.
+// Whether no face of one node can cross a face of the other: their boxes do not overlap, or all faces are nearly
+// parallel.
 bool TreePair::apart(const FaceTree::Node& a, const FaceTree::Node& nodeOfB) const {
-    const NodeBox b = placed(nodeOfB);
+    const NodeBox b = boxInA(nodeOfB);
     if (a.low.x > b.high.x + margin_ || b.low.x > a.high.x + margin_ || a.low.y > b.high.y + margin_ ||
         b.low.y > a.high.y + margin_ || a.low.z > b.high.z + margin_ || b.low.z > a.high.z + margin_)
         return true;
@@ -125,15 +126,15 @@ void TreePair::compareLeaves(Task task, Search& search) const {
 }
 
 void TreePair::compareFaces(const FaceTree::Node& a, const FaceTree::Node& b, Search& search) const {
-    std::array<PlacedFace, FaceTree::leafSize> facesOfB;
+    std::array<SideFace, FaceTree::leafSize> facesOfB;
     for (std::uint32_t j = b.begin; j < b.end; ++j) facesOfB[j - b.begin] = faceOf(b_, b_.tree->triangles[j]);
     for (std::uint32_t i = a.begin; i < a.end; ++i) {
-        const PlacedFace faceOfA = faceOf(a_, a_.tree->triangles[i]);
+        const SideFace faceOfA = faceOf(a_, a_.tree->triangles[i]);
         for (std::uint32_t j = b.begin; j < b.end; ++j) compare(faceOfA, facesOfB[j - b.begin], search);
     }
 }
 
-void TreePair::compare(const PlacedFace& first, const PlacedFace& second, Search& search) const {
+void TreePair::compare(const SideFace& first, const SideFace& second, Search& search) const {
     const std::optional<FaceCrossing> found = faces_.cross(first, second);
     if (!found) return;
     if (search.found.size() < maxSegmentsOfTask)

@@ -17,8 +17,8 @@ public:
     /// One mesh against itself.
     TreePair(const FaceSide& side, double tolerance) : TreePair{side, side, tolerance} {}
 
-    /// @param a, b       must outlive it; each has faces
-    /// @param tolerance  in the space that both are placed in
+    /// @param a, b       must outlive this; each has faces
+    /// @param tolerance  in the space in which both are compared
     TreePair(const FaceSide& a, const FaceSide& b, double tolerance);
 
     /// Two nodes, one of each side.
@@ -30,7 +30,7 @@ public:
     /// Splits the work into tasks of about the same size, the same ones whatever the machine.
     [[nodiscard]] std::vector<Task> tasks() const;
 
-    /// The crossings of a task, those beyond its share left out.
+    /// The crossings of a task; if there are very many some are left out.
     [[nodiscard]] std::vector<FaceCrossing> find(Task) const;
 
 private:
@@ -38,7 +38,7 @@ private:
         std::uint64_t stepsLeft;
         std::vector<FaceCrossing> found;
     };
-    // A node's box where the other side's boxes are.
+    // The box of a node in the space of the other side's boxes.
     struct NodeBox {
         glm::vec3 low;
         glm::vec3 high;
@@ -47,12 +47,12 @@ private:
 
     template <class Take>
     void expand(Task, Take&&) const;
-    [[nodiscard]] NodeBox placed(const FaceTree::Node& ofB) const;
+    [[nodiscard]] NodeBox boxInA(const FaceTree::Node& ofB) const;
     [[nodiscard]] bool apart(const FaceTree::Node& a, const FaceTree::Node& b) const;
     void visit(Task, Search&) const;
     void compareLeaves(Task, Search&) const;
     void compareFaces(const FaceTree::Node& a, const FaceTree::Node& b, Search&) const;
-    void compare(const PlacedFace& first, const PlacedFace& second, Search&) const;
+    void compare(const SideFace& first, const SideFace& second, Search&) const;
     [[nodiscard]] bool shareAPoint(std::uint32_t first, std::uint32_t second) const;
     [[nodiscard]] bool partAlongAxes(std::uint32_t first, std::uint32_t second) const;
 
