@@ -2,7 +2,8 @@
 add_library(inkedge_compiler INTERFACE)
 target_compile_options(inkedge_compiler INTERFACE -Wall -Wextra -Wconversion -Wshadow)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(inkedge_compiler INTERFACE -Wno-restrict)  # takes "text" + std::string for an overlap: bug 105651
+  # It takes "text" + std::string for an overlap: bug 105651.
+  target_compile_options(inkedge_compiler INTERFACE -Wno-restrict)
 endif()
 if(INKEDGE_WARNINGS_AS_ERRORS)
   target_compile_options(inkedge_compiler INTERFACE -Werror)

@@ -94,7 +94,7 @@ def main():
         "    std::string_view files;  // names by #line's file number, divided by blanks\n};\n"
         "struct ProgramText {\n    std::string_view name;\n    std::vector<StageText> stages;\n};\n\n"
         "const ProgramText& programText(Program);\n\n"
-        "// Surface functions by the names of their files; the first, without a name, is what stands around each of them.\n"
+        "// Surface functions by the names of their files; the first one, without a name, is the text around each.\n"
         "const std::vector<ProgramText>& functionTexts();\n\n}  // namespace inkedge::gl\n")
     (arguments.out / "embedded_programs.cpp").write_text(
         '#include "gl/embedded_programs.h"\n\nnamespace inkedge::gl {\n\n'
