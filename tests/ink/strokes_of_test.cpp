@@ -167,11 +167,11 @@ TEST(StrokesOf, areWiderWhereTheLineIsStraighter) {
     LineSettings settings;
     settings.strokeWidth = StrokeWidth::Curvature;
     const auto widest = [&](const Line& line) {
-        std::uint8_t widest = 0;
+        std::uint8_t largest = 0;
         for (const Stroke& stroke : strokesOf(linesOf({line}), picture(2.0), settings)) {
-            widest = std::max(widest, stroke.widthFrom);
+            largest = std::max(largest, stroke.widthFrom);
         }
-        return widest;
+        return largest;
     };
     EXPECT_EQ(widest(lineThrough({{10, 10}, {150, 40}})), fullWidth * 3 / 2);
     // Of radius 15: half-way; 40: 40/55 of the way. Chords of a simplified circle bend by up to a tenth more or less.
