@@ -27,7 +27,7 @@ namespace inkedge {
 /// The files that writeMaps() writes: first the picture's, then one for each map if the format holds one map a file.
 /// "{map}" in output stands for "outline" or the map's name; without it a map's name goes before the extension
 /// ("gear.png", "gear.depth.png"). Formats by extension: .png, .tif, .tiff; .exr holds every map in one file.
-/// @throws Error  (Kind::Usage) if the extension is none of these: the message lists them
+/// @throws Error  (Kind::Usage) if the extension is none of these: the message lists them, and those of lines
 [[nodiscard]] INKEDGE_API std::vector<std::filesystem::path> outputFiles(const std::filesystem::path& output,
                                                                          std::span<const Map> maps);
 

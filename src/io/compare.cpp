@@ -17,6 +17,7 @@
 #include "base/staged_files.h"
 #include "images/image_formats.h"
 #include "images/read_png.h"
+#include "io/output_formats.h"
 #include "io/picture.h"
 
 namespace fs = std::filesystem;
@@ -115,7 +116,7 @@ Comparison judge(const io::Differences& found, const Image<float>& image, const 
 
 Comparison compare(const fs::path& a, const fs::path& b, const Tolerance& tolerance,
                    const std::optional<fs::path>& difference) {
-    if (difference) io::pictureFormat(*difference);  // refuse a wrong name before the work
+    if (difference) (void)io::pictureFormat(*difference);  // refuse a wrong name before the work
     const io::ReadPicture left = read(a);
     const io::ReadPicture right = read(b);
     expectSameShape(a, left.image, b, right.image);

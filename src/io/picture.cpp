@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <string>
 
@@ -13,6 +12,7 @@
 
 #include "base/staged_files.h"
 #include "images/image_formats.h"
+#include "io/output_formats.h"
 
 namespace inkedge::io {
 namespace {
@@ -39,17 +39,6 @@ std::vector<std::uint8_t> encodeWithModule(FileFormat format, const Layer& layer
 }
 
 }  // namespace
-
-PictureFormat pictureFormat(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (extension == ".png") return PictureFormat::Png;
-    if (extension == ".tif" || extension == ".tiff") return PictureFormat::Tiff;
-    if (extension == ".exr") return PictureFormat::OpenExr;
-    throw Error{Error::Kind::Usage, fmt::format("{}: expected a name that ends in .png, .tif, .tiff or .exr, found {}",
-                                                file.string(), extension.empty() ? "no extension" : extension)};
-}
 
 std::vector<std::uint8_t> encodePicture(const Image<std::uint8_t>& picture, const std::filesystem::path& target) {
     switch (pictureFormat(target)) {

@@ -8,12 +8,6 @@
 
 namespace inkedge::io {
 
-/// The formats that are written, each known by its extensions.
-enum class PictureFormat { Png, Tiff, OpenExr };
-
-/// @throws Error  (Kind::Usage) if the extension, in whatever case, is none of .png .tif .tiff .exr
-PictureFormat pictureFormat(const std::filesystem::path&);
-
 /// An 8-bit picture of 1, 3 or 4 channels as the bytes of a file. OpenEXR holds linear light and premultiplied alpha,
 /// so its values are converted from sRGB; the other formats keep the picture's values.
 /// @param target  gives the format by its extension, and the message its name

@@ -10,6 +10,7 @@
 
 #include "base/staged_files.h"
 #include "images/image_formats.h"
+#include "io/output_formats.h"
 #include "io/picture.h"
 #include "raster/memory.h"
 
@@ -199,6 +200,7 @@ void expectRendered(const Maps& maps, std::span<const Map> wanted) {
 }  // namespace
 
 std::vector<fs::path> outputFiles(const fs::path& output, std::span<const Map> maps) {
+    io::expectOutputFormat(output);
     const io::PictureFormat format = io::pictureFormat(output);
     std::vector<fs::path> files{pictureFile(output)};
     if (format == io::PictureFormat::OpenExr) return files;

@@ -110,9 +110,10 @@ TEST_F(BadInput, WhatMarksPixelsForAFileOfLines) {
 }
 
 TEST_F(BadInput, OutputOfAnUnknownKind) {
-    for (const std::string name : {"picture.jpg", "picture", "picture.png.gz"}) {
+    for (const std::string name : {"picture.jpg", "picture.pdf", "picture", "picture.png.gz"}) {
         expectFailure(run({"render", roof(), "-o", name}), 2,
-                      HasSubstr(name + ": expected a name that ends in .png, .tif, .tiff or .exr, found "));
+                      HasSubstr(name + ": expected a name that ends in .png, .tif, .tiff or .exr, or for lines in .svg "
+                                       "or .json, found "));
     }
 }
 

@@ -254,9 +254,13 @@ TEST(OutputFiles, nameAMapOnceThatIsAskedForTwice) {
 
 TEST(OutputFiles, refuseAnUnknownExtensionAndListTheKnown) {
     expectError(Error::Kind::Usage,
-                testing::StrEq("a.jpg: expected a name that ends in .png, .tif, .tiff or .exr, found .jpg"),
+                testing::StrEq("a.jpg: expected a name that ends in .png, .tif, .tiff or .exr, or for lines in .svg or "
+                               ".json, found .jpg"),
                 [] { static_cast<void>(outputFiles("a.jpg", {})); });
     expectError(Error::Kind::Usage, HasSubstr("found no extension"), [] { static_cast<void>(outputFiles("a", {})); });
+    expectError(Error::Kind::Usage,
+                testing::StrEq("a.svg: expected a name that ends in .png, .tif, .tiff or .exr, found .svg"),
+                [] { static_cast<void>(outputFiles("a.svg", {})); });
 }
 
 TEST(WriteFile, replacesAFileAndLeavesNothingElse) {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace inkedge::io {
+
+enum class PictureFormat { Png, Tiff, OpenExr };
+enum class LinesFormat { Svg, Json };
+using OutputFormat = std::variant<PictureFormat, LinesFormat>;
+
+/// The format of files of this name, by its extension in whatever case; none: it is not written.
+[[nodiscard]] std::optional<OutputFormat> outputFormat(const std::filesystem::path&);
+
+/// The same of formats of one kind: PictureFormat or LinesFormat.
+template <class Format>
+[[nodiscard]] std::optional<Format> formatOf(const std::filesystem::path& file) {
+    const std::optional<OutputFormat> format = outputFormat(file);
+    if (!format || !std::holds_alternative<Format>(*format)) return {};
+    return std::get<Format>(*format);
+}
+
+/// The extensions of all formats of one kind, as in ".png, .tif, .tiff or .exr".
+[[nodiscard]] std::string pictureExtensions();
+[[nodiscard]] std::string linesExtensions();
+
+/// @throws Error  (Kind::Usage) if the name's extension is that of no picture
+[[nodiscard]] PictureFormat pictureFormat(const std::filesystem::path&);
+
+/// @throws Error  (Kind::Usage) if nothing is written to files of this name
+void expectOutputFormat(const std::filesystem::path&);
+
+}  // namespace inkedge::io
