@@ -23,7 +23,7 @@ struct Vertex {
     GLuint patch;  // of the mesh
 };
 
-// What only surface functions read; none of a scene that has nothing of it.
+// Vertex attributes that only surface functions read; none if the scene has none of them.
 struct Extra {
     glm::vec2 coordinates{0.0F};
     glm::vec4 color{1.0F};
@@ -49,7 +49,7 @@ Buffer createFilledBuffer(const Api& api, const std::vector<T>& data, GLbitfield
 }
 
 constexpr GLuint perVertex = 0;  // vertex buffer bindings
-constexpr GLuint perPlacement = 1;
+constexpr GLuint perInstance = 1;
 constexpr GLuint perNumbering = 2;
 constexpr GLuint perExtra = 3;
 
@@ -86,7 +86,7 @@ Extra extraOf(const Mesh& mesh, std::size_t vertex) {
     return extra;
 }
 
-// One for each of the mesh's vertices, those that are repeated too.
+// Appends one per vertex of the mesh, repeated vertices included.
 void appendExtras(const Mesh& mesh, std::size_t base, Geometry& geometry) {
     geometry.extras.resize(geometry.vertices.size());
     const DrawCommand& command = geometry.meshes.back();
@@ -95,7 +95,8 @@ void appendExtras(const Mesh& mesh, std::size_t base, Geometry& geometry) {
     }
 }
 
-// A vertex that several patches share is repeated for each, so that every corner of a triangle names its patch.
+// Appends a mesh. A vertex that several patches share is repeated for each, so that every corner of a triangle names
+// its patch.
 void append(const Mesh& mesh, const MeshTopology& topology, Geometry& geometry) {
     constexpr GLuint unused = ~0U;
     const auto base = geometry.vertices.size();
@@ -149,8 +150,9 @@ std::vector<Item> itemsOf(const Scene& scene) {
     return items;
 }
 
-// Draws only the triangles of layered patches; their indices are added behind all others.
-void appendLayers(const Scene& scene, const Item& item, GLuint place, Geometry& geometry,
+// Adds a command that draws only the triangles of layered patches. Their indices are added after all others.
+// @param index  of the item among all items
+void appendLayers(const Scene& scene, const Item& item, GLuint index, Geometry& geometry,
                   std::vector<DrawCommand>& commands) {
     const PatchNumbers& patches = patchNumbersOf(scene);
     const std::uint32_t meshNumber = scene.instances()[item.instance].mesh;
@@ -164,10 +166,10 @@ void appendLayers(const Scene& scene, const Item& item, GLuint place, Geometry& 
         }
     }
     const auto count = static_cast<GLuint>(geometry.indices.size()) - first;
-    if (count > 0) commands.push_back({count, 1, first, mesh.baseVertex, place});
+    if (count > 0) commands.push_back({count, 1, first, mesh.baseVertex, index});
 }
 
-// Numbers from 1, negative where layers overlap: draw_planes.vert tells the two kinds apart by the sign.
+// Numbers of patches from 1, negative where layers overlap: draw_planes.vert looks at the sign.
 std::vector<float> signedPatchNumbers(const PatchNumbers& patches) {
     std::vector<float> numbers(patches.number.size());
     for (std::size_t p = 0; p < numbers.size(); ++p) {
@@ -202,9 +204,9 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
         if (runs.empty() || !runs.back().drawnLike(run)) runs.push_back(run);
         runs.back().count = static_cast<GLsizei>(end) - runs.back().first;
     };
-    for (std::uint32_t place = 0; place < items.size(); ++place) {
-        const Item& item = items[place];
-        const Item* const before = place > 0 ? &items[place - 1] : nullptr;
+    for (std::uint32_t index = 0; index < items.size(); ++index) {
+        const Item& item = items[index];
+        const Item* const before = index > 0 ? &items[index - 1] : nullptr;
         const std::uint32_t mesh = instances[item.instance].mesh;
         const bool another = before == nullptr || before->oneSided != item.oneSided ||
                              before->mirrored != item.mirrored || instances[before->instance].mesh != mesh;
@@ -212,7 +214,7 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
             DrawCommand command = geometry.meshes[mesh];
             command.firstIndex += 3 * item.first;
             command.indexCount = 3 * item.count;
-            command.baseInstance = place;
+            command.baseInstance = index;
             commands.push_back(command);
             extend(runs_, item, commands.size() - 1, commands.size());
         }
@@ -221,7 +223,7 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
         numberings.emplace_back(patchNumbersOf(scene).base[item.instance], firstTriangles_[item.instance] + item.first,
                                 item.count);
         const std::size_t layers = layerCommands.size();
-        appendLayers(scene, item, place, geometry, layerCommands);
+        appendLayers(scene, item, index, geometry, layerCommands);
         if (layerCommands.size() > layers) extend(layerRuns_, item, layers, layerCommands.size());
     }
     for (Run& run : layerRuns_) run.first += static_cast<GLsizei>(commands.size());
@@ -229,7 +231,7 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
 
     vertices_ = createFilledBuffer(api, geometry.vertices);
     vertexCount = geometry.vertices.size();
-    geometry.vertices = std::vector<Vertex>{};  // no two copies of everything at once; = {} would keep the memory
+    geometry.vertices = std::vector<Vertex>{};  // frees the memory before the buffers are made; = {} would not
     if (!geometry.extras.empty()) {
         geometry.extras.resize(vertexCount);
         extras_ = createFilledBuffer(api, geometry.extras);
@@ -240,19 +242,19 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
     commands_ = createFilledBuffer(api, commands);
     numberings_ = createFilledBuffer(api, numberings);
     patchNumbers_ = createFilledBuffer(api, signedPatchNumbers(patchNumbersOf(scene)));
-    placements_ = createFilledBuffer(api, std::vector<PlacedInstance>(items.size()), GL_DYNAMIC_STORAGE_BIT);
+    transforms_ = createFilledBuffer(api, std::vector<InstanceTransforms>(items.size()), GL_DYNAMIC_STORAGE_BIT);
     checkErrors(api, fmt::format("a scene of {} triangles", triangles), "draw a smaller model or use --backend osmesa");
     vertexArray_ = createVertexArray(api);
     const GLuint id = vertexArray_.id();
     api.VertexArrayElementBuffer(id, indices_.id());
     api.VertexArrayVertexBuffer(id, perVertex, vertices_.id(), 0, sizeof(Vertex));
-    api.VertexArrayVertexBuffer(id, perPlacement, placements_.id(), 0, sizeof(PlacedInstance));
+    api.VertexArrayVertexBuffer(id, perInstance, transforms_.id(), 0, sizeof(InstanceTransforms));
     api.VertexArrayVertexBuffer(id, perNumbering, numberings_.id(), 0, sizeof(glm::uvec3));
-    api.VertexArrayBindingDivisor(id, perPlacement, 1);
+    api.VertexArrayBindingDivisor(id, perInstance, 1);
     api.VertexArrayBindingDivisor(id, perNumbering, 1);
     describeFloats(api, id, 0, perVertex, 3, offsetof(Vertex, position));
     describeFloats(api, id, 1, perVertex, 3, offsetof(Vertex, normal));
-    for (GLuint row = 0; row < 6; ++row) describeFloats(api, id, 2 + row, perPlacement, 4, row * sizeof(glm::vec4));
+    for (GLuint row = 0; row < 6; ++row) describeFloats(api, id, 2 + row, perInstance, 4, row * sizeof(glm::vec4));
     describeIntegers(api, id, 8, perVertex, 1, offsetof(Vertex, patch));
     describeIntegers(api, id, 9, perNumbering, 3, 0);
     if (extras_.id() == 0) return;
@@ -268,17 +270,17 @@ bool UploadedScene::holds(const Scene& scene) const noexcept {
     return held != nullptr && held == identityOf(scene).lock();
 }
 
-void UploadedScene::place(const std::vector<PlacedInstance>& placements) const {
-    api_.NamedBufferSubData(placements_.id(), 0, static_cast<GLsizeiptr>(placements.size() * sizeof(PlacedInstance)),
-                            placements.data());
+void UploadedScene::setTransforms(const std::vector<InstanceTransforms>& transforms) const {
+    api_.NamedBufferSubData(transforms_.id(), 0,
+                            static_cast<GLsizeiptr>(transforms.size() * sizeof(InstanceTransforms)), transforms.data());
 }
 
-void UploadedScene::draw(Part part, HiddenBacks backs) const {
+void UploadedScene::draw(Triangles triangles, HiddenBacks backs) const {
     api_.BindVertexArray(vertexArray_.id());
     api_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_.id());
     api_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, patchNumbers_.id());
     api_.CullFace(GL_BACK);
-    for (const Run& run : part == Part::Layers ? layerRuns_ : runs_) draw(run, backs);
+    for (const Run& run : triangles == Triangles::Layers ? layerRuns_ : runs_) draw(run, backs);
     api_.Disable(GL_CULL_FACE);
 }
 

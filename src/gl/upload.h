@@ -21,31 +21,31 @@ public:
 
     [[nodiscard]] bool holds(const Scene& scene) const noexcept;
 
-    /// What changes with the view. Rows of 3 x 4 matrices, as the vertex shaders read them.
-    struct PlacedInstance {
+    /// The matrices of an instance that change with the view: rows of 3 x 4 matrices, as the vertex shaders read them.
+    struct InstanceTransforms {
         glm::vec4 modelView[3];
         glm::vec4 normalMatrix[3];
     };
 
     /// Which triangles to draw.
-    enum class Part {
+    enum class Triangles {
         All,
-        Layers,  ///< those whose patches overlap others in one plane: PatchNumbers::layered
+        Layers,  ///< those of patches that overlap others in one plane: PatchNumbers::layered
     };
 
-    /// The instances in the order in which placements are given to draw(). One may stand there twice: for its one-sided
-    /// triangles and for the others.
+    /// The instances in the order of setTransforms(). An instance may be there twice: for its one-sided triangles and
+    /// for the others.
     [[nodiscard]] const std::vector<std::uint32_t>& instanceOrder() const noexcept { return instanceOrder_; }
 
-    /// Sets where the instances stand in the coming draws.
-    /// @param placements  one for each of instanceOrder()
-    void place(const std::vector<PlacedInstance>& placements) const;
+    /// Sets the matrices of the instances for the next draws.
+    /// @param transforms  one for each of instanceOrder()
+    void setTransforms(const std::vector<InstanceTransforms>& transforms) const;
 
-    /// What becomes of the backs of meshes that hide them: Scene::hidesItsBacks().
+    /// Whether to draw the backs of meshes that hide them: Scene::hidesItsBacks().
     enum class HiddenBacks { Draw, Skip };
 
-    /// Draws with what prepareDrawing() has set. Front faces are those that the normals point away from.
-    void draw(Part, HiddenBacks) const;
+    /// Draws with the state that prepareDrawing() has set. Normals point away from front faces.
+    void draw(Triangles, HiddenBacks) const;
 
     [[nodiscard]] bool hasLayers() const noexcept { return !layerRuns_.empty(); }
 
@@ -53,7 +53,7 @@ public:
     [[nodiscard]] const std::vector<std::uint32_t>& firstTriangles() const noexcept { return firstTriangles_; }
 
 private:
-    // Commands that follow each other and need the same state.
+    // Consecutive commands that need the same state.
     struct Run {
         bool oneSided = false;    // backs are not drawn
         bool hidesBacks = false;  // backs need not be drawn
@@ -71,7 +71,7 @@ private:
     Buffer vertices_;
     Buffer extras_;
     Buffer indices_;
-    Buffer placements_;
+    Buffer transforms_;
     Buffer numberings_;
     Buffer patchNumbers_;
     Buffer commands_;

@@ -7,7 +7,7 @@
 namespace inkedge {
 namespace {
 
-// What both programs read: shaders/shared/edges.glsl.
+// Sets what both programs read: shaders/shared/edges.glsl.
 void setInputs(gl::Gpu& gpu, gl::Program program, const Camera& camera, const DetectorSettings& settings) {
     setDepths(gpu, program, 0, camera);
     gpu.api.ProgramUniform1i(gpu.programs.id(program), 3, settings.depthMap == DepthMap::Window ? 1 : 0);

@@ -9,7 +9,7 @@
 
 namespace inkedge {
 
-/// Where the edges are. Row 0 is the picture's top row.
+/// The edges of a picture. Row 0 is the picture's top row.
 struct EdgeBuffers {
     Size size;                              ///< of the picture
     gl::Texture marks;                      ///< R32UI, as EdgeMarks::blocks

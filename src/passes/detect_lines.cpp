@@ -15,7 +15,7 @@ namespace {
 
 constexpr int blockSide = 4;  // pixels decided by one invocation along each axis
 
-// Blocks of 4 x 4 bytes, as the shader packs them -> rows.
+// Unpacks blocks of 4 x 4 bytes, as the shader packs them, into rows.
 Image<std::uint8_t> unpack(const Image<std::uint8_t>& blocks, Size size) {
     Image<std::uint8_t> marks{size, 1};
     for (int y = 0; y < size.height; ++y) {
@@ -28,7 +28,7 @@ Image<std::uint8_t> unpack(const Image<std::uint8_t>& blocks, Size size) {
     return marks;
 }
 
-constexpr int regionRows = 64;  // few parts: drivers need microseconds for each
+constexpr int regionRows = 64;  // few regions: drivers need microseconds for each
 constexpr int step = sizeof(std::uint64_t);
 
 bool anyMarked(const Image<std::uint8_t>& marks, int y, int x) {

@@ -13,13 +13,13 @@
 
 #include "gl/draw.h"
 #include "passes/depth_uniforms.h"
-#include "passes/placement.h"
+#include "passes/instance_transforms.h"
 #include "passes/show_tile.h"
 
 namespace inkedge {
 namespace {
 
-// Marks the background where a function has no value there; measure_function.frag knows it.
+// The background's last channel if the function has no value there; measure_function.frag knows it.
 constexpr float noValue = 1e30F;
 
 void expectCoordinates(const Scene& scene, const FunctionDescription& row) {
@@ -49,7 +49,7 @@ void setUniforms(const Frame& frame, GLuint program, const FunctionSettings& fun
     if (!options.empty()) api.ProgramUniform1fv(program, 17, static_cast<GLsizei>(options.size()), options.data());
 }
 
-// What shaders read of vertices that have no such attribute.
+// Sets what shaders read of vertices without an attribute.
 void setMissingAttributes(const gl::Api& api) {
     api.VertexAttrib2f(10, 0.0F, 0.0F);
     api.VertexAttrib4f(11, 1.0F, 1.0F, 1.0F, 1.0F);
@@ -68,7 +68,7 @@ gl::Texture drawFunction(const Frame& frame, gl::FunctionInputs& inputs, const F
     gl::Texture values = gpu.textures.acquire(tile.drawn.size, GL_RGBA32F);
     const gl::Texture depth = gpu.textures.acquire(tile.drawn.size, GL_DEPTH_COMPONENT32F);
     const gl::Framebuffer target{gpu.api, {&values}, &depth};
-    upload.place(placeInstances(frame, LightSpace::Camera));
+    upload.setTransforms(instanceTransforms(frame, LightSpace::Camera));
     gl::prepareDrawing(gpu, program, target);
     showTile(gpu, program, tile);
     const float behind = row.background.value_or(0.0F);
@@ -82,7 +82,7 @@ gl::Texture drawFunction(const Frame& frame, gl::FunctionInputs& inputs, const F
     setMissingAttributes(gpu.api);
     if (!custom && !function.file.empty()) inputs.bindPicture(function.file);
     if (row.needs.paint) inputs.bindPaint(scene);
-    upload.draw(gl::UploadedScene::Part::All, hiddenBacks);
+    upload.draw(gl::UploadedScene::Triangles::All, hiddenBacks);
     return values;
 }
 

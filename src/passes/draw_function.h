@@ -7,8 +7,8 @@
 
 namespace inkedge {
 
-/// A surface function's values: Hertzmann 1999, section 2.1.3. Shaders: draw_function.vert, draw_function.frag and one
-/// of shaders/functions, or a user's file. CPU definition: reference::drawFunction().
+/// The values of a surface function: Hertzmann 1999, section 2.1.3. Shaders: draw_function.vert, draw_function.frag and
+/// one of shaders/functions, or a user's file. CPU definition: reference::drawFunction().
 /// @return        RGBA32F of the size of what the tile draws; the background's last channel is over 1e29 where the
 ///                function has no value there
 /// @throws Error  (Kind::Input) if the scene has no texture coordinates and the function needs them, or a file of it

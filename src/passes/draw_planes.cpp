@@ -5,18 +5,18 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "gl/draw.h"
-#include "passes/placement.h"
+#include "passes/instance_transforms.h"
 #include "passes/show_tile.h"
 
 namespace inkedge {
 namespace {
 
-// How far layers are lifted towards the eye, in pixel footprints: over what the depth test's rounding leaves between
-// faces in one plane, and less than any step that shows.
+// How far layers are lifted towards the eye, in pixel footprints: more than the rounding of the depth test between
+// faces in one plane, and less than any step that can be seen.
 constexpr double layerLift = 0.05;
 
-// Clip-space z of points that much nearer to the eye, less that of the points themselves: constant, because a footprint
-// grows with depth in perspective and not at all in an orthographic view.
+// The lift in clip-space z. It is constant, because a footprint grows with depth in perspective, and is constant in an
+// orthographic view.
 double liftInClipSpace(const Frame& frame, const glm::dmat4& projection) {
     const double focal = frame.camera.focalLength(frame.tile.whole);
     if (frame.camera.orthographic()) return layerLift / (focal * frame.unit) * projection[2][2];
@@ -31,7 +31,7 @@ void setUniforms(const Frame& frame, gl::Program program, const glm::mat4& proje
     frame.gpu.api.ProgramUniform1i(id, 2, frame.camera.orthographic() ? 1 : 0);
 }
 
-// Draws the scene into what prepareDrawing() has set, cleared.
+// Clears the target that prepareDrawing() has set, and draws the scene.
 void drawScene(const Frame& frame, gl::Program program, const gl::Framebuffer& target, const glm::dmat4& projection) {
     constexpr float zeros[4]{};
     constexpr GLuint noTriangle[4]{};
@@ -40,7 +40,7 @@ void drawScene(const Frame& frame, gl::Program program, const gl::Framebuffer& t
     api.ClearNamedFramebufferuiv(target.id(), GL_COLOR, 1, noTriangle);
     api.ClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, zeros);
     setUniforms(frame, program, glm::mat4{projection}, 0.0);
-    frame.upload.draw(gl::UploadedScene::Part::All, frame.hiddenBacks);
+    frame.upload.draw(gl::UploadedScene::Triangles::All, frame.hiddenBacks);
 }
 
 // Adds the numbers of coplanar layers to the planes that are drawn.
@@ -57,7 +57,7 @@ void drawLayers(const Frame& frame, const gl::Texture& planes, const gl::Texture
     api.BlendEquation(GL_FUNC_ADD);
     api.BlendFunc(GL_ONE, GL_ONE);
     setUniforms(frame, gl::Program::DrawLayers, glm::mat4{projection}, liftInClipSpace(frame, projection));
-    frame.upload.draw(gl::UploadedScene::Part::Layers, frame.hiddenBacks);
+    frame.upload.draw(gl::UploadedScene::Triangles::Layers, frame.hiddenBacks);
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ PlaneBuffers drawPlanes(const Frame& frame) {
     gl::Gpu& gpu = frame.gpu;
     const Size size = frame.tile.drawn.size;
     const glm::dmat4 projection = reversedProjection(frame);
-    frame.upload.place(placeInstances(frame, LightSpace::Camera));
+    frame.upload.setTransforms(instanceTransforms(frame, LightSpace::Camera));
 
     PlaneBuffers buffers{gpu.textures.acquire(size, GL_RGBA32F), gpu.textures.acquire(size, GL_R32UI)};
     const gl::Texture depth = gpu.textures.acquire(size, GL_DEPTH_COMPONENT32F);
@@ -83,7 +83,7 @@ PlanesAndSurface drawPlanesAndSurface(const Frame& frame, LightSpace lightSpace)
     gl::Gpu& gpu = frame.gpu;
     const Size size = frame.tile.drawn.size;
     const glm::dmat4 projection = reversedProjection(frame);
-    frame.upload.place(placeInstances(frame, lightSpace));
+    frame.upload.setTransforms(instanceTransforms(frame, lightSpace));
 
     PlanesAndSurface buffers{
         {gpu.textures.acquire(size, GL_RGBA32F), gpu.textures.acquire(size, GL_R32UI)},

@@ -6,7 +6,7 @@
 
 #include "gl/draw.h"
 #include "passes/combine_lights.h"
-#include "passes/placement.h"
+#include "passes/instance_transforms.h"
 #include "passes/show_tile.h"
 
 namespace inkedge {
@@ -27,7 +27,7 @@ SurfaceBuffers drawSurface(const Frame& frame, const DetectorSettings& settings)
     gl::Gpu& gpu = frame.gpu;
     const Size size = frame.tile.drawn.size;
     const glm::mat4 projection{reversedProjection(frame)};
-    frame.upload.place(placeInstances(frame, settings.lightSpace));
+    frame.upload.setTransforms(instanceTransforms(frame, settings.lightSpace));
     gl::Texture depth = gpu.textures.acquire(size, GL_DEPTH_COMPONENT32F);
 
     const auto draw = [&](gl::Program program, GLenum format, const std::array<float, 4>& background) {
@@ -39,7 +39,7 @@ SurfaceBuffers drawSurface(const Frame& frame, const DetectorSettings& settings)
         gpu.api.ClearNamedFramebufferfv(target.id(), GL_COLOR, 0, background.data());
         gpu.api.ClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &farthest);
         setUniforms(gpu, program, projection, frame.unit);
-        frame.upload.draw(gl::UploadedScene::Part::All, frame.hiddenBacks);
+        frame.upload.draw(gl::UploadedScene::Triangles::All, frame.hiddenBacks);
         return color;
     };
     if (settings.normalLights == NormalLights::Single) {

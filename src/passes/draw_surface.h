@@ -6,11 +6,12 @@
 
 namespace inkedge {
 
-/// What later passes know of the visible surface. Row 0 is the tile's top row.
+/// The visible surface, for later passes. Row 0 is the tile's top row.
 struct SurfaceBuffers {
-    gl::Texture surface;  ///< RGBA32F: unit normal in the lights' space, turned to the side that is seen; eye-space
-                          ///< depth in scene units. Background: 0, 0, 0, camera.far
-    gl::Texture depth;    ///< DEPTH_COMPONENT32F, reversed: 1 at near, 0 at far and on the background
+    /// RGBA32F: unit normal in the lights' space, turned to the side that is seen; eye-space depth in scene units.
+    /// Background: 0, 0, 0, camera.far.
+    gl::Texture surface;
+    gl::Texture depth;  ///< DEPTH_COMPONENT32F, reversed: 1 at near, 0 at far and on the background
 };
 
 /// Depth map and normal map in one pass over the triangles, or in the paper's two (sections 2.1.1 and 2.1.2).

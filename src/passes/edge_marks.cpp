@@ -9,7 +9,7 @@ constexpr int side = EdgeMarks::blockSide;
 
 using Values = std::array<std::array<std::uint8_t, 4>, 4>;
 
-// A block's row of four pixels is one byte of its marks: looks up what each of the 256 becomes.
+// A row of four pixels is one byte of a block's marks. A table holds what each of the 256 bytes becomes.
 template <int channels>
 void paintRows(const EdgeMarks& marks, const Values& values, Image<std::uint8_t>& image) {
     std::array<std::array<std::uint8_t, side * channels>, 256> rows{};

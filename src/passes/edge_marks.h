@@ -6,15 +6,16 @@
 
 namespace inkedge {
 
-/// What detect_edges.frag, or detect_function.frag, decided, in host memory: for each pixel two bits.
+/// The marks of detect_edges.frag or detect_function.frag in host memory: two bits per pixel.
 struct EdgeMarks {
     static constexpr int blockSide = 4;  ///< pixels decided by one invocation along each axis
     static constexpr unsigned depthEdge = 1;
     static constexpr unsigned normalEdge = 2;
     static constexpr unsigned functionEdge = 1;  ///< of functions on surfaces, the only one
 
-    Size size;                    ///< of the picture
-    Image<std::uint32_t> blocks;  ///< one value a block of 4 x 4 pixels, row by row, the first pixel in the lowest bits
+    Size size;  ///< of the picture
+    Image<std::uint32_t>
+        blocks;  ///< one value per block of 4 x 4 pixels, row by row, the first pixel in the lowest bits
 };
 
 /// The size of EdgeMarks::blocks for a picture.

@@ -8,7 +8,7 @@
 namespace inkedge {
 namespace {
 
-// The program for a kernel and for whether differences are taken modulo a period.
+// The programs for each kernel, without and with differences modulo a period.
 struct Programs {
     gl::Program sobel;
     gl::Program farid;
@@ -20,7 +20,7 @@ constexpr Programs detecting{gl::Program::DetectFunctionSobel, gl::Program::Dete
 constexpr Programs measuring{gl::Program::MeasureFunctionSobel, gl::Program::MeasureFunctionFarid,
                              gl::Program::MeasureWrappedFunctionSobel, gl::Program::MeasureWrappedFunctionFarid};
 
-// Ready to draw, but for the threshold.
+// Prepares drawing, except for the threshold.
 gl::Program prepared(gl::Gpu& gpu, const Programs& programs, const FunctionSettings& function) {
     const bool sobel = function.kernel == Kernel::Sobel;
     const double period = wrapPeriod(function);

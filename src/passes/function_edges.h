@@ -10,17 +10,17 @@
 
 namespace inkedge {
 
-/// Where a function has an edge, equation 7: R32UI, EdgeMarks::functionEdge in what EdgeMarks::blocks holds. Shader:
+/// The edges of a function, equation 7: R32UI, EdgeMarks::functionEdge, packed as EdgeMarks::blocks. Shader:
 /// detect_function.frag.
 /// @param values  as drawFunction() returns them
 [[nodiscard]] gl::Texture detectFunction(gl::Gpu&, const gl::Texture& values, const FunctionSettings&);
 
-/// Gradient magnitude of a function's values, equation 6, R32F: what detectFunction() compares, bit for bit. Shader:
+/// Gradient magnitude of a function's values, equation 6, R32F: bit for bit what detectFunction() compares. Shader:
 /// measure_function.frag; CPU definition: reference::functionMagnitude().
 /// @param values  as drawFunction() returns them
 [[nodiscard]] gl::Texture measureFunction(gl::Gpu&, const gl::Texture& values, const FunctionSettings&);
 
-/// Where any of the functions has an edge, equation 7: how much of each pixel, 0 to 255. The functions are drawn one
+/// How much of each pixel the edges of any of the functions cover, equation 7: 0 to 255. The functions are drawn one
 /// after the other.
 /// @param frame    in samples
 /// @param samples  a pixel, along each axis

@@ -12,7 +12,7 @@ namespace {
 
 using Channels = std::array<std::uint8_t, 4>;
 
-// From one to the other by the share of 255.
+// The mean of two levels, with a share of 255 for the second.
 std::uint8_t mixed(int from, int to, int share) {
     return static_cast<std::uint8_t>((from * (255 - share) + to * share + 127) / 255);
 }
@@ -59,7 +59,7 @@ void inkOver(const Image<std::uint8_t>& ink, const PictureSettings& settings, Im
         const int share = ink.pixels[i];
         if (share == 0) continue;
         std::uint8_t* const pixel = &picture.pixels[i * channels];
-        // Colours are not premultiplied: they mix by what each adds to the alpha.
+        // Colours are not premultiplied: each is weighted by its part of the alpha.
         const int below = channels == 4 ? pixel[3] * (255 - share) / 255 : 255 - share;
         const int weight = share + below > 0 ? 255 * share / (share + below) : 0;
         for (std::size_t c = 0; c < std::min<std::size_t>(channels, 3); ++c)

@@ -8,19 +8,19 @@ namespace inkedge {
 /// The mean of each pixel's samples.
 [[nodiscard]] Image<std::uint8_t> meanOf(Image<std::uint8_t>, int samplesPerPixel);
 
-/// Of two layers of ink the darker at each pixel; an empty one is none.
+/// The darker of two layers of ink at each pixel; an empty image is no ink.
 [[nodiscard]] Image<std::uint8_t> darker(Image<std::uint8_t>, const Image<std::uint8_t>&);
 
-/// 255 where there is at least half of the ink that a pixel takes, else 0. Empty ink is none.
+/// 255 where a pixel has at least half of full ink, else 0; an empty image is no ink.
 [[nodiscard]] Image<std::uint8_t> maskOf(const Image<std::uint8_t>& ink, Size);
 
 /// Draws the line colour over a picture.
-/// @param ink      one channel of the picture's size: how much of each pixel it covers, 0 to 255
+/// @param ink      one channel of the picture's size: how much ink covers of each pixel, 0 to 255
 /// @param picture  1, 3 or 4 channels, as Maps::picture
 void inkOver(const Image<std::uint8_t>& ink, const PictureSettings&, Image<std::uint8_t>& picture);
 
-/// Lays a drawing on the background.
-/// @param drawing  4 channels, on nothing
+/// Paints a drawing on the background.
+/// @param drawing  4 channels, on a transparent background
 /// @return         as Maps::picture
 [[nodiscard]] Image<std::uint8_t> onBackground(Image<std::uint8_t> drawing, const PictureSettings&);
 

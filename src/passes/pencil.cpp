@@ -10,8 +10,8 @@
 namespace inkedge {
 namespace {
 
-// How far a stroke strays at most, in loosenesses: 1.5 times the two octaves of stray() in pencil.frag; and the pixels
-// between which it is looked up.
+// The maximum displacement of a stroke: in loosenesses it is 1.5 times the two octaves of stray() in pencil.frag; and
+// the pixels between which the drawing is interpolated.
 int reachOf(const StyleSettings& settings) {
     return static_cast<int>(std::ceil(1.5 * 1.3 * settings.pencilLooseness)) + 1;
 }

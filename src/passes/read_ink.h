@@ -6,7 +6,7 @@
 
 namespace inkedge {
 
-/// Shares from 0 to 1 as bytes from 0 to 255.
+/// Reads shares from 0 to 1 as bytes from 0 to 255.
 /// @param ink  one channel of floats
 [[nodiscard]] Image<std::uint8_t> readInk(const gl::Api&, const gl::Texture& ink);
 

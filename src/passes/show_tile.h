@@ -5,16 +5,16 @@
 
 namespace inkedge {
 
-/// Sets the viewport and what shaders/shared/view.glsl reads, so that a target of the size of what is drawn shows the
-/// tile. For after gl::prepareDrawing(), which shows all of a picture.
+/// Sets the viewport and the uniforms of shaders/shared/view.glsl, so that a target of the size of Tile::drawn shows
+/// the tile. To be called after gl::prepareDrawing(), which shows a whole picture.
 inline void showTile(gl::Gpu& gpu, GLuint id, const Tile& tile) {
     const auto [x, y, size] = viewOf(tile);
     gpu.api.Viewport(x - tile.drawn.x, y - tile.drawn.y, size.width, size.height);
 
-    constexpr float steps = 256.0F;  // of the grid that vertices are rounded to, a pixel
+    constexpr float steps = 256.0F;  // per pixel, of the grid that vertices are rounded to
     const auto half = [&](int length) { return 0.5F * steps * static_cast<float>(length); };
     gpu.api.ProgramUniform2f(id, 4, half(tile.whole.width), half(tile.whole.height));
-    // Clip space's y runs up, the picture's down.
+    // y runs up in clip space, down in the picture.
     gpu.api.ProgramUniform2f(id, 5, half(2 * x + size.width - tile.whole.width),
                              -half(2 * y + size.height - tile.whole.height));
     gpu.api.ProgramUniform2f(id, 6, half(size.width), half(size.height));

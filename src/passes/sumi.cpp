@@ -13,7 +13,7 @@
 namespace inkedge {
 namespace {
 
-// Standard deviations, pixels: of what the brush feels, and of where it turns.
+// Standard deviations of blurs, pixels: of the channels, and of the structure tensor.
 double brushSigma(const StyleSettings& settings) { return std::max(0.25 * settings.sumiWidth, 0.7); }
 double tensorSigma(const StyleSettings& settings) { return std::max(0.5 * settings.sumiWidth, 2.0); }
 
@@ -22,7 +22,7 @@ int radiusOf(double sigma) { return static_cast<int>(std::ceil(reachInSigmas * s
 
 int stepsOf(const StyleSettings& settings) { return static_cast<int>(std::lround(settings.sumiLength)); }
 
-// Of the middle, and of those up to so many steps away on either side.
+// The weights of a Gaussian: of the middle, and of the points up to so many steps away on either side.
 std::vector<float> gaussian(double sigma, int radius) {
     std::vector<double> weights(static_cast<std::size_t>(radius) + 1, 1.0);
     double sum = 1.0;
@@ -64,8 +64,9 @@ gl::Texture feel(gl::Gpu& gpu, const gl::Texture& surface, const Camera& camera,
     return blurred(gpu, pass(gpu, program, {&surface}, GL_RGBA32F), brushSigma(settings));
 }
 
-// A blurred step's steepest slope is its height over sigma times this root; a Sobel kernel blurs by a variance of 1/2
-// more, and weighs 8.
+// The factor that makes a step of 1 a magnitude of 1. The steepest slope of a step that is blurred by sigma is its
+// height over sigma times this root. A Sobel kernel blurs by a variance of 1/2 more, and gives a slope of 1 the
+// magnitude 8.
 float gainFor(double sigma) {
     return static_cast<float>(std::sqrt((sigma * sigma + 0.5) * 2.0 * std::numbers::pi) / 8.0);
 }

@@ -13,7 +13,7 @@ namespace inkedge {
 /// @param surface  as SurfaceBuffers::surface; left unchanged
 [[nodiscard]] Image<std::uint8_t> sumi(const Frame& frame, const gl::Texture& surface, const StyleSettings&);
 
-/// How many pixels around a pixel its ink depends on.
+/// The radius in pixels around a pixel on which the pixel's ink depends.
 [[nodiscard]] int sumiReach(const StyleSettings&);
 
 }  // namespace inkedge

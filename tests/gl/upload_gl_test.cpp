@@ -43,7 +43,7 @@ TEST_P(Uploading, StoresAMeshOnceAndDrawsItsInstancesByOneCommand) {
     const gl::UploadedScene uploaded{api, scene};
     // A transform of 24 floats, a numbering of 3 integers and a patch's number; and some draw commands.
     EXPECT_LE(bytesUploaded, meshBytes + instances * (24 * 4 + 3 * 4 + 4) + 1000);
-    uploaded.draw(gl::UploadedScene::Part::All, gl::UploadedScene::HiddenBacks::Draw);
+    uploaded.draw(gl::UploadedScene::Triangles::All, gl::UploadedScene::HiddenBacks::Draw);
     EXPECT_EQ(commandsDrawn, 1);
 }
 

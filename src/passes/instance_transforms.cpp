@@ -1,4 +1,4 @@
-#include "passes/placement.h"
+#include "passes/instance_transforms.h"
 
 #include <algorithm>
 
@@ -25,24 +25,24 @@ glm::dmat3 normalMatrix(const glm::dmat3& m) {
 
 }  // namespace
 
-std::vector<gl::UploadedScene::PlacedInstance> placeInstances(const Frame& frame, LightSpace lightSpace) {
+std::vector<gl::UploadedScene::InstanceTransforms> instanceTransforms(const Frame& frame, LightSpace lightSpace) {
     const Scene& scene = frame.scene;
     const std::vector<std::uint32_t>& order = frame.upload.instanceOrder();
     glm::dmat4 scale{1.0 / frame.unit};
     scale[3][3] = 1.0;
-    std::vector<gl::UploadedScene::PlacedInstance> placements;
-    placements.reserve(order.size());
+    std::vector<gl::UploadedScene::InstanceTransforms> transforms;
+    transforms.reserve(order.size());
     for (const std::uint32_t i : order) {
         const Instance& instance = scene.instances()[i];
         glm::dmat4 fromOrigin{1.0};
         fromOrigin[3] = glm::dvec4{scene.meshes()[instance.mesh].origin, 1.0};
         const glm::dmat4 modelView = scale * frame.camera.view * instance.transform * fromOrigin;
-        auto& placed = placements.emplace_back();
-        storeRows(modelView, placed.modelView);
+        auto& transform = transforms.emplace_back();
+        storeRows(modelView, transform.modelView);
         const glm::dmat4& lit = lightSpace == LightSpace::World ? instance.transform : modelView;
-        storeRows(glm::dmat4{normalMatrix(glm::dmat3{lit})}, placed.normalMatrix);
+        storeRows(glm::dmat4{normalMatrix(glm::dmat3{lit})}, transform.normalMatrix);
     }
-    return placements;
+    return transforms;
 }
 
 }  // namespace inkedge
