@@ -172,8 +172,8 @@ TEST_P(Rendering, drawsAnotherSceneThatStandsWhereADeadOneStood) {
 
 TEST_P(Rendering, refusesSizesThatItCannotDraw) {
     const Scene scene = scenes::sceneOf(scenes::cube());
-    constexpr int most = PictureSettings::maxSide;
-    for (const Size size : {Size{0, 5}, Size{5, 0}, Size{most + 1, 1}, Size{1, most + 1}}) {
+    constexpr int maxSide = PictureSettings::maxSide;
+    for (const Size size : {Size{0, 5}, Size{5, 0}, Size{maxSide + 1, 1}, Size{1, maxSide + 1}}) {
         expectError(Error::Kind::Usage,
                     StrEq("size: expected 1x1 to 32768x32768 pixels, found '" + std::to_string(size.width) + "x" +
                           std::to_string(size.height) + "'"),
@@ -210,8 +210,8 @@ TEST_P(Rendering, refusesTilesThatItCannotDraw) {
 
 TEST_P(Rendering, drawsTheWidestAndTheTallestPicture) {
     const Scene scene = scenes::sceneOf(scenes::cube());
-    constexpr int most = PictureSettings::maxSide;
-    for (const Size size : {Size{most, 1}, Size{1, most}}) {
+    constexpr int maxSide = PictureSettings::maxSide;
+    for (const Size size : {Size{maxSide, 1}, Size{1, maxSide}}) {
         EXPECT_EQ(renderer().render(scene, frameCamera(scene, {}, size), classic(size)).picture.size, size);
     }
 }
@@ -235,10 +235,10 @@ TEST_P(Rendering, refusesAnUnusableCamera) {
 
 TEST_P(Rendering, drawsNothingOfWhatIsBehindTheCamera) {
     const Scene scene = scenes::sceneOf(scenes::cube());
-    CameraSettings wish;
-    wish.position = glm::dvec3{0, 0, 9};
-    wish.direction = glm::dvec3{0, 0, 1};
-    const Camera camera = frameCamera(scene, wish, {16, 16});
+    CameraSettings cameraSettings;
+    cameraSettings.position = glm::dvec3{0, 0, 9};
+    cameraSettings.direction = glm::dvec3{0, 0, 1};
+    const Camera camera = frameCamera(scene, cameraSettings, {16, 16});
     const Maps maps = renderer().render(scene, camera, classic({16, 16}, classicMaps));
     EXPECT_THAT(maps.depth.pixels, Each(static_cast<float>(camera.far)));
     EXPECT_THAT(maps.edges.pixels, Each(0));
@@ -340,18 +340,18 @@ TEST_P(Rendering, doesNotGrowWithTheNumberOfPictures) {
     };
     for (std::size_t i = 0; i < 24; ++i) draw(i);  // fills caches: compiled shader variants, the allocator's free lists
     // A leak grows in every stretch; the allocator, which keeps what it was given back, does so in some.
-    std::size_t leastGrowth = std::numeric_limits<std::size_t>::max();
+    std::size_t minGrowth = std::numeric_limits<std::size_t>::max();
     for (int stretch = 0; stretch < 4; ++stretch) {
         malloc_trim(0);
         const std::size_t before = residentBytes();
         for (std::size_t i = 0; i < 50; ++i) draw(i);
         malloc_trim(0);
         const std::size_t after = residentBytes();
-        leastGrowth = std::min(leastGrowth, after > before ? after - before : 0);
+        minGrowth = std::min(minGrowth, after > before ? after - before : 0);
     }
     // The smallest texture, 8 bits a pixel at the mean of these sizes, has 133 kB, and the smaller sphere's upload 220
     // kB: a leak of one of them a picture comes to 6 MB in a stretch.
-    EXPECT_LT(leastGrowth, 3'000'000U);
+    EXPECT_LT(minGrowth, 3'000'000U);
 }
 
 TEST_P(ContextTest, isCurrentOnlyInItsScope) {

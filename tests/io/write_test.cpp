@@ -147,9 +147,9 @@ struct DecodedFile {
 };
 
 DecodedFile decodeFile(const fs::path& file) {
-    OIIO::ImageSpec wish;
-    wish.attribute("oiio:UnassociatedAlpha", 1);
-    const auto input = OIIO::ImageInput::open(file.string(), &wish);
+    OIIO::ImageSpec cameraSettings;
+    cameraSettings.attribute("oiio:UnassociatedAlpha", 1);
+    const auto input = OIIO::ImageInput::open(file.string(), &cameraSettings);
     if (!input) throw std::runtime_error{OIIO::geterror()};
     DecodedFile result;
     result.spec = input->spec();
@@ -441,7 +441,7 @@ TEST(WriteMaps, writesTypesAsTheColourOfTheFirst) {
     EXPECT_THAT(decodePng(contents(folder / "a.types.png")).image.pixels, ElementsAre(255, 255, 255, 20, 150, 40));
 }
 
-TEST(WriteMaps, keepsRowsOfATallExrInTheirPlaces) {
+TEST(WriteMaps, keepsRowsOfATallExrInOrder) {
     const TemporaryFolder folder;
     Maps maps = smallMaps();
     maps.picture = Image<std::uint8_t>{{3, 201}, 1, 255};
@@ -546,7 +546,7 @@ TEST(ImageModule, refusesAFileThatIsNone) {
                 [&] { static_cast<void>(openModule(io::imageModule, folders, Error::Kind::Input)); });
 }
 
-TEST(MetadataJson, tellsTheCameraRowByRow) {
+TEST(MetadataJson, hasTheCameraRowByRow) {
     const Maps maps = smallMaps();
     const auto camera = nlohmann::json::parse(metadataJson(triangle(), maps, {})).at("camera");
     EXPECT_EQ(camera.at("view").dump(), "[[1.0,0.0,0.0,1.0],[0.0,1.0,0.0,2.0],[0.0,0.0,1.0,-3.0],[0.0,0.0,0.0,1.0]]");
@@ -560,7 +560,7 @@ TEST(MetadataJson, tellsTheCameraRowByRow) {
     EXPECT_FALSE(camera.contains("orthographic_height"));
 }
 
-TEST(MetadataJson, tellsTheHeightOfAnOrthographicCamera) {
+TEST(MetadataJson, hasTheHeightOfAnOrthographicCamera) {
     Maps maps = smallMaps();
     maps.camera.orthographicHeight = 7.0;
     const auto camera = nlohmann::json::parse(metadataJson(triangle(), maps, {})).at("camera");
@@ -568,7 +568,7 @@ TEST(MetadataJson, tellsTheHeightOfAnOrthographicCamera) {
     EXPECT_FALSE(camera.contains("view_angle"));
 }
 
-TEST(MetadataJson, tellsEverySettingAndNullWhereNoneIsGiven) {
+TEST(MetadataJson, hasEverySettingAndNullWhereNoneIsGiven) {
     Settings settings;
     settings.picture.lineColor = {255, 0, 0};
     const auto json = nlohmann::json::parse(metadataJson(triangle(), smallMaps(), settings)).at("settings");
@@ -580,7 +580,7 @@ TEST(MetadataJson, tellsEverySettingAndNullWhereNoneIsGiven) {
     EXPECT_TRUE(json.at("camera-position").is_null());
 }
 
-TEST(MetadataJson, tellsTheSceneTheBackendAndTheTimes) {
+TEST(MetadataJson, hasTheSceneTheBackendAndTheTimes) {
     Maps maps = smallMaps();
     maps.backend.backend = "osmesa";
     maps.backend.renderer = "llvmpipe";
@@ -600,7 +600,7 @@ TEST(MetadataJson, tellsTheSceneTheBackendAndTheTimes) {
     EXPECT_EQ(json.at("milliseconds").at("read back"), 2.0);
 }
 
-TEST(MetadataJson, tellsOfLinesWhatItTellsOfAPicture) {
+TEST(MetadataJson, saysOfLinesWhatItSaysOfAPicture) {
     Maps maps = smallMaps();
     maps.backend.backend = "osmesa";
     maps.times = {{"draw", 1.5}};

@@ -64,9 +64,9 @@ TEST(Contours, OfAMirroredInstanceAreThoseOfTheOtherSeenInAMirror) {
         const Scene mirrored = sceneOf(mesh, mirror * transform);
         for (const Contour contour : {Contour::Mesh, Contour::Smooth, Contour::Auto}) {
             for (const HiddenLines hidden : {HiddenLines::None, HiddenLines::Solid}) {
-                const Wish wish{.contour = contour, .hidden = hidden};
-                const auto expected = lengths(linesOf(scene, perspective({5, 4, 7}), wish));
-                const auto found = lengths(linesOf(mirrored, perspective({-5, 4, 7}), wish));
+                const LineOptions options{.contour = contour, .hidden = hidden};
+                const auto expected = lengths(linesOf(scene, perspective({5, 4, 7}), options));
+                const auto found = lengths(linesOf(mirrored, perspective({-5, 4, 7}), options));
                 ASSERT_EQ(found.size(), expected.size()) << mesh.name;
                 for (const auto& [what, pixels] : expected) {
                     ASSERT_TRUE(found.contains(what)) << mesh.name;

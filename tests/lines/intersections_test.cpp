@@ -30,19 +30,19 @@ std::map<std::uint32_t, int> endsAtNodes(const std::vector<IntersectionSegment>&
     return ends;
 }
 
-Mesh joined(const Mesh& a, const Mesh& b, const glm::dmat4& placeOfB) {
+Mesh joined(const Mesh& a, const Mesh& b, const glm::dmat4& transformOfB) {
     Mesh mesh = a;
     mesh.normals.clear();
-    for (const glm::vec3& p : b.positions) mesh.positions.emplace_back(placeOfB * glm::dvec4{glm::dvec3{p}, 1.0});
+    for (const glm::vec3& p : b.positions) mesh.positions.emplace_back(transformOfB * glm::dvec4{glm::dvec3{p}, 1.0});
     for (const std::uint32_t i : b.indices) mesh.indices.push_back(static_cast<std::uint32_t>(a.positions.size()) + i);
     return mesh;
 }
 
-Mesh onePart(const Mesh& a, const Mesh& b, const glm::dmat4& placeOfB) { return joined(a, b, placeOfB); }
+Mesh onePart(const Mesh& a, const Mesh& b, const glm::dmat4& transformOfB) { return joined(a, b, transformOfB); }
 
 // As two instances and as one mesh: what crosses is the same.
-std::array<Scene, 2> bothWays(const Mesh& a, const Mesh& b, const glm::dmat4& placeOfB) {
-    return {sceneOf({{a, glm::dmat4{1.0}}, {b, placeOfB}}), sceneOf(onePart(a, b, placeOfB))};
+std::array<Scene, 2> bothWays(const Mesh& a, const Mesh& b, const glm::dmat4& transformOfB) {
+    return {sceneOf({{a, glm::dmat4{1.0}}, {b, transformOfB}}), sceneOf(onePart(a, b, transformOfB))};
 }
 
 TEST(Intersections, OfABoxThatSinksIntoATableAreItsFourSides) {
@@ -70,19 +70,19 @@ TEST(Intersections, OfTwoSpheresAreOneClosedCircle) {
     }
 }
 
-TEST(Intersections, ShareAPlaceWhereTheyShareANode) {
+TEST(Intersections, ShareAPointWhereTheyShareANode) {
     const Scene scene = sceneOf(onePart(sphere(1.0, 64), sphere(1.0, 48), translation({0.6, 0.7, 0.2})));
-    std::map<std::uint32_t, glm::dvec3> places;
+    std::map<std::uint32_t, glm::dvec3> ends;
     for (const IntersectionSegment& s : findIntersections(scene)) {
         for (std::size_t i = 0; i < 2; ++i) {
-            const auto [place, isNew] = places.emplace(s.nodes[i], s.ends[i]);
-            EXPECT_LT(glm::distance(place->second, s.ends[i]), 1e-5);  // a few weld tolerances
+            const auto [entry, isNew] = ends.emplace(s.nodes[i], s.ends[i]);
+            EXPECT_LT(glm::distance(entry->second, s.ends[i]), 1e-5);  // a few weld tolerances
         }
     }
-    for (const auto& [node, place] : places)
-        for (const auto& [other, otherPlace] : places)
+    for (const auto& [node, end] : ends)
+        for (const auto& [other, otherEnd] : ends)
             if (node < other) {
-                ASSERT_GT(glm::distance(place, otherPlace), 1e-6);
+                ASSERT_GT(glm::distance(end, otherEnd), 1e-6);
             }
 }
 
@@ -97,8 +97,8 @@ TEST(Intersections, NeedMoreThanTouch) {
         }
     }
     const Mesh unit = cube(1.0);
-    const auto expectNone = [](const Mesh& a, const Mesh& b, const glm::dmat4& place, const char* what) {
-        for (const Scene& scene : bothWays(a, b, place)) EXPECT_THAT(findIntersections(scene), IsEmpty()) << what;
+    const auto expectNone = [](const Mesh& a, const Mesh& b, const glm::dmat4& transform, const char* what) {
+        for (const Scene& scene : bothWays(a, b, transform)) EXPECT_THAT(findIntersections(scene), IsEmpty()) << what;
     };
     expectNone(unit, unit, translation({1, 0, 0}), "side by side");
     expectNone(unit, unit, translation({1, 0.5, 0.25}), "side by side, shifted");
@@ -148,7 +148,7 @@ TEST(Intersections, WhereAnEdgeLiesInAFaceAreOneLineOfTwo) {
 
 TEST(Intersections, KeepToTheirInstances) {
     const Mesh both = onePart(lines::views::sheet(4.0), cube(1.0), rotation(10.0, {0, 1, 0}));
-    std::vector<std::pair<Mesh, glm::dmat4>> placed;
+    std::vector<std::pair<Mesh, glm::dmat4>> instances;
     Scene::Data data;
     data.meshes.push_back(both);
     data.meshes.push_back(both);
@@ -214,11 +214,11 @@ TEST(Intersections, AreThoseThatEveryPairOfFacesHas) {
             const double above = glm::dot(normal(of), p - corner(of, 0));
             const double below = glm::dot(normal(of), q - corner(of, 0));
             if (above * below >= 0.0) continue;
-            const glm::dvec3 place = p + above / (above - below) * (q - p);
+            const glm::dvec3 meeting = p + above / (above - below) * (q - p);
             bool inside = true;
             for (std::uint32_t e = 0; e < 3; ++e) {
                 const glm::dvec3 side = corner(of, (e + 1) % 3) - corner(of, e);
-                inside = inside && glm::dot(glm::cross(side, place - corner(of, e)), normal(of)) > 0.0;
+                inside = inside && glm::dot(glm::cross(side, meeting - corner(of, e)), normal(of)) > 0.0;
             }
             if (inside) return true;
         }

@@ -67,8 +67,8 @@ TEST(ObjectLines, OfACubeAreItsNineSeenEdgesFromCornerToCorner) {
     const Scene scene = sceneOf(cube(2.0));
     for (const Camera& camera : {perspective({5, 4, 7}), orthographic({5, 4, 7}, 5.0), perspective({-2, -3, 2.5})}) {
         for (const HiddenLines hidden : {HiddenLines::None, HiddenLines::Dashed}) {
-            const Wish wish{.hidden = hidden};
-            const auto edges = edgesOfBox(linesOf(scene, camera, wish), glm::dvec3{2.0}, camera, wish.size);
+            const LineOptions options{.hidden = hidden};
+            const auto edges = edgesOfBox(linesOf(scene, camera, options), glm::dvec3{2.0}, camera, options.size);
             EXPECT_EQ(countOf(edges.seen, LineType::Outline), 6);
             EXPECT_EQ(countOf(edges.seen, LineType::Crease), 3);
             EXPECT_EQ(edges.seen.size(), 9U);
@@ -115,7 +115,7 @@ std::pair<double, double> radii(const Line& line, Size size) {
 
 TEST(ObjectLines, OfASphereAreTheCircleWhereItTurnsAway) {
     // The cone around a unit sphere from d away opens by asin(1 / d): a circle of radius f / sqrt(d^2 - 1).
-    const Wish wish{.size = {600, 600}};
+    const LineOptions options{.size = {600, 600}};
     const double d = 5.0;
     const double f = 300.0 / std::tan(glm::radians(17.5));
     double before = 0.0;
@@ -127,19 +127,19 @@ TEST(ObjectLines, OfASphereAreTheCircleWhereItTurnsAway) {
             const double expected = parallel ? 150.0 : f / std::sqrt(d * d - 1.0);
             const double facet = 2.0 * std::numbers::pi / segments;  // angle that an edge covers
             for (const Contour contour : bothContours) {
-                Wish own = wish;
+                LineOptions own = options;
                 own.contour = contour;
                 const auto lines = linesOf(scene, camera, own);
                 ASSERT_THAT(lines, SizeIs(1)) << segments;
                 EXPECT_TRUE(lines[0].closed);
                 EXPECT_EQ(lines[0].type, LineType::Outline);
-                const auto [least, most] = radii(lines[0], wish.size);
+                const auto [smallest, largest] = radii(lines[0], options.size);
                 // The mesh's corners lie on the sphere, so inside the circle, by less than a facet's diagonal falls
                 // short of its tangent. Points between corners lie under the sphere by a quarter of that at most.
-                EXPECT_LE(most, expected * (1.0 + 1e-6));  // corners are floats
-                EXPECT_GE(least, expected * (1.0 - facet * facet)) << segments;
+                EXPECT_LE(largest, expected * (1.0 + 1e-6));  // corners are floats
+                EXPECT_GE(smallest, expected * (1.0 - facet * facet)) << segments;
                 if (contour != Contour::Smooth || parallel) continue;
-                const double error = expected - least;
+                const double error = expected - smallest;
                 if (before > 0.0) {
                     EXPECT_NEAR(before / error, 4.0, 1.0) << "falls as the edge squared, to " << segments;
                 }
@@ -215,8 +215,8 @@ TEST(ObjectLines, OfATorusEndAtItsCusps) {
     const Camera camera =
         orthographic(10.0 * glm::dvec3{std::cos(contour.elevation), std::sin(contour.elevation), 0}, 6.5);
     const Scene scene = sceneOf(torus(contour.ring, contour.tube, 360, 180));
-    const Wish wish{.size = {600, 600}, .contour = Contour::Smooth};
-    const auto lines = linesOf(scene, camera, wish);
+    const LineOptions options{.size = {600, 600}, .contour = Contour::Smooth};
+    const auto lines = linesOf(scene, camera, options);
     const auto outline = thoseOf(lines, [](const Line& line) { return line.closed; });
     ASSERT_THAT(outline, SizeIs(1));
     EXPECT_EQ(outline[0].type, LineType::Outline);
@@ -224,11 +224,11 @@ TEST(ObjectLines, OfATorusEndAtItsCusps) {
     // half the picture's height. Each is an outline where the background is seen through the hole, else an occlusion.
     std::vector<glm::dvec2> expected;
     for (const glm::dvec3& cusp : cusps)
-        if (const glm::dvec2 place = pixel(camera, wish.size, cusp); place.y < 300.0) expected.push_back(place);
+        if (const glm::dvec2 at = pixel(camera, options.size, cusp); at.y < 300.0) expected.push_back(at);
     for (double u = 0.0; u < 4.0 * std::numbers::pi; u += 1e-3) {
         const bool outer = u < 2.0 * std::numbers::pi;
-        const glm::dvec2 p = pixel(camera, wish.size, contour.point(u, outer));
-        const glm::dvec2 q = pixel(camera, wish.size, contour.point(u + 1e-3, outer));
+        const glm::dvec2 p = pixel(camera, options.size, contour.point(u, outer));
+        const glm::dvec2 q = pixel(camera, options.size, contour.point(u + 1e-3, outer));
         const glm::dvec2 middle = 0.5 * (p + q);
         if ((p.y < 300.0) != (q.y < 300.0) && std::abs(middle.x - 300.0) < 100.0) expected.push_back(middle);
     }
@@ -237,9 +237,9 @@ TEST(ObjectLines, OfATorusEndAtItsCusps) {
     for (const Line& line : lines)
         if (!line.closed) ends.insert(ends.end(), {line.points.front().pixel, line.points.back().pixel});
     EXPECT_LE(ends.size(), 12U);
-    for (const glm::dvec2& place : expected) {
-        const auto apart = [&](glm::dvec2 end) { return glm::distance(end, place); };
-        EXPECT_LT(apart(*std::ranges::min_element(ends, {}, apart)), 1.0) << place.x << ", " << place.y;
+    for (const glm::dvec2& cusp : expected) {
+        const auto apart = [&](glm::dvec2 end) { return glm::distance(end, cusp); };
+        EXPECT_LT(apart(*std::ranges::min_element(ends, {}, apart)), 1.0) << cusp.x << ", " << cusp.y;
     }
 }
 
@@ -255,9 +255,9 @@ double crossing(glm::dvec2 p, glm::dvec2 q, glm::dvec2 r, glm::dvec2 s) {
 TEST(ObjectLines, EndExactlyWhereABoxStandsBefore) {
     const Scene scene = sceneOf({{box({8, 1, 1}), translation({0, 0, -3})}, {box({1, 4, 1}), glm::dmat4{1.0}}});
     const Camera camera = perspective({1.5, 2, 9});
-    const Wish wish{};
-    const auto at = [&](glm::dvec3 p) { return pixel(camera, wish.size, p); };
-    const auto bars = thoseOf(linesOf(scene, camera, wish), [](const Line& line) { return line.object == 1; });
+    const LineOptions options{};
+    const auto at = [&](glm::dvec3 p) { return pixel(camera, options.size, p); };
+    const auto bars = thoseOf(linesOf(scene, camera, options), [](const Line& line) { return line.object == 1; });
     int ends = 0;
     for (const glm::dvec2 edge : {glm::dvec2{0.5, -2.5}, {-0.5, -2.5}, {0.5, -3.5}}) {  // y, z of the bar's seen edges
         const glm::dvec2 p = at({-4, edge.x, edge.y});
@@ -356,8 +356,8 @@ double perimeter(const Camera& camera, Size size, const std::vector<glm::dvec3>&
 
 TEST(ObjectLines, AreNoneAtSeams) {
     const Camera camera = perspective({1, 5, 3});
-    const Wish wish{};
-    const double expected = perimeter(camera, wish.size, {{-2, 0, -1}, {-2, 0, 1}, {2, 0, 1}, {2, 0, -1}});
+    const LineOptions options{};
+    const double expected = perimeter(camera, options.size, {{-2, 0, -1}, {-2, 0, 1}, {2, 0, 1}, {2, 0, -1}});
     const Mesh left = quad({-2, 0, -1}, {-2, 0, 1}, {0, 0, 1}, {0, 0, -1});
     const Mesh right = quad({0, 0, -1}, {0, 0, 1}, {2, 0, 1}, {2, 0, -1});
     const Mesh rightNear = quad({0, 0, -1}, {0, 0, 0.3}, {2, 0, 0.3}, {2, 0, -1});
@@ -374,25 +374,25 @@ TEST(ObjectLines, AreNoneAtSeams) {
         {"three meshes that meet in a T", sceneOf({{left, there}, {rightNear, there}, {rightFar, there}})},
         {"one mesh with a T", sceneOf(one)}};
     for (const auto& [name, scene] : scenes) {
-        const auto lines = linesOf(scene, camera, wish);
+        const auto lines = linesOf(scene, camera, options);
         EXPECT_NEAR(length(lines), expected, 0.1) << name;
         for (const Line& line : lines) EXPECT_EQ(line.type, LineType::Outline) << name;
     }
 }
 
 TEST(ObjectLines, OfABoxOnATableAreItsEdgesWithoutSpray) {
-    const Wish wish{};
+    const LineOptions options{};
     for (const std::uint32_t cells : {1U, 5U}) {
         for (const double off : {0.0, 3e-7, -3e-7}) {  // of a rounding
             const Scene scene =
                 sceneOf({{sheet(8.0, cells), glm::dmat4{1.0}},
                          {box({1, 1, 1}), translation({0.1, 0.5 + off, 0.2}) * rotation(20, {0, 1, 0})}});
             for (const Camera& camera : {perspective({5, 4, 9}), orthographic({-5, 2, 4}, 10.0)}) {
-                const auto lines = linesOf(scene, camera, wish);
+                const auto lines = linesOf(scene, camera, options);
                 const auto onBox = thoseOf(lines, [](const Line& line) { return line.object == 2; });
                 double edges = 0.0;  // the box's: all with the nearest three faces
-                const glm::dmat4 place = scene.instances()[1].transform;
-                const glm::dvec3 back{glm::inverse(place) * (glm::inverse(camera.view) * glm::dvec4{0, 0, 0, 1})};
+                const glm::dmat4 transform = scene.instances()[1].transform;
+                const glm::dvec3 back{glm::inverse(transform) * (glm::inverse(camera.view) * glm::dvec4{0, 0, 0, 1})};
                 for (int i = 0; i < 8; ++i) {
                     for (const int axis : {0, 1, 2}) {
                         if ((i >> axis & 1) != 0) continue;
@@ -404,8 +404,8 @@ TEST(ObjectLines, OfABoxOnATableAreItsEdgesWithoutSpray) {
                         if (hiddenSides == 2) continue;
                         glm::dvec3 q = p;
                         q[axis] = 0.5;
-                        edges += glm::distance(pixel(camera, wish.size, place * glm::dvec4{p, 1}),
-                                               pixel(camera, wish.size, place * glm::dvec4{q, 1}));
+                        edges += glm::distance(pixel(camera, options.size, transform * glm::dvec4{p, 1}),
+                                               pixel(camera, options.size, transform * glm::dvec4{q, 1}));
                     }
                 }
                 EXPECT_NEAR(length(onBox), edges, 1.0) << cells << " cells, off by " << off;
@@ -568,12 +568,12 @@ TEST(ObjectLines, AreTheSameForAnyNumberOfThreadsAndAnyNumberOfTimes) {
                                  {sphere(1.0, 64), translation({1.5, 0.5, 0})},
                                  {sheet(6.0, 20), rotation(5, {1, 0, 1})}});
     const Camera camera = perspective({7, 4, 5});
-    const Wish wish{.hidden = HiddenLines::Solid};
+    const LineOptions options{.hidden = HiddenLines::Solid};
     const ObjectLines prepared{scene};
-    const auto expected = prepared.find(camera, settingsOf(wish)).lines;
+    const auto expected = prepared.find(camera, settingsOf(options)).lines;
     EXPECT_GT(expected.size(), 10U);
-    expectSame(prepared.find(camera, settingsOf(wish)).lines, expected);
-    expectSame(linesOf(scene, camera, wish), expected);
+    expectSame(prepared.find(camera, settingsOf(options)).lines, expected);
+    expectSame(linesOf(scene, camera, options), expected);
 #ifdef __linux__
     cpu_set_t all;
     ASSERT_EQ(sched_getaffinity(0, sizeof all, &all), 0);
@@ -582,7 +582,7 @@ TEST(ObjectLines, AreTheSameForAnyNumberOfThreadsAndAnyNumberOfTimes) {
     for (std::size_t cpu = 0; cpu < CPU_SETSIZE && CPU_COUNT(&one) == 0; ++cpu)
         if (CPU_ISSET(cpu, &all)) CPU_SET(cpu, &one);
     ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
-    const auto alone = linesOf(scene, camera, wish);
+    const auto alone = linesOf(scene, camera, options);
     ASSERT_EQ(sched_setaffinity(0, sizeof all, &all), 0);
     expectSame(alone, expected);
 #endif

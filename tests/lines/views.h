@@ -35,23 +35,23 @@ inline Camera orthographic(glm::dvec3 eye, double height, glm::dvec3 at = glm::d
     return camera;
 }
 
-struct Wish {
+struct LineOptions {
     Size size{400, 300};
     Contour contour = Contour::Auto;
     HiddenLines hidden = HiddenLines::None;
 };
 
-inline Settings settingsOf(const Wish& wish) {
+inline Settings settingsOf(const LineOptions& options) {
     Settings settings;
-    settings.picture.size = wish.size;
+    settings.picture.size = options.size;
     settings.picture.lines = allLineTypes;
-    settings.lines.contour = wish.contour;
-    settings.lines.hidden = wish.hidden;
+    settings.lines.contour = options.contour;
+    settings.lines.hidden = options.hidden;
     return settings;
 }
 
-inline std::vector<Line> linesOf(const Scene& scene, const Camera& camera, const Wish& wish = {}) {
-    return ObjectLines{scene}.find(camera, settingsOf(wish)).lines;
+inline std::vector<Line> linesOf(const Scene& scene, const Camera& camera, const LineOptions& options = {}) {
+    return ObjectLines{scene}.find(camera, settingsOf(options)).lines;
 }
 
 template <class Want>

@@ -213,10 +213,10 @@ void measureEnds(const std::vector<Line>& lines, const Judge& judge, Measured& t
 
 void measure(const Scene& scene, const Camera& camera, Measured& to) {
     constexpr double reach = 1.0;  // pixels
-    const Wish wish{.size = {240, 180}, .contour = Contour::Mesh, .hidden = HiddenLines::Solid};
+    const LineOptions options{.size = {240, 180}, .contour = Contour::Mesh, .hidden = HiddenLines::Solid};
     const Judge judge{scene, camera};
-    const auto lines = linesOf(scene, camera, wish);
-    Drawn drawn{wish.size, reach};
+    const auto lines = linesOf(scene, camera, options);
+    Drawn drawn{options.size, reach};
     for (const Line& line : lines) {
         if (!line.visible) continue;
         forEachPiece(line, [&](const LinePoint& p, const LinePoint& q) {
@@ -234,9 +234,9 @@ void measure(const Scene& scene, const Camera& camera, Measured& to) {
         });
     }
     for (const Piece& piece : linesOfEdges(scene, judge)) {
-        sample(pixel(camera, wish.size, piece.a), pixel(camera, wish.size, piece.b), [&](double t) {
+        sample(pixel(camera, options.size, piece.a), pixel(camera, options.size, piece.b), [&](double t) {
             const glm::dvec3 point = piece.a + t * (piece.b - piece.a);
-            const glm::dvec2 at = pixel(camera, wish.size, point);
+            const glm::dvec2 at = pixel(camera, options.size, point);
             if (!drawn.inside(at) || judge.hides(point)) return;
             ++to.seen;
             to.missed += drawn.near(at) ? 0 : 1;

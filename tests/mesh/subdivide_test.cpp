@@ -232,7 +232,7 @@ TEST(Subdivide, keepsMaterialsAndOrder) {
 
 TEST(Subdivide, givesTheNormalsOfTheLimitSurface) {
     for (const Mesh& control : {torus(10, 8), asTriangles(torus(10, 8))}) {
-        // Vertices of one level are vertices of the next, at the same place with the same normal.
+        // Vertices of one level are vertices of the next, at the same position with the same normal.
         const Scene coarse = refined(control, levels(1, smoothAngle));
         const Scene fine = refined(control, levels(3, smoothAngle));
         const Mesh& mesh = fine.meshes()[0];
@@ -472,7 +472,7 @@ TEST(Subdivide, cutsTextureCoordinatesEvenlyAndLeavesSeamsWhereTheyAre) {
     }
 }
 
-// Colours are a function of the place; each face's picture is its own, so that places have seams at every edge.
+// Colours are a function of the position; each face's picture is its own, so that uvs have seams at every edge.
 Mesh paintedCube() {
     Mesh mesh = texturedCube();
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -511,7 +511,7 @@ TEST(Subdivide, mixesColoursAlikeHoweverFacesBend) {
     }
 }
 
-TEST(Subdivide, keepsThePlacesOfPicturesWithTheirSeams) {
+TEST(Subdivide, keepsTheUvsOfPicturesWithTheirSeams) {
     for (Mesh cube : {paintedCube(), asTriangles(paintedCube())}) {
         for (const bool coordinates : {true, false}) {
             if (!coordinates) cube.textureCoordinates.clear();

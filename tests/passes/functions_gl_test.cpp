@@ -41,9 +41,9 @@ LoadSettings everything() {
 Mesh mappedSphere(float repeat = 1.0F) {
     Mesh mesh = scenes::sphere(1.0, 48);
     for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
-        const glm::vec2 place{static_cast<float>(i % 49U) / 48.0F, static_cast<float>(i / 49U) / 24.0F};
-        mesh.textureCoordinates.push_back(repeat * place);
-        mesh.paint.push_back({{place, 0.5F, 1.0F}, {}});
+        const glm::vec2 uv{static_cast<float>(i % 49U) / 48.0F, static_cast<float>(i / 49U) / 24.0F};
+        mesh.textureCoordinates.push_back(repeat * uv);
+        mesh.paint.push_back({{uv, 0.5F, 1.0F}, {}});
     }
     return mesh;
 }
@@ -55,10 +55,10 @@ Scene mixedScene() {
 }
 
 Camera cameraFor(const Scene& scene, bool orthographic) {
-    CameraSettings wish;
-    wish.azimuthAngle = 25.0;
-    if (orthographic) wish.orthographicHeight = 0.0;
-    return frameCamera(scene, wish, size);
+    CameraSettings cameraSettings;
+    cameraSettings.azimuthAngle = 25.0;
+    if (orthographic) cameraSettings.orthographicHeight = 0.0;
+    return frameCamera(scene, cameraSettings, size);
 }
 
 class Bench {
@@ -109,7 +109,7 @@ Differences differencesOf(const Image<float>& found, const Image<double>& expect
     return differences;
 }
 
-// Functions that count steps differ by whole steps where a place is within rounding of one.
+// Functions that count steps differ by whole steps where a value is within rounding of one.
 bool countsSteps(const FunctionSettings& function) {
     return function.name == "uv" || function.name == "height" || function.name == "curvature" ||
            (function.name == "volume" && function.options[0] > 0.0);
@@ -292,10 +292,10 @@ TEST_P(Functions, ofARepeatedTextureHaveNoSeams) {
     // A sphere seen from where its texture begins anew, with a margin around its rim and its poles left out.
     for (const float repeat : {1.0F, 4.0F}) {
         const Scene scene = scenes::sceneOf({{mappedSphere(repeat), glm::dmat4{1.0}}}, everything());
-        CameraSettings wish;
-        wish.azimuthAngle = 0.0;
-        wish.elevationAngle = 0.0;
-        const Camera camera = frameCamera(scene, wish, size);
+        CameraSettings cameraSettings;
+        cameraSettings.azimuthAngle = 0.0;
+        cameraSettings.elevationAngle = 0.0;
+        const Camera camera = frameCamera(scene, cameraSettings, size);
         const gl::Current current{context()};
         Bench bench{gpu(), scene};
         FunctionSettings function = surfaceFunction("texture");
@@ -317,11 +317,12 @@ TEST_P(Functions, ofARepeatedTextureHaveNoSeams) {
 
 TEST_P(Functions, isoparametricLinesAreTheSameAtASeam) {
     const Scene scene = scenes::sceneOf({{mappedSphere(), glm::dmat4{1.0}}}, everything());
-    CameraSettings wish;
-    wish.elevationAngle = 0.0;
+    CameraSettings cameraSettings;
+    cameraSettings.elevationAngle = 0.0;
     const auto lines = [&](double azimuth) {
-        wish.azimuthAngle = azimuth;
-        return marked(edgesOf(renderer(), scene, frameCamera(scene, wish, size), "uv:step=0.125,direction=u"));
+        cameraSettings.azimuthAngle = azimuth;
+        return marked(
+            edgesOf(renderer(), scene, frameCamera(scene, cameraSettings, size), "uv:step=0.125,direction=u"));
     };
     // An eighth of a turn on, lines stand where others stood before, the seam among them.
     EXPECT_NEAR(static_cast<double>(lines(0.0)), static_cast<double>(lines(45.0)),
@@ -331,10 +332,10 @@ TEST_P(Functions, isoparametricLinesAreTheSameAtASeam) {
 TEST_P(Functions, levelsOfAFlatFaceAreNoNoise) {
     // The top lies in a level, and so does the middle of the side.
     const Scene scene = scenes::sceneOf(scenes::box({2, 2, 2}));
-    CameraSettings wish;
-    wish.elevationAngle = 60.0;
-    wish.azimuthAngle = 0.0;
-    const Camera camera = frameCamera(scene, wish, size);
+    CameraSettings cameraSettings;
+    cameraSettings.elevationAngle = 60.0;
+    cameraSettings.azimuthAngle = 0.0;
+    const Camera camera = frameCamera(scene, cameraSettings, size);
     const Image<std::uint8_t> edges = edgesOf(renderer(), scene, camera, "height:levels=2");
     EXPECT_GT(marked(edges), 0);
     for (int y = 20; y < 28; ++y)
@@ -495,14 +496,14 @@ TEST_P(Functions, profilesAndInternalEdgesEqualTheirDefinition) {
 TEST_P(Functions, profilesKnowNoSlope) {
     // A plane in perspective, however steep, has neither profiles nor edges.
     const Scene scene = scenes::sceneOf(scenes::quad({-3, 0, 3}, {3, 0, 3}, {3, 0, -60}, {-3, 0, -60}));
-    CameraSettings wish;
-    wish.position = {0.0, 1.0, 6.0};
-    wish.focalPoint = {0.0, 0.0, 0.0};
+    CameraSettings cameraSettings;
+    cameraSettings.position = {0.0, 1.0, 6.0};
+    cameraSettings.focalPoint = {0.0, 0.0, 0.0};
     Settings settings;
     settings.picture.size = size;
     settings.maps = {Map::Normal};
     settings.detector.detector = Detector::SaitoTakahashi;
-    const Maps maps = renderer().render(scene, frameCamera(scene, wish, size), settings);
+    const Maps maps = renderer().render(scene, frameCamera(scene, cameraSettings, size), settings);
     int inked = 0;
     int seen = 0;
     for (int y = 4; y < size.height - 4; ++y) {

@@ -1,4 +1,4 @@
-// Lines that geometry alone foretells: where they must be, and where none may be.
+// Lines that follow from geometry alone: where they must be, and where none may be.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -237,7 +237,7 @@ Mesh torus(double major, double minor, std::uint32_t around, std::uint32_t acros
     return mesh;
 }
 
-// Where rays from the eye touch the torus: the normal n = cos t e(u) + sin t y and the place p have n . (p - eye) = 0,
+// Where rays from the eye touch the torus: the normal n = cos t e(u) + sin t y and the position p have n . (p - eye) = 0,
 // that is (major - e . eye) cos t - eye.y sin t + minor = 0. Hidden parts are among them.
 std::vector<glm::dvec2> torusContour(double major, double minor, glm::dvec3 eye, const Camera& camera, Size size) {
     std::vector<glm::dvec2> points;
@@ -262,12 +262,12 @@ TEST_P(Lines, ofATorusAreItsContoursAtEverySize) {
     constexpr std::uint32_t around = 480;
     const Scene scene = scenes::sceneOf(torus(major, minor, around, 96));
     for (const double elevation : {65.0, 35.0, 12.0}) {
-        CameraSettings wish;
-        wish.azimuthAngle = 20.0;
-        wish.elevationAngle = elevation;
+        CameraSettings cameraSettings;
+        cameraSettings.azimuthAngle = 20.0;
+        cameraSettings.elevationAngle = elevation;
         for (const int side : pictureSides) {
             const Size size{side, side};
-            const Camera camera = frameCamera(scene, wish, size);
+            const Camera camera = frameCamera(scene, cameraSettings, size);
             const glm::dvec3 eye{glm::inverse(camera.view)[3]};
             // The mesh's contour runs along edges, each of which it may take one face beside the smooth one; seen along
             // the surface that matters only at the ends of the inner contour, which it overruns by up to a face.
@@ -299,11 +299,11 @@ TEST_P(Lines, findTheCornerOfAFold) {
     for (const bool orthographic : {false, true}) {
         for (const glm::dvec2 angles : {glm::dvec2{20, 45}, {-30, 40}, {20, 70}, {75, 50}, {150, 35}, {0, 85}}) {
             SCOPED_TRACE(testing::Message() << "azimuth " << angles.x << ", elevation " << angles.y);
-            CameraSettings wish;
-            wish.azimuthAngle = angles.x;
-            wish.elevationAngle = angles.y;
-            if (orthographic) wish.orthographicHeight = 0.0;
-            const Camera camera = frameCamera(scene, wish, size);
+            CameraSettings cameraSettings;
+            cameraSettings.azimuthAngle = angles.x;
+            cameraSettings.elevationAngle = angles.y;
+            if (orthographic) cameraSettings.orthographicHeight = 0.0;
+            const Camera camera = frameCamera(scene, cameraSettings, size);
             const Maps maps = renderer().render(scene, camera, linesOf(size));
             for (const glm::dvec3& end : foldEnds) {
                 // Its flap edge leads to the corner on the same side, front or back.
@@ -361,22 +361,24 @@ constexpr double rounding = 0.003;
 constexpr Size pictureSize{240, 200};
 
 CameraSettings threeQuarters(bool orthographic) {
-    CameraSettings wish;
-    wish.azimuthAngle = 33.0;
-    wish.elevationAngle = 24.0;
-    if (orthographic) wish.orthographicHeight = 0.0;
-    return wish;
+    CameraSettings cameraSettings;
+    cameraSettings.azimuthAngle = 33.0;
+    cameraSettings.elevationAngle = 24.0;
+    if (orthographic) cameraSettings.orthographicHeight = 0.0;
+    return cameraSettings;
 }
 
 TEST_P(Lines, doNotDependOnTheScenesSizeOrPlace) {
     for (const char* asset : {"gear.glb", "torus_knot.glb", "touching_solids.glb"}) {
         const Scene scene = loadScene(assets + asset);
         for (const bool orthographic : {false, true}) {
-            const CameraSettings wish = threeQuarters(orthographic);
-            const Maps original = renderer().render(scene, frameCamera(scene, wish, pictureSize), linesOf(pictureSize));
+            const CameraSettings cameraSettings = threeQuarters(orthographic);
+            const Maps original =
+                renderer().render(scene, frameCamera(scene, cameraSettings, pictureSize), linesOf(pictureSize));
             const auto compare = [&](const glm::dmat4& transform, double limit, const std::string& what) {
                 const Scene other = transformed(scene, transform);
-                const Maps maps = renderer().render(other, frameCamera(other, wish, pictureSize), linesOf(pictureSize));
+                const Maps maps =
+                    renderer().render(other, frameCamera(other, cameraSettings, pictureSize), linesOf(pictureSize));
                 EXPECT_LE(changedShare(original, maps), limit) << asset << ' ' << what;
             };
             for (const double scale : {1e-4, 0.37, 1e4}) {
@@ -462,7 +464,7 @@ TEST_P(Lines, ofASheetsBorderAreBoundaries) {
     EXPECT_EQ(over.types.at(32, 64), outline | boundary);
 }
 
-TEST_P(Lines, ofBoxesTellOcclusionFromIntersectionAndNodesFromNodes) {
+TEST_P(Lines, ofBoxesDistinguishOcclusionFromIntersectionAndNodesFromNodes) {
     // One box in front of another, and one that runs half into the first.
     const Scene scene = scenes::sceneOf(
         {{scenes::box({1, 1, 1}), scenes::translation({0, 0, 2})},
@@ -626,12 +628,12 @@ TEST_P(Lines, ofBodiesLetIntoAnotherAreTheBordersOfEachTop) {
 TEST_P(Lines, ofSolidsThatTouchInAPlaneDoNotSpeckle) {
     const Scene scene = loadScene(assets + "touching_solids.glb");
     for (int view = 0; view < 24; ++view) {
-        CameraSettings wish;
-        wish.azimuthAngle = 15.0 * view + 3.7;
-        wish.elevationAngle = -50.0 + 6.0 * view;
-        if (view % 2 == 1) wish.orthographicHeight = 0.0;
-        const Maps maps =
-            renderer().render(scene, frameCamera(scene, wish, pictureSize), linesOf(pictureSize, {Map::Edges}));
+        CameraSettings cameraSettings;
+        cameraSettings.azimuthAngle = 15.0 * view + 3.7;
+        cameraSettings.elevationAngle = -50.0 + 6.0 * view;
+        if (view % 2 == 1) cameraSettings.orthographicHeight = 0.0;
+        const Maps maps = renderer().render(scene, frameCamera(scene, cameraSettings, pictureSize),
+                                            linesOf(pictureSize, {Map::Edges}));
         const std::vector<int> extents = extentsOfComponents(maps.edges);
         EXPECT_THAT(extents, Each(testing::Ge(3))) << "view " << view;
         EXPECT_THAT(extents.size(), testing::AllOf(testing::Ge(1U), testing::Le(12U)))

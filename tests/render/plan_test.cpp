@@ -145,7 +145,7 @@ TEST(PlanOf, hatchMarksReadPlanesBesideAnyLines) {
     EXPECT_EQ(planOf(with(Detector::Planes, {}, Style::Hatch)).lines, LineSource::Planes);
 }
 
-TEST(PlanOf, aBrushStandsInPlaceOfLinesAndReachesFar) {
+TEST(PlanOf, aBrushReplacesLinesAndReachesFar) {
     RenderSettings settings = with(Detector::Classic, {}, Style::Sumi);
     settings.style.sumiLength = 100.0;
     settings.picture.supersampling = 2;
