@@ -59,9 +59,9 @@ std::int64_t pixelsOf(Size size) { return std::int64_t{size.width} * size.height
 // The value of a key, made when it is first asked for.
 template <class Key, class Value, class Make>
 const Value& made(std::map<Key, std::unique_ptr<Value>>& all, const Key& key, Make make) {
-    std::unique_ptr<Value>& made = all[key];
-    if (!made) made = std::make_unique<Value>(make());
-    return *made;
+    std::unique_ptr<Value>& value = all[key];
+    if (!value) value = std::make_unique<Value>(make());
+    return *value;
 }
 
 // A folder of our own, gone with its owner.

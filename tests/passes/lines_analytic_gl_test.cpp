@@ -368,7 +368,7 @@ CameraSettings threeQuarters(bool orthographic) {
     return cameraSettings;
 }
 
-TEST_P(Lines, doNotDependOnTheScenesSizeOrPlace) {
+TEST_P(Lines, doNotDependOnTheScenesSizeOrPosition) {
     for (const char* asset : {"gear.glb", "torus_knot.glb", "touching_solids.glb"}) {
         const Scene scene = loadScene(assets + asset);
         for (const bool orthographic : {false, true}) {
