@@ -19,7 +19,7 @@ constexpr int runtimeFailure = static_cast<int>(inkedge::Error::Kind::Runtime);
 constexpr int usageFailure = static_cast<int>(inkedge::Error::Kind::Usage);
 
 int report(std::string_view message, int exitCode) {
-    inkedge::cli::tell("error: ", message);
+    inkedge::cli::report("error: ", message);
     return exitCode;
 }
 

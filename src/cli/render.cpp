@@ -52,20 +52,20 @@ void warn(const RenderArguments& arguments, const Settings& settings, const Scen
     const auto hasNone = [](const Mesh& mesh) { return mesh.textureCoordinates.empty(); };
     const bool wantsIsolines = settings.lines.isolines != Isolines{} && loadSettings(settings).textureCoordinates;
     if (wantsIsolines && std::ranges::all_of(scene.meshes(), hasNone))
-        tell("warning: ", fmt::format("{}: has no texture coordinates: no isolines are drawn", arguments.model));
+        report("warning: ", fmt::format("{}: has no texture coordinates: no isolines are drawn", arguments.model));
     for (const std::string& warning : scene.warnings()) {
-        tell("warning: ", fmt::format("{}: {}", arguments.model, warning));
+        report("warning: ", fmt::format("{}: {}", arguments.model, warning));
     }
 }
 
 void printSummary(const JobResult& result) {
     const BackendInfo& by = result.backend;
-    tell("", by.backend.empty()
+    report("", by.backend.empty()
                  ? std::string{"drawn without OpenGL"}
                  : fmt::format("drawn by {} ({}): {}, OpenGL {}", by.backend, by.platform, by.renderer, by.version));
     for (const StageTime& time : result.times)
-        tell("", fmt::format("{:>10} {:8.1f} ms", time.stage, time.milliseconds));
-    for (const auto& file : result.files) tell("wrote ", file.string());
+        report("", fmt::format("{:>10} {:8.1f} ms", time.stage, time.milliseconds));
+    for (const auto& file : result.files) report("wrote ", file.string());
 }
 
 void printJson(const RenderArguments& arguments, const std::vector<JobResult>& results) {

@@ -18,7 +18,7 @@ namespace {
 // Everything from here to handleSignals() runs in signal handlers: only async-signal-safe calls.
 
 void say(std::string_view line) noexcept {
-    if (::write(STDERR_FILENO, line.data(), line.size()) < 0) return;  // nobody is left to be told
+    if (::write(STDERR_FILENO, line.data(), line.size()) < 0) return;  // there is nothing left to do
 }
 
 void endInterrupted(int signal) {

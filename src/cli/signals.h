@@ -5,7 +5,7 @@
 namespace inkedge::cli {
 
 /// Sees to it that no signal leaves a temporary file behind. SIGHUP, SIGINT and SIGTERM, unless the caller ignores
-/// them, end the process with 129, 130 and 143. A crash, say of a graphics driver, is told in a line before it ends the
+/// them, end the process with 129, 130 and 143. A crash, say of a graphics driver, is reported in a line before it ends the
 /// process. A pipe that nobody reads and a limit on the size of files become errors of write().
 void handleSignals();
 

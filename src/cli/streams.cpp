@@ -59,7 +59,7 @@ void print(std::string_view result) {
     }
 }
 
-void tell(std::string_view label, std::string_view text) noexcept {
+void report(std::string_view label, std::string_view text) noexcept {
     try {
         (void)writeAll(STDERR_FILENO, fmt::format("inkedge: {}{}\n", label, text));
     } catch (...) {  // no memory to join them

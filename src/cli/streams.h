@@ -11,7 +11,7 @@ void holdStandardStreams();
 /// Writes to stdout at once. @throws Error  (Kind::Output) if stdout is closed, full or no longer read
 void print(std::string_view result);
 
-/// Writes "inkedge: ", both texts and a line's end to stderr; where stderr is closed or full, nobody is told.
-void tell(std::string_view label, std::string_view text) noexcept;
+/// Writes "inkedge: ", both texts and a line's end to stderr; nothing happens if stderr is closed or full.
+void report(std::string_view label, std::string_view text) noexcept;
 
 }  // namespace inkedge::cli

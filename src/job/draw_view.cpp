@@ -45,7 +45,7 @@ std::vector<std::filesystem::path> write(const Drawn& drawn, const std::vector<s
 }  // namespace
 
 JobResult drawView(const Job& job, const View& view, const Scene& scene, Renderer& renderer,
-                   const std::vector<StageTime>& before, const std::function<void(const Maps&)>& tellDrawn) {
+                   const std::vector<StageTime>& before, const std::function<void(const Maps&)>& reportDrawn) {
     Settings settings = job.settings;
     settings.camera = view.camera;
     std::vector<std::filesystem::path> outputs;
@@ -54,7 +54,7 @@ JobResult drawView(const Job& job, const View& view, const Scene& scene, Rendere
 
     const Stopwatch watch;
     JobResult result;
-    if (drawn.maps) tellDrawn(*drawn.maps);
+    if (drawn.maps) reportDrawn(*drawn.maps);
     result.files = write(drawn, outputs, scene, settings);
     const double writing = watch.milliseconds();
 

@@ -134,7 +134,7 @@ private:
     }
 
     void drawView(JobState& state, const Task& task, OwnRenderer& renderer) {
-        const auto tellDrawn = [&](const Maps& maps) {
+        const auto reportDrawn = [&](const Maps& maps) {
             const std::scoped_lock lock{calling_};
             if (options_.drawn) options_.drawn(task.job, task.view, maps);
         };
@@ -142,7 +142,7 @@ private:
         try {
             result = job::drawView(*state.job, state.views[task.view], *state.scene,
                                    renderer.of(state.job->settings.backend),
-                                   task.view == 0 ? state.times : std::vector<StageTime>{}, tellDrawn);
+                                   task.view == 0 ? state.times : std::vector<StageTime>{}, reportDrawn);
         } catch (...) {
             return fail({task.job, task.view, std::current_exception()});
         }

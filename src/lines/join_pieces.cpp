@@ -10,8 +10,8 @@
 namespace inkedge::lines {
 namespace {
 
-Key placeKey(glm::vec2 place) {
-    return (Key{std::bit_cast<std::uint32_t>(place.x)} << 32U) | std::bit_cast<std::uint32_t>(place.y);
+Key pixelKey(glm::vec2 pixel) {
+    return (Key{std::bit_cast<std::uint32_t>(pixel.x)} << 32U) | std::bit_cast<std::uint32_t>(pixel.y);
 }
 
 class PieceJoiner {
@@ -24,8 +24,8 @@ public:
             Segment& segment = segments_.emplace_back();
             ScreenSegment& projected = projected_.emplace_back();
             for (std::size_t k = 0; k < 2; ++k) {
-                segment.keys[k] = placeKey(piece.places[k]);
-                projected.ends[k] = {glm::dvec2{piece.places[k]}, piece.nearness[k]};
+                segment.keys[k] = pixelKey(piece.pixels[k]);
+                projected.ends[k] = {glm::dvec2{piece.pixels[k]}, piece.inverseDepth[k]};
                 projected.world[k] = screen.worldAt(projected.ends[k]);
             }
         }

@@ -14,16 +14,16 @@
 
 namespace inkedge::lines {
 
-/// A piece of a line as it was traced in the picture.
+/// A straight piece of a line that was traced in the picture.
 struct TracedPiece {
-    std::array<glm::vec2, 2> places;  ///< output pixels; pieces that go on into each other share one to the last bit
-    std::array<double, 2> nearness;   ///< of the surface that it lies on, as ScreenPoint has it
+    std::array<glm::vec2, 2> pixels;     ///< output pixels; pieces that are joined have one in common, to the last bit
+    std::array<double, 2> inverseDepth;  ///< of the surface that the piece lies on: ScreenPoint::inverseDepth
     LineType type;
-    SceneFace face;  ///< that it lies on
+    SceneFace face;  ///< that the piece lies on
 };
 
-/// Joins pieces to polylines, one per type and node: section 2.2 of Hertzmann 1999. Junctions and gaps are treated as
-/// those of lines from object space are.
+/// Joins pieces to polylines of one type and node each: section 2.2 of Hertzmann 1999. Junctions and gaps are treated
+/// as for lines from object space.
 [[nodiscard]] std::vector<Line> joinPieces(std::span<const TracedPiece>, const Scene&, const Screen&);
 
 }  // namespace inkedge::lines

@@ -26,11 +26,11 @@ std::vector<Line> joined(const TracedLines& traced, const Frame& frame, Size siz
     pieces.reserve(traced.strokes.size());
     for (std::size_t i = 0; i < traced.strokes.size(); ++i) {
         const Stroke& stroke = traced.strokes[i];
-        const StrokePlace& place = traced.places[i];
+        const StrokeSurface& surface = traced.surfaces[i];
         pieces.push_back({{stroke.from, stroke.to},
-                          {double{place.nearnessFrom}, double{place.nearnessTo}},
+                          {double{surface.inverseDepthFrom}, double{surface.inverseDepthTo}},
                           static_cast<LineType>(1U << stroke.pen),
-                          faceOf(place.triangle - 1, frame.upload.firstTriangles())});
+                          faceOf(surface.triangle - 1, frame.upload.firstTriangles())});
     }
     return lines::joinPieces(pieces, frame.scene, screen);
 }

@@ -73,7 +73,7 @@ Plan planOfImageLines() {
     plan.lines = LineSource::Planes;
     plan.planes = true;
     plan.tracesLines = true;
-    plan.places = TracePlaces::Keep;
+    plan.strokeSurfaces = TraceSurfaces::Keep;
     return plan;
 }
 

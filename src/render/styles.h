@@ -40,8 +40,8 @@ struct StyleRow {
 
     /// A step that inks tile by tile, made once for all tiles of a picture; null: none. The settings must outlive it.
     TileInk (*tileInk)(const Scene&, const RenderSettings&) = nullptr;
-    /// A step that draws the whole picture anew, as Maps::picture, from what was drawn of it on transparent paper; null:
-    /// none.
+    /// A step that draws the whole picture anew, as Maps::picture, from what was drawn of it on transparent paper;
+    /// null: none.
     Image<std::uint8_t> (*redraw)(gl::Gpu&, const Image<std::uint8_t>& drawing, const RenderSettings&) = nullptr;
 };
 

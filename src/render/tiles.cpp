@@ -72,9 +72,9 @@ private:
         lines.triangles = gl::readIntegers(api, buffers.triangles, regions);
         clock_.finish("read-back");
         TracedLines traced = traceLines(std::move(lines), frame.scene, *triangles_, frame.camera, frame.unit,
-                                        drawnTypes(picture), picture.supersampling, plan_.ids, plan_.places);
+                                        drawnTypes(picture), picture.supersampling, plan_.ids, plan_.strokeSurfaces);
         all.strokes.insert(all.strokes.end(), traced.strokes.begin(), traced.strokes.end());
-        all.places.insert(all.places.end(), traced.places.begin(), traced.places.end());
+        all.surfaces.insert(all.surfaces.end(), traced.surfaces.begin(), traced.surfaces.end());
         if (plan_.lineMask) maps.edges = mask(traced.types, picture.lines);
         if (plan_.types) maps.types = std::move(traced.types);
         maps.ids = std::move(traced.ids);

@@ -15,7 +15,7 @@ namespace inkedge {
 /// What is found in the pixels of a picture.
 struct Tiles {
     Maps maps;                ///< those of the plan; the picture, if its lines are those of the classic detector
-    TracedLines traced;       ///< lines between planes: strokes and their places alone
+    TracedLines traced;       ///< lines between planes: only strokes and their surfaces
     Image<std::uint8_t> ink;  ///< how much of each pixel is covered besides lines, 0 to 255; empty: nothing
 };
 

@@ -12,7 +12,7 @@
 namespace inkedge {
 namespace {
 
-constexpr int longestWalk = 64;  // triangles; smaller ones are far below a pixel and where they end does not show
+constexpr int longestWalk = 64;  // triangles: more are far below a pixel, so that their ends cannot be seen
 
 // Clip space -> homogeneous pixels (x w, y w, w).
 glm::dmat4x3 clipToPixels(Size size) {

@@ -16,7 +16,7 @@
 
 namespace inkedge {
 
-/// The scene's triangles as one camera projects them. Coordinates are pixels, (0, 0) the whole picture's top left
+/// The triangles of a scene as one camera projects them. Coordinates are pixels, (0, 0) the whole picture's top left
 /// corner.
 class ScreenTriangles {
 public:
@@ -26,7 +26,7 @@ public:
     /// @param number  of a triangle of the scene, from 0
     [[nodiscard]] SceneFace locate(std::uint32_t number) const;
 
-    /// What ends the surface that a walk across it meets.
+    /// What ends a surface on a walk across it.
     enum class End {
         Border,  ///< the mesh ends
         Crease,  ///< an edge that is a crease, or that more than two triangles share
@@ -34,18 +34,18 @@ public:
     };
     struct Exit {
         End end;
-        double t;  ///< where, 0 at the walk's start, 1 at its goal
+        double t;  ///< share of the way from the walk's start to its goal
     };
     struct Walk {
-        std::optional<Exit> exit;                ///< where the smooth surface ends on the way
-        std::optional<std::uint32_t> arrivedAt;  ///< else the triangle, of the same mesh, that covers the goal
+        std::optional<Exit> exit;                ///< where the smooth surface ends on the way; none: it does not
+        std::optional<std::uint32_t> arrivedAt;  ///< without an exit: the triangle of the mesh that covers the goal
     };
-    /// Walks in the picture from a point on a triangle towards another, from triangle to triangle. Neither if the
-    /// triangles on the way are too many to follow.
+    /// Walks in the picture from a point on a triangle towards another point, from triangle to triangle. There is
+    /// neither an exit nor an arrival if the triangles on the way are too many to follow.
     [[nodiscard]] Walk walk(SceneFace from, glm::dvec2 start, glm::dvec2 goal) const;
 
-    /// What linear function of the picture a triangle is: w and its slopes a pixel, as PlaneBuffers::planes, but in
-    /// scene units and to double precision.
+    /// A triangle as a linear function of the picture: w and its slopes per pixel, as PlaneBuffers::planes, but in
+    /// scene units and double precision.
     struct Plane {
         double w;
         double dx;
@@ -56,7 +56,7 @@ public:
     /// Whether two triangles of one mesh are the same or touch each other.
     [[nodiscard]] bool touch(SceneFace, SceneFace) const;
 
-    /// Where, from 0 at start to 1 at goal, the border of a coplanar layer lies between them, whichever layer is seen
+    /// Where the border of a coplanar layer lies between start and goal, as a share of the way, whichever layer is seen
     /// there.
     /// @param patch  the layer's number (PatchNumbers::number)
     [[nodiscard]] std::optional<double> layerBorder(std::uint32_t patch, glm::dvec2 start, glm::dvec2 goal) const;
@@ -77,8 +77,8 @@ private:
 
     const Scene& scene_;
     const std::vector<std::uint32_t>& firstTriangles_;
-    std::vector<glm::dmat4x3> toPixels_;  // one an instance: mesh positions less their origin -> homogeneous pixels
-    std::vector<glm::dvec4> toW_;         // and, orthographic, what gives w
+    std::vector<glm::dmat4x3> toPixels_;  // one per instance: mesh positions less their origin -> homogeneous pixels
+    std::vector<glm::dvec4> toW_;         // one per instance in an orthographic view: mesh positions -> w
     std::unordered_map<std::uint32_t, std::vector<BorderEdge>> layerBorders_;  // by patch number
 };
 

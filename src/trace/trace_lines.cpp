@@ -15,13 +15,13 @@
 namespace inkedge {
 namespace {
 
-constexpr double leastBend = 0.05;  // pixel footprints over a step: planes that bend less do not say where they meet
+constexpr double minBend = 0.05;  // pixel footprints over a step: planes that bend by less do not say where they meet
 
-// A line between two neighbouring samples.
-struct Crossing {
-    glm::vec2 place;        // samples
-    LineTypes types;        // empty: there is none
-    float nearness = 0.0F;  // as StrokePlace has it
+// A line across the step between two neighbouring samples.
+struct StepCrossing {
+    glm::vec2 at;               // samples of the whole picture
+    LineTypes types;            // empty: there is no line
+    float inverseDepth = 0.0F;  // as StrokeSurface
     std::uint32_t triangle = 0;
 };
 
@@ -29,19 +29,19 @@ struct Crossing {
 struct CrossingRow {
     explicit CrossingRow(int width) : right(static_cast<std::size_t>(width)), down(static_cast<std::size_t>(width)) {}
 
-    // Most samples have none.
+    // Most samples have no crossings: only those that have are cleared.
     void clear() {
         for (const int column : columns) right[static_cast<std::size_t>(column)].types = {};
         for (const int column : columns) down[static_cast<std::size_t>(column)].types = {};
         columns.clear();
     }
 
-    std::vector<Crossing> right;
-    std::vector<Crossing> down;
-    std::vector<int> columns;  // where there are some, ascending
+    std::vector<StepCrossing> right;
+    std::vector<StepCrossing> down;
+    std::vector<int> columns;  // of samples with crossings, ascending
 };
 
-// Calls visit(x) where a row of marks is not 0. Most are: skips them by eights.
+// Calls visit(x) where a row of marks is not 0. Most marks are 0: eight of them are skipped at a time.
 template <class Visit>
 void forEachMarked(const Image<std::uint8_t>& marks, int y, int begin, int end, Visit visit) {
     const std::uint8_t* const row = &marks.at(0, y);
@@ -59,13 +59,13 @@ void forEachMarked(const Image<std::uint8_t>& marks, int y, int begin, int end, 
     }
 }
 
-// Counted in the tile.
+// The coordinates of a sample in its tile.
 struct Sample {
     int x;
     int y;
 };
 
-// What a tile keeps and the samples around it: crossings up to there have a part in its lines and maps.
+// The kept part of a tile and the samples around it: crossings up to there count for the tile's lines and maps.
 Rectangle aroundKept(const Tile& tile) {
     const auto [x, y, size] = tile.keptInDrawn();
     const int left = std::max(x - 1, 0);
@@ -106,7 +106,7 @@ private:
 
     [[nodiscard]] bool isBackground(Sample s) const { return buffers_.triangles.at(s.x, s.y) == 0; }
     [[nodiscard]] SceneFace triangle(Sample s) const { return triangles_.locate(buffers_.triangles.at(s.x, s.y) - 1); }
-    // In the whole picture.
+    // The centre of a sample in the whole picture.
     [[nodiscard]] glm::dvec2 centre(Sample s) const {
         const Rectangle& drawn = buffers_.tile.drawn;
         return {s.x + drawn.x + 0.5, s.y + drawn.y + 0.5};
@@ -115,28 +115,29 @@ private:
         return triangles_.walk(triangle(from), centre(from), centre(to));
     }
 
-    // Where coplanar layers overlap a pixel holds the sum of their patches' numbers: one more on one side names the
-    // layer.
+    // Where coplanar layers overlap a pixel holds the sum of their patches' numbers. If one side has one layer more,
+    // the difference is the number of that layer.
     [[nodiscard]] std::optional<double> layerBorder(Sample from, Sample to) const {
         const float difference = buffers_.planes.at(from.x, from.y, 3) - buffers_.planes.at(to.x, to.y, 3);
         return triangles_.layerBorder(static_cast<std::uint32_t>(std::abs(difference)), centre(from), centre(to));
     }
 
-    // The planes that were drawn have rounding of their own in each tile; these are the same in all.
+    // The plane of a sample's triangle. Planes that were drawn are rounded differently in each tile; this one is the
+    // same in all tiles.
     [[nodiscard]] ScreenTriangles::Plane plane(Sample s) const { return triangles_.plane(triangle(s), centre(s)); }
 
     [[nodiscard]] bool isNearer(Sample q, Sample p) const {
-        constexpr double rounding = 1e-5;  // of drawn planes: some steps of a float
+        constexpr double rounding = 1e-5;  // of drawn planes: a few steps of a float
         const double wp = static_cast<double>(buffers_.planes.at(p.x, p.y));
         const double wq = static_cast<double>(buffers_.planes.at(q.x, q.y));
         if (std::abs(wp - wq) > rounding * std::max(std::abs(wp), std::abs(wq))) return wq > wp;
-        constexpr double equal = 1e-9;  // faces that lie as deep as each other stay so, however numbers are rounded
+        constexpr double equal = 1e-9;  // faces of equal depth count as equal, however numbers are rounded
         const double atP = plane(p).w;
         const double atQ = plane(q).w;
         return atQ - atP > equal * std::max(std::abs(atP), std::abs(atQ));
     }
 
-    // Where the planes of p and q meet on the step from p to q, if they do and it can be told.
+    // Where the planes of p and q meet on the step from p to q; none if they do not, or bend too little to say.
     [[nodiscard]] std::optional<double> planesMeet(Sample p, Sample q) const {
         const ScreenTriangles::Plane atP = plane(p);
         const ScreenTriangles::Plane atQ = plane(q);
@@ -144,11 +145,11 @@ private:
         const double rq = atP.w - (atQ.w - (p.x == q.x ? atQ.dy : atQ.dx));
         const double footprints = orthographic_ ? focalLength_ : focalLength_ / std::max(atP.w, atQ.w);
         const double bend = std::abs(rp + rq) * footprints;
-        if (rp * rq < 0.0 || !(bend > leastBend) || !std::isfinite(bend)) return {};  // faces on edge have no plane
+        if (rp * rq < 0.0 || !(bend > minBend) || !std::isfinite(bend)) return {};  // faces seen edge-on have no plane
         return rq / (rp + rq);
     }
 
-    Crossing crossing(Sample p, Sample q, unsigned marks) {
+    StepCrossing crossing(Sample p, Sample q, unsigned marks) {
         const bool swap = isBackground(p) || (!isBackground(q) && isNearer(q, p));
         const Sample near = swap ? q : p;
         const Sample far = swap ? p : q;
@@ -156,8 +157,8 @@ private:
         const Walk way = walk(near, far);
         if ((marks & ~(PairMark::bend | PairMark::jump)) == 0 && goesOnSmoothly(way, far)) return {};
 
-        // A nearer surface that goes on to where it is not seen any more ends there, within the grid that vertices snap
-        // to.
+        // If the nearer surface goes on to the far sample, where it is not seen any more, it ends there, within the
+        // grid that vertices snap to.
         double t = way.exit ? way.exit->t : jumps && way.arrivedAt ? 1.0 : 0.5;  // from near to far
         if (!jumps) {
             if (const std::optional<double> meet = planesMeet(p, q)) {
@@ -175,20 +176,21 @@ private:
         const glm::dvec2 from = centre(near);
         const glm::dvec2 to = centre(far);
         const glm::dvec2 offset = t * (to - from);
-        return {glm::vec2{from + offset}, types, nearnessAt(near, offset), buffers_.triangles.at(near.x, near.y)};
+        return {glm::vec2{from + offset}, types, inverseDepthAt(near, offset), buffers_.triangles.at(near.x, near.y)};
     }
 
-    // Of the surface that a sample sees, carried on to the line. Faces on edge say little beyond the sample itself.
-    [[nodiscard]] float nearnessAt(Sample s, glm::dvec2 offset) const {
-        constexpr double mostChange = 0.1;
+    // The inverse depth of the surface that a sample sees, extended to the line. Beyond the sample itself faces seen
+    // edge-on say little of it.
+    [[nodiscard]] float inverseDepthAt(Sample s, glm::dvec2 offset) const {
+        constexpr double maxChange = 0.1;
         const ScreenTriangles::Plane seen = plane(s);
         const double step = seen.dx * offset.x + seen.dy * offset.y;
-        return static_cast<float>(std::abs(step) <= mostChange * std::abs(seen.w) ? seen.w + step : seen.w);
+        return static_cast<float>(std::abs(step) <= maxChange * std::abs(seen.w) ? seen.w + step : seen.w);
     }
 
-    // Faces of one patch may bend by more than the crease angle in several smooth steps, or fall off by more than their
-    // planes say where narrow ones lie between them: that is no line. Where the way ends on another triangle than the
-    // one seen there, the patch runs into itself.
+    // Whether one patch goes on from a sample to another, so that there is no line. Its faces may bend by more than the
+    // crease angle in several smooth steps, or fall off by more than their planes say where narrow faces lie between
+    // them. If the walk ends on another triangle than the one seen there, the patch runs into itself.
     [[nodiscard]] bool goesOnSmoothly(const Walk& way, Sample far) const {
         if (way.exit) return false;
         const SceneFace seen = triangle(far);
@@ -216,9 +218,9 @@ private:
     Image<std::uint16_t> types_;
 };
 
-// Vertices that nearly touch leave cracks, through which single samples see what lies behind: a sample that lies behind
-// the surface which all its four neighbours share, each going on into the one opposite, is no hole that a line could
-// show.
+// Removes the marks of pinholes. Vertices that nearly touch leave cracks, through which single samples see what lies
+// behind. A sample is a pinhole if its four neighbours share a surface in front of it that goes on from each neighbour
+// to the opposite one.
 class PinholeFilter {
 public:
     PinholeFilter(LineBuffers& buffers, const Camera& camera, double unit)
@@ -252,8 +254,8 @@ private:
         return static_cast<double>(buffers_.planes.at(x, y, channel));
     }
 
-    // The two samples beside (x, y) along an axis see one patch, which goes on from one to the other in front of (x,
-    // y).
+    // Whether the two samples beside (x, y) along an axis see one patch that goes on from one to the other in front of
+    // (x, y).
     [[nodiscard]] bool coveredAlong(int x, int y, int dx, int dy) const {
         const double patch = plane(x - dx, y - dy, 3);
         if (patch == 0.0 || patch != plane(x + dx, y + dy, 3)) return false;
@@ -278,10 +280,10 @@ private:
 // Joins the crossings around each cell of 2 x 2 samples.
 class CellJoiner {
 public:
-    CellJoiner(DrawnTypes types, int samplesPerPixel, TracePlaces places, const Tile& tile, TracedLines& traced)
+    CellJoiner(DrawnTypes types, int samplesPerPixel, TraceSurfaces surfaces, const Tile& tile, TracedLines& traced)
         : types_{types},
           scale_{1.0F / static_cast<float>(samplesPerPixel)},
-          keepsPlaces_{places == TracePlaces::Keep},
+          keepsSurfaces_{surfaces == TraceSurfaces::Keep},
           tile_{tile},
           traced_{traced} {}
 
@@ -298,16 +300,16 @@ public:
         for (const int x : cells_) {
             if (x < kept.x || x >= end) continue;
             const auto column = static_cast<std::size_t>(x);
-            const Crossing* sides[4]{&above.right[column], &below.right[column], &above.down[column],
-                                     &above.down[column + 1]};
-            const auto drawnEnd =
-                std::remove_if(sides, sides + 4, [&](const Crossing* c) { return (c->types & types_.drawn).empty(); });
+            const StepCrossing* sides[4]{&above.right[column], &below.right[column], &above.down[column],
+                                         &above.down[column + 1]};
+            const auto drawnEnd = std::remove_if(
+                sides, sides + 4, [&](const StepCrossing* c) { return (c->types & types_.drawn).empty(); });
             joinCell({sides, static_cast<std::size_t>(drawnEnd - sides)}, x + tile_.drawn.x, y);
         }
     }
 
 private:
-    // The cells that crossings lie on, counted by their left column in the tile; -1 and the last column among them.
+    // Finds the cells with crossings, by their left column in the tile; -1 and the last column may be among them.
     void findCells(const std::vector<int>& above, const std::vector<int>& below) {
         upper_.clear();
         for (const int column : above) {
@@ -318,47 +320,47 @@ private:
         std::ranges::set_union(upper_, below, std::back_inserter(cells_));
     }
 
-    [[nodiscard]] std::uint8_t styleOf(const Crossing& c) const {
+    [[nodiscard]] std::uint8_t penOf(const StepCrossing& c) const {
         const LineTypes drawn = c.types & types_.drawn;
-        const LineTypes styled = drawn & types_.styled;
-        return static_cast<std::uint8_t>(bitIndex((styled.empty() ? drawn : styled).first()));
+        const LineTypes withPens = drawn & types_.withPens;
+        return static_cast<std::uint8_t>(bitIndex((withPens.empty() ? drawn : withPens).first()));
     }
 
-    void add(glm::vec2 from, glm::vec2 to, const Crossing& crossing, float nearnessTo) {
-        traced_.strokes.push_back({from * scale_, to * scale_, styleOf(crossing)});
-        if (keepsPlaces_) traced_.places.push_back({crossing.nearness, nearnessTo, crossing.triangle});
+    void add(glm::vec2 from, glm::vec2 to, const StepCrossing& crossing, float inverseDepthTo) {
+        traced_.strokes.push_back({from * scale_, to * scale_, penOf(crossing)});
+        if (keepsSurfaces_) traced_.surfaces.push_back({crossing.inverseDepth, inverseDepthTo, crossing.triangle});
     }
 
-    void joinCell(std::span<const Crossing*> crossings, int x, int y) {
+    void joinCell(std::span<const StepCrossing*> crossings, int x, int y) {
         if (crossings.empty()) return;
-        if (crossings.size() == 2 && styleOf(*crossings[0]) == styleOf(*crossings[1])) {
+        if (crossings.size() == 2 && penOf(*crossings[0]) == penOf(*crossings[1])) {
             add(toBorder(*crossings[0], *crossings[1], x, y), toBorder(*crossings[1], *crossings[0], x, y),
-                *crossings[0], crossings[1]->nearness);
+                *crossings[0], crossings[1]->inverseDepth);
             return;
         }
         glm::vec2 centre{0.0F};
-        for (const Crossing* c : crossings) centre += c->place / static_cast<float>(crossings.size());
-        for (const Crossing* c : crossings) add(c->place, centre, *c, c->nearness);
+        for (const StepCrossing* c : crossings) centre += c->at / static_cast<float>(crossings.size());
+        for (const StepCrossing* c : crossings) add(c->at, centre, *c, c->inverseDepth);
     }
 
-    // The end of a stroke, carried on beyond the picture's edge if its cell is the last before it.
-    [[nodiscard]] glm::vec2 toBorder(const Crossing& end, const Crossing& other, int x, int y) const {
-        const glm::vec2 along = end.place - other.place;
-        const auto beyond = [&](float place, float step, float border) {
-            const float further = step != 0.0F ? (border - place) / step : -1.0F;
-            if (further < 0.0F) return end.place;
+    // The end of a stroke, extended beyond the picture's edge if its cell is the last one before the edge.
+    [[nodiscard]] glm::vec2 toBorder(const StepCrossing& end, const StepCrossing& other, int x, int y) const {
+        const glm::vec2 along = end.at - other.at;
+        const auto beyond = [&](float coordinate, float step, float border) {
+            const float further = step != 0.0F ? (border - coordinate) / step : -1.0F;
+            if (further < 0.0F) return end.at;
             // The stroke's far side leaves the picture after its centre line.
             const glm::vec2 overshoot =
                 further < longestReach ? farBeyond / scale_ * glm::normalize(along) : glm::vec2{0.0F};
-            return end.place + std::min(further, longestReach) * along + overshoot;
+            return end.at + std::min(further, longestReach) * along + overshoot;
         };
         const auto width = static_cast<float>(tile_.whole.width);
         const auto height = static_cast<float>(tile_.whole.height);
-        if (y == 0 && end.place.y == 0.5F) return beyond(end.place.y, along.y, 0.0F);
-        if (x == 0 && end.place.x == 0.5F) return beyond(end.place.x, along.x, 0.0F);
-        if (y + 2 == tile_.whole.height && end.place.y == height - 0.5F) return beyond(end.place.y, along.y, height);
-        if (x + 2 == tile_.whole.width && end.place.x == width - 0.5F) return beyond(end.place.x, along.x, width);
-        return end.place;
+        if (y == 0 && end.at.y == 0.5F) return beyond(end.at.y, along.y, 0.0F);
+        if (x == 0 && end.at.x == 0.5F) return beyond(end.at.x, along.x, 0.0F);
+        if (y + 2 == tile_.whole.height && end.at.y == height - 0.5F) return beyond(end.at.y, along.y, height);
+        if (x + 2 == tile_.whole.width && end.at.x == width - 0.5F) return beyond(end.at.x, along.x, width);
+        return end.at;
     }
 
     static constexpr float longestReach = 2.0F;  // of the stroke's length: lines along the edge never reach it
@@ -366,11 +368,11 @@ private:
 
     DrawnTypes types_;
     float scale_;
-    bool keepsPlaces_;
+    bool keepsSurfaces_;
     const Tile& tile_;
     TracedLines& traced_;
     std::vector<int> upper_;  // cells that touch a crossing of the row above, ascending
-    std::vector<int> cells_;  // those of either row
+    std::vector<int> cells_;  // cells that touch a crossing of either row, ascending
 };
 
 // The patch, the patch across, the node and the material of each sample.
@@ -404,7 +406,7 @@ Image<std::uint32_t> traceIds(const LineBuffers& buffers, const Scene& scene, co
     return ids;
 }
 
-// A pixel's types are those of all its samples.
+// The types of pixels: those of all samples of a pixel.
 Image<std::uint16_t> typesOfPixels(const Image<std::uint16_t>& samples, int samplesPerPixel) {
     Image<std::uint16_t> types{{samples.size.width / samplesPerPixel, samples.size.height / samplesPerPixel}, 1};
     for (int y = 0; y < samples.size.height; ++y) {
@@ -414,7 +416,7 @@ Image<std::uint16_t> typesOfPixels(const Image<std::uint16_t>& samples, int samp
     return types;
 }
 
-// A pixel's ids are those of its first sample beside a line, or of its middle one.
+// The ids of pixels: those of a pixel's first sample beside a line, or else of its middle sample.
 Image<std::uint32_t> idsOfPixels(const TracedLines& traced, int samplesPerPixel) {
     const Size size{traced.ids.size.width / samplesPerPixel, traced.ids.size.height / samplesPerPixel};
     Image<std::uint32_t> ids{size, traced.ids.channels};
@@ -440,19 +442,19 @@ Image<std::uint32_t> idsOfPixels(const TracedLines& traced, int samplesPerPixel)
 DrawnTypes drawnTypes(const PictureSettings& settings) {
     DrawnTypes types{settings.lines, {}};
     for (std::size_t i = 0; i < settings.pens.size(); ++i) {
-        if (settings.pens[i] != PenSettings{}) types.styled |= static_cast<LineType>(1U << i);
+        if (settings.pens[i] != PenSettings{}) types.withPens |= static_cast<LineType>(1U << i);
     }
     return types;
 }
 
 TracedLines traceLines(LineBuffers buffers, const Scene& scene, const ScreenTriangles& triangles, const Camera& camera,
-                       double unit, DrawnTypes types, int samplesPerPixel, TraceIds ids, TracePlaces places) {
+                       double unit, DrawnTypes types, int samplesPerPixel, TraceIds ids, TraceSurfaces surfaces) {
     TracedLines traced;
     PinholeFilter{buffers, camera, unit}.apply();
     Tracer tracer{buffers, triangles, camera};
     const Tile& tile = buffers.tile;
     const Rectangle rows = aroundKept(tile);
-    CellJoiner joiner{types, samplesPerPixel, places, tile, traced};
+    CellJoiner joiner{types, samplesPerPixel, surfaces, tile, traced};
     CrossingRow above{tile.drawn.size.width};
     CrossingRow below{tile.drawn.size.width};
     tracer.traceRow(rows.y, above);

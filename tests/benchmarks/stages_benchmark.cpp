@@ -148,7 +148,7 @@ public:
         const Frame shown = frame(usualModel, size);
         const ScreenTriangles triangles{shown.scene, shown.upload.firstTriangles(), shown.camera, size};
         return traceLines(std::move(lines), shown.scene, triangles, shown.camera, shown.unit,
-                          drawnTypes(pictureSettings(size)), 1, TraceIds::Drop, TracePlaces::Drop);
+                          drawnTypes(pictureSettings(size)), 1, TraceIds::Drop, TraceSurfaces::Drop);
     }
 
     Image<std::uint8_t> findLines(const PlaneBuffers& planes, Size size) {

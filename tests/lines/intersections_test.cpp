@@ -148,7 +148,6 @@ TEST(Intersections, WhereAnEdgeLiesInAFaceAreOneLineOfTwo) {
 
 TEST(Intersections, KeepToTheirInstances) {
     const Mesh both = onePart(lines::views::sheet(4.0), cube(1.0), rotation(10.0, {0, 1, 0}));
-    std::vector<std::pair<Mesh, glm::dmat4>> instances;
     Scene::Data data;
     data.meshes.push_back(both);
     data.meshes.push_back(both);
