@@ -8,9 +8,9 @@ namespace inkedge::cli {
 
 constexpr double unlimited = std::numeric_limits<double>::max();
 
-/// Refuses what is no number or lies outside of these; unlimited stands for no upper limit.
+/// Refuses what is no number, or is out of range; unlimited stands for no upper limit.
 [[nodiscard]] CLI::Validator numberFrom(double low, double high);
-/// The same without the number low itself.
+/// The same, but refuses the number low, too.
 [[nodiscard]] CLI::Validator numberOver(double low, double high);
 
 }  // namespace inkedge::cli

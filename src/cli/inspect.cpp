@@ -77,7 +77,7 @@ void printJson(const std::string& model, const Scene& scene, double milliseconds
     print(all.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
-// A heading with the count, and a line each.
+// Prints a heading with the count, and a line for each.
 template <class Line>
 std::string list(std::string_view heading, std::size_t count, Line&& line) {
     if (count == 0) return {};

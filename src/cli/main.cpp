@@ -25,7 +25,7 @@ int report(std::string_view message, int exitCode) {
 
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-// The command line's error in the words of all our errors; the parser's own words where there are none.
+// An error of the command line in the words of all our errors, or in the parser's own words if we have none for it.
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
     const auto verbs = app.get_subcommands();
     const std::vector<std::string> unknown = app.remaining(true);

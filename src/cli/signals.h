@@ -4,9 +4,9 @@
 
 namespace inkedge::cli {
 
-/// Sees to it that no signal leaves a temporary file behind. SIGHUP, SIGINT and SIGTERM, unless the caller ignores
-/// them, end the process with 129, 130 and 143. A crash, say of a graphics driver, is reported in a line before it ends the
-/// process. A pipe that nobody reads and a limit on the size of files become errors of write().
+/// Makes sure that no signal leaves a temporary file behind. SIGHUP, SIGINT and SIGTERM, unless the caller ignores
+/// them, end the process with 129, 130 and 143. A crash, say of a graphics driver, is reported in a line before it ends
+/// the process. A pipe that nobody reads and a limit on the size of files become errors of write().
 void handleSignals();
 
 /// Ends the process with exit code 1 and this line on stderr once so many seconds have passed, whatever it does then.

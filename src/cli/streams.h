@@ -4,8 +4,8 @@
 
 namespace inkedge::cli {
 
-/// Opens what the caller closed of stdin, stdout and stderr, so that no file of ours gets their numbers and, with them,
-/// the messages of others. Writing there then fails.
+/// Opens those of stdin, stdout and stderr that the caller closed, so that no file of ours gets their numbers, and
+/// messages are not written to it. Writing to a stream opened here fails.
 void holdStandardStreams();
 
 /// Writes to stdout at once. @throws Error  (Kind::Output) if stdout is closed, full or no longer read

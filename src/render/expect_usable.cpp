@@ -14,7 +14,7 @@
 namespace inkedge {
 namespace {
 
-// Bytes a pixel that the picture and the maps take.
+// The bytes per pixel that the picture and the maps take.
 std::uint64_t bytesPerPixel(const RenderSettings& settings) {
     std::uint64_t bytes = settings.picture.background ? 3 : 4;
     const std::pair<Map, std::uint64_t> costs[]{{Map::Depth, 8},       {Map::Normal, 12}, {Map::DepthEdges, 5},
@@ -24,7 +24,7 @@ std::uint64_t bytesPerPixel(const RenderSettings& settings) {
     if (!settings.detector.functions.empty() || settings.detector.detector == Detector::SaitoTakahashi) ++bytes;  // ink
     const StyleRow& style = styleRow(settings.style.style);
     if (style.tileInk != nullptr) ++bytes;
-    if (style.redraw != nullptr) bytes += 8;  // what it draws over, and what it draws
+    if (style.redraw != nullptr) bytes += 8;  // the drawing, and the picture that is drawn from it
     return bytes;
 }
 

@@ -19,7 +19,7 @@ Graphics::~Graphics() {
 
 Frame Graphics::frame(const Scene& scene, const Camera& camera, const PictureSettings& picture) {
     if (!upload_ || !upload_->holds(scene)) {
-        upload_.reset();  // first: never two scenes in graphics memory
+        upload_.reset();  // before the next upload: never two scenes in graphics memory
         upload_ = std::make_unique<gl::UploadedScene>(gpu_->api, scene);
     }
     const Size samples{picture.size.width * picture.supersampling, picture.size.height * picture.supersampling};

@@ -33,7 +33,7 @@ public:
     [[nodiscard]] gl::Context& context() const noexcept { return *context_; }
     [[nodiscard]] gl::Gpu& gpu() noexcept { return *gpu_; }
     [[nodiscard]] gl::FunctionInputs& inputs() noexcept { return *inputs_; }
-    /// The frame of a whole picture, in samples. The scene's upload is kept until another scene is asked for.
+    /// The frame of a whole picture, in samples. The upload of a scene is kept until another scene is drawn.
     [[nodiscard]] Frame frame(const Scene&, const Camera&, const PictureSettings&);
 
 private:
@@ -48,7 +48,7 @@ class Kept {
 public:
     explicit Kept(BackendSettings backend) : settings_{std::move(backend)} {}
 
-    /// @param times  what making the context took is added
+    /// @param times  the time that making the context took is added
     [[nodiscard]] Graphics& graphics(std::vector<StageTime>& times);
     /// Empty while there is no context.
     [[nodiscard]] const BackendInfo& backend() const noexcept;

@@ -19,7 +19,7 @@ struct Geometry {
     std::optional<SurfaceBuffers> surface;  ///< in pixels
 };
 
-/// A tile, as passes take it that work in samples, and in pixels.
+/// The frames of a tile: for passes that work in samples, and for those that work in pixels.
 struct TileFrames {
     Frame samples;
     Frame pixels;
@@ -31,8 +31,8 @@ using TileInk = std::function<Image<std::uint8_t>(const TileFrames&, const Geome
 /// What a style needs, and its step. A style without a step draws the lines alone.
 struct StyleRow {
     Style style;
-    const char* stage;       ///< what the time that its step takes is called
-    bool drawsLines = true;  ///< else its step stands in place of the lines
+    const char* stage;       ///< the name of its step in StageTime
+    bool drawsLines = true;  ///< false: its step replaces the lines
     bool planes = false;     ///< its step reads Geometry::planes
     bool surface = false;    ///< its step reads Geometry::surface
     /// Pixels around a pixel that its step reads; null: fewer than every tile draws anyway.

@@ -140,11 +140,11 @@ TEST_F(Streams, StderrThatTakesNothingChangesNothing) {
     }
 }
 
-// --- places that take no file ---
+// --- targets that take no file ---
 
-class Places : public Faults {};
+class Targets : public Faults {};
 
-TEST_F(Places, DiskThatIsFull) {
+TEST_F(Targets, DiskThatIsFull) {
     const auto full = [] { limit(RLIMIT_FSIZE, 300); };
     for (const char* output : {"a.png", "a.tif", "a.exr"}) {
         expectFailure(runWith(full, {"render", roof(), "-o", output, "--maps", "depth,normal"}), 5,
@@ -159,7 +159,7 @@ TEST_F(Places, DiskThatIsFull) {
     }
 }
 
-TEST_F(Places, DiskThatIsFullKeepsTheOlderPicture) {
+TEST_F(Targets, DiskThatIsFullKeepsTheOlderPicture) {
     put(folder_ / "a.png", "older");
     EXPECT_EQ(runWith([] { limit(RLIMIT_FSIZE, 300); }, {"render", roof(), "-o", "a.png"}).exitCode, 5);
     EXPECT_EQ(contents(folder_ / "a.png"), "older");
@@ -172,7 +172,7 @@ void obeyModes() {
     if (::geteuid() == 0 && ::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE) != 0) ::_exit(cannotObeyModes);
 }
 
-TEST_F(Places, FolderThatIsReadOnly) {
+TEST_F(Targets, FolderThatIsReadOnly) {
     for (const std::string output : {"a.png", "a.svg", "a.json"}) {
         std::filesystem::permissions(folder_.path(), std::filesystem::perms{0555});
         const Outcome outcome = runWith(obeyModes, {"render", roof(), "-o", output, "--lines-from", "image"});
@@ -185,7 +185,7 @@ TEST_F(Places, FolderThatIsReadOnly) {
     }
 }
 
-TEST_F(Places, FileThatIsReadOnly) {
+TEST_F(Targets, FileThatIsReadOnly) {
     put(folder_ / "a.png", "older");
     std::filesystem::permissions(folder_ / "a.png", std::filesystem::perms{0444});
     const Outcome outcome = runWith(obeyModes, {"render", roof(), "-o", "a.png"});
