@@ -237,8 +237,8 @@ Mesh torus(double major, double minor, std::uint32_t around, std::uint32_t acros
     return mesh;
 }
 
-// Where rays from the eye touch the torus: the normal n = cos t e(u) + sin t y and the position p have n . (p - eye) = 0,
-// that is (major - e . eye) cos t - eye.y sin t + minor = 0. Hidden parts are among them.
+// Where rays from the eye touch the torus: the normal n = cos t e(u) + sin t y and the position p have n . (p - eye) =
+// 0, that is (major - e . eye) cos t - eye.y sin t + minor = 0. Hidden parts are among them.
 std::vector<glm::dvec2> torusContour(double major, double minor, glm::dvec3 eye, const Camera& camera, Size size) {
     std::vector<glm::dvec2> points;
     const int steps = 12 * size.width;

@@ -48,7 +48,8 @@ double distance(const Image<float>& a, const Image<float>& b) {
     double difference = 0.0;
     double largest = 1e-30;
     for (std::size_t i = 0; i < std::min(a.pixels.size(), b.pixels.size()); ++i) {
-        difference = std::max(difference, std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i])));
+        difference =
+            std::max(difference, std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i])));
         largest = std::max(largest, std::abs(static_cast<double>(a.pixels[i])));
     }
     return difference / largest;
