@@ -9,9 +9,9 @@
 #include <inkedge/error.h>
 #include <inkedge/version.h>
 
-#include "cli/signals.h"
 #include "cli/streams.h"
 #include "cli/verbs.h"
+#include "process/signals.h"
 
 namespace {
 
@@ -73,7 +73,7 @@ int run(CLI::App& app, int argc, char** argv) {
 
 int main(int argc, char** argv) {
     inkedge::cli::holdStandardStreams();
-    inkedge::cli::handleSignals();
+    inkedge::process::handleSignals();
     CLI::App app{"Clean line drawings of 3D models, without a screen.", "inkedge"};
     app.set_version_flag("--version", fmt::format("inkedge {}", inkedge::version()));
     app.require_subcommand(1);

@@ -12,9 +12,9 @@
 
 #include "cli/checks.h"
 #include "cli/settings_sources.h"
-#include "cli/signals.h"
 #include "cli/streams.h"
 #include "cli/verbs.h"
+#include "process/signals.h"
 
 namespace inkedge::cli {
 namespace {
@@ -41,10 +41,11 @@ void checkStandardOutput(const RenderArguments& arguments, const Settings& setti
 
 void startTimeout(const RenderArguments& arguments) {
     if (!arguments.timeout) return;
-    limitTime(*arguments.timeout,
-              fmt::format("inkedge: error: {}: expected the work to end within {} s, found it still going; raise "
-                          "--timeout or ask for less (a smaller model, --size or --supersampling)\n",
-                          arguments.model, *arguments.timeout));
+    process::limitTime(
+        *arguments.timeout,
+        fmt::format("inkedge: error: {}: expected the work to end within {} s, found it still going; raise "
+                    "--timeout or ask for less (a smaller model, --size or --supersampling)\n",
+                    arguments.model, *arguments.timeout));
 }
 
 void warn(const RenderArguments& arguments, const Settings& settings, const Scene& scene) {
@@ -61,8 +62,8 @@ void warn(const RenderArguments& arguments, const Settings& settings, const Scen
 void printSummary(const JobResult& result) {
     const BackendInfo& by = result.backend;
     report("", by.backend.empty()
-                 ? std::string{"drawn without OpenGL"}
-                 : fmt::format("drawn by {} ({}): {}, OpenGL {}", by.backend, by.platform, by.renderer, by.version));
+                   ? std::string{"drawn without OpenGL"}
+                   : fmt::format("drawn by {} ({}): {}, OpenGL {}", by.backend, by.platform, by.renderer, by.version));
     for (const StageTime& time : result.times)
         report("", fmt::format("{:>10} {:8.1f} ms", time.stage, time.milliseconds));
     for (const auto& file : result.files) report("wrote ", file.string());
@@ -125,7 +126,7 @@ void addRender(CLI::App& app, Action& action) {
         ->check(numberFrom(1, 1024))
         ->type_name("N");
     verb->add_option("--timeout", arguments->timeout, "end with exit status 1 if it takes longer")
-        ->check(numberOver(0.0, longestTimeout))
+        ->check(numberOver(0.0, process::longestTimeout))
         ->type_name("SECONDS");
     verb->add_flag("--json", arguments->json, "print the metadata and the files written on stdout");
     verb->add_flag("-q,--quiet", arguments->quiet, "no warnings");

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace inkedge::cli {
+namespace inkedge::process {
 
 /// Makes sure that no signal leaves a temporary file behind. SIGHUP, SIGINT and SIGTERM, unless the caller ignores
 /// them, end the process with 129, 130 and 143. A crash, say of a graphics driver, is reported in a line before it ends
@@ -15,4 +15,4 @@ void limitTime(double seconds, std::string line);
 
 constexpr double longestTimeout = 1e8;  // three years
 
-}  // namespace inkedge::cli
+}  // namespace inkedge::process

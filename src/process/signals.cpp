@@ -1,4 +1,4 @@
-#include "cli/signals.h"
+#include "process/signals.h"
 
 #include <signal.h>
 #include <sys/time.h>
@@ -10,9 +10,9 @@
 #include <string_view>
 
 #include <inkedge/error.h>
-#include <inkedge/write.h>
+#include <inkedge/write_file.h>
 
-namespace inkedge::cli {
+namespace inkedge::process {
 namespace {
 
 // Everything from here to handleSignals() runs in signal handlers: only async-signal-safe calls.
@@ -103,4 +103,4 @@ void limitTime(double seconds, std::string line) {
     ::setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
-}  // namespace inkedge::cli
+}  // namespace inkedge::process
