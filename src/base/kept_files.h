@@ -8,7 +8,7 @@
 
 namespace inkedge {
 
-/// What tells a file's contents apart without reading it: when it was last written, and its size in bytes.
+/// Distinguishes the contents of a file without reading it: when it was last written, and its size in bytes.
 struct FileStamp {
     std::filesystem::file_time_type time{};
     std::uintmax_t size = 0;

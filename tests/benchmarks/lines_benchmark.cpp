@@ -32,7 +32,7 @@ using namespace lines;
 constexpr std::uint64_t finderCounts[]{66'667, 666'667, 2'000'000};  // triangles: 100,000, 1 and 3 million edges
 constexpr std::uint64_t viewCounts[]{100'000, 1'000'000};
 constexpr Shape shapes[]{Shape::Cad, Shape::Smooth};
-constexpr double step = 3.0;  // degrees a view
+constexpr double step = 3.0;  // degrees per view
 constexpr Size size{1024, 1024};
 
 struct Model {

@@ -241,13 +241,13 @@ TEST_F(RenderLines, FromImageSpaceAreFilesToo) {
                   HasSubstr("lines from image: expected the planes detector, found"));
 }
 
-TEST_F(RenderLines, AreToldOfInMetadataAndJson) {
+TEST_F(RenderLines, AreDescribedInMetadataAndJson) {
     const Outcome outcome = draw("cube.glb", "cube.svg", {"--metadata", "m.json", "--json"});
     expectSuccess(outcome);
-    const json told = json::parse(outcome.out);
-    EXPECT_EQ(told.at("files"), json{"cube.svg"});
+    const json printed = json::parse(outcome.out);
+    EXPECT_EQ(printed.at("files"), json{"cube.svg"});
     const json metadata = json::parse(text("m.json"));
-    EXPECT_EQ(told.at("camera"), metadata.at("camera"));
+    EXPECT_EQ(printed.at("camera"), metadata.at("camera"));
     EXPECT_EQ(metadata.at("size"), json({64, 48}));
     EXPECT_EQ(metadata.at("triangles"), 12);
     for (const char* stage : {"load", "prepare", "prepare lines", "visibility", "write"}) {

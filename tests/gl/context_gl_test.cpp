@@ -361,7 +361,7 @@ TEST_P(ContextTest, isCurrentOnlyInItsScope) {
     EXPECT_EQ(name, 4);
 }
 
-// What is current is told by state that only one context has.
+// The current context is known by state that only one context has.
 void mark(const gl::Context& context, float value) { context.api().ClearColor(value, 0, 0, 0); }
 float marked(const gl::Context& context) {
     GLfloat color[4]{-1.0F};

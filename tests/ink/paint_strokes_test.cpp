@@ -62,7 +62,7 @@ TEST(Pens, takeTheCommonWidthAndColourUnlessTheirTypeHasItsOwn) {
 TEST(Pens, turnMillimetresIntoPixelsByTheResolution) {
     PictureSettings settings;
     settings.lineWidth = {0.5, true};
-    settings.dpi = 254.0;  // ten pixels a millimetre
+    settings.dpi = 254.0;  // ten pixels per millimetre
     EXPECT_DOUBLE_EQ(pens(settings)[outline].width, 5.0);
     settings.dpi = 127.0;
     EXPECT_DOUBLE_EQ(pens(settings)[outline].width, 2.5);

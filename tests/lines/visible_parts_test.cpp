@@ -193,7 +193,7 @@ TEST(VisibleParts, OfClosedChainsFillGapsWhereTheChainBegins) {
 }
 
 TEST(VisibleParts, AskNoMoreThanTheyNeed) {
-    // An inner loop of rays: one a sample step a few a change, and one to either side of it.
+    // An inner loop of rays: one per sample step a few a change, and one to either side of it.
     const Straight line{{600.0}};
     std::atomic<int> asked = 0;
     (void)line.part([&](double x) {

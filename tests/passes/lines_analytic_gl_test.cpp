@@ -409,7 +409,7 @@ TEST_P(Lines, doNotDependOnNearAndFar) {
     }
 }
 
-// A camera on +Z that shows -2..2 at 32 pixels a unit; world (0, 0) lies between pixels 63 and 64.
+// A camera on +Z that shows -2..2 at 32 pixels per unit; world (0, 0) lies between pixels 63 and 64.
 constexpr Size square{128, 128};
 Camera flatCamera() {
     Camera camera;
@@ -613,7 +613,7 @@ TEST_P(Lines, ofBodiesLetIntoAnotherAreTheBordersOfEachTop) {
                                          {scenes::box({0.8, 1, 0.5}), scenes::translation({-0.4, 0, 0.25})},
                                          {scenes::box({0.8, 1, 0.5}), scenes::translation({0.4, 0, 0.25})}});
     const Maps maps = renderer().render(scene, flatCamera(), linesOf(square));
-    // 32 pixels a unit: joints at -0.8, 0 and 0.8, the outline at -1.5 and 1.5. A mark stands on either side.
+    // 32 pixels per unit: joints at -0.8, 0 and 0.8, the outline at -1.5 and 1.5. A mark stands on either side.
     for (const int y : {50, 64, 77}) {
         std::vector<int> marked;
         for (int x = 0; x < square.width; ++x) {
