@@ -24,6 +24,7 @@ CODE = re.compile(r'R"\((?:.|\n)*?\)"|"(?:\\.|[^"\\\n])*"|//.*|/\*(?:.|\n)*?\*/|
 
 
 def words(name):
+    name = re.sub("[aA]t_?(?:Most|Least|most|least)", "", name)  # plain English
     return [word.lower() for word in re.findall(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])", name)]
 
 
