@@ -1,0 +1,80 @@
+#include <inkedge/write.h>
+
+#include <cstring>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <inkedge/setting_table.h>
+
+#include "io/decoded_files.h"
+
+namespace {
+
+using namespace inkedge::decoded_files;
+using namespace inkedge;
+using testing::StartsWith;
+
+TEST(MetadataJson, hasTheCameraRowByRow) {
+    const Maps maps = smallMaps();
+    const auto camera = nlohmann::json::parse(metadataJson(triangle(), maps, {})).at("camera");
+    EXPECT_EQ(camera.at("view").dump(), "[[1.0,0.0,0.0,1.0],[0.0,1.0,0.0,2.0],[0.0,0.0,1.0,-3.0],[0.0,0.0,0.0,1.0]]");
+    const glm::dmat4 projection = maps.camera.projection({2, 1});
+    EXPECT_EQ(camera.at("projection").at(2).at(3), projection[3][2]);
+    EXPECT_EQ(camera.at("projection").at(3).at(2), -1.0);
+    EXPECT_EQ(camera.at("near"), 2.0);
+    EXPECT_EQ(camera.at("far"), 4.0);
+    EXPECT_EQ(camera.at("eye").dump(), "[-1.0,-2.0,3.0]");
+    EXPECT_EQ(camera.at("view_angle"), 35.0);
+    EXPECT_FALSE(camera.contains("orthographic_height"));
+}
+
+TEST(MetadataJson, hasTheHeightOfAnOrthographicCamera) {
+    Maps maps = smallMaps();
+    maps.camera.orthographicHeight = 7.0;
+    const auto camera = nlohmann::json::parse(metadataJson(triangle(), maps, {})).at("camera");
+    EXPECT_EQ(camera.at("orthographic_height"), 7.0);
+    EXPECT_FALSE(camera.contains("view_angle"));
+}
+
+TEST(MetadataJson, hasEverySettingAndNullWhereNoneIsGiven) {
+    Settings settings;
+    settings.picture.lineColor = {255, 0, 0};
+    const auto json = nlohmann::json::parse(metadataJson(triangle(), smallMaps(), settings)).at("settings");
+    EXPECT_EQ(json.size(), settingTable().size());
+    for (const SettingDescription& setting : settingTable()) {
+        const auto& value = json.at(std::string{setting.name});
+        EXPECT_EQ(value.is_null() ? "" : value.get<std::string>(), setting.get(settings)) << setting.name;
+    }
+    EXPECT_TRUE(json.at("camera-position").is_null());
+}
+
+TEST(MetadataJson, hasTheSceneTheBackendAndTheTimes) {
+    Maps maps = smallMaps();
+    maps.backend.backend = "osmesa";
+    maps.backend.renderer = "llvmpipe";
+    maps.backend.software = true;
+    maps.times = {{"draw", 1.5}, {"read back", 2.0}, {"draw", 1.0}};
+    const auto json = nlohmann::json::parse(metadataJson(triangle(), maps, {}));
+    EXPECT_EQ(json.at("size").dump(), "[2,1]");
+    EXPECT_EQ(json.at("triangles"), 1);
+    EXPECT_EQ(json.at("bounds").at("radius"), triangle().bounds().radius);
+    EXPECT_EQ(json.at("bounds").at("centre").at(1), triangle().bounds().centre.y);
+    EXPECT_EQ(json.at("warnings").at(0), "a warning");
+    EXPECT_THAT(json.at("warnings").at(1).get<std::string>(), StartsWith("a name that is no UTF-8: "));
+    EXPECT_EQ(json.at("backend").at("backend"), "osmesa");
+    EXPECT_EQ(json.at("backend").at("renderer"), "llvmpipe");
+    EXPECT_EQ(json.at("backend").at("software"), true);
+    EXPECT_EQ(json.at("milliseconds").at("draw"), 2.5);
+    EXPECT_EQ(json.at("milliseconds").at("read back"), 2.0);
+}
+
+TEST(MetadataJson, saysOfLinesWhatItSaysOfAPicture) {
+    Maps maps = smallMaps();
+    maps.backend.backend = "osmesa";
+    maps.times = {{"draw", 1.5}};
+    const Lines lines{{}, maps.picture.size, maps.camera, maps.backend, maps.times};
+    EXPECT_EQ(metadataJson(triangle(), lines, {}), metadataJson(triangle(), maps, {}));
+}
+
+}  // namespace
