@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/stop.h"
+
 #ifdef __linux__
 #include <sched.h>
 #endif
@@ -33,10 +35,14 @@ std::size_t usableCores() {
 
 void inRanges(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& work) {
     const std::size_t threads = threadsFor(count);
+    stopIfAsked();
     if (threads == 1) return work(0, count);
+    const StopScope* const around = StopScope::current();
     std::vector<std::exception_ptr> failures(threads);
     const auto run = [&](std::size_t i) noexcept {
         try {
+            const StopScope scope{around};
+            stopIfAsked();
             work(count * i / threads, count * (i + 1) / threads);
         } catch (...) {
             failures[i] = std::current_exception();
@@ -63,9 +69,14 @@ void onEach(std::size_t count, const std::function<void(std::size_t i)>& work) {
     std::atomic<std::size_t> next = 0;
     std::exception_ptr failure;
     std::atomic_flag failed;
+    const StopScope* const around = StopScope::current();
     const auto run = [&] {
         try {
-            for (std::size_t i = next++; i < count; i = next++) work(i);
+            const StopScope scope{around};
+            for (std::size_t i = next++; i < count; i = next++) {
+                stopIfAsked();
+                work(i);
+            }
         } catch (...) {
             if (!failed.test_and_set()) failure = std::current_exception();
             next = count;

@@ -15,11 +15,11 @@ inline constexpr std::size_t elementsWorthAThread = 100'000;
 /// ranges as this process has cores, but at most 8; for fewer than twice elementsWorthAThread it is one call on this
 /// thread. The caller must make sure that different ranges write to different memory, and that the result does not
 /// depend on where the ranges begin and end.
-/// @throws  what the first range that failed has thrown
+/// @throws  what the first range that failed has thrown; what stopIfAsked() throws, which is called before each
 void inRanges(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& work);
 
 /// Calls work(i) for 0..count-1 on all cores of this process, in no order: for independent pieces of work of any size.
-/// @throws  what the first piece that failed has thrown
+/// @throws  what the first piece that failed has thrown; what stopIfAsked() throws, which is called before each
 void onEach(std::size_t count, const std::function<void(std::size_t i)>& work);
 
 }  // namespace inkedge

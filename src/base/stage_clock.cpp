@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "base/stop.h"
+
 namespace inkedge {
 
 void StageClock::finish(std::string_view stage) {
@@ -11,6 +13,7 @@ void StageClock::finish(std::string_view stage) {
     auto time = std::ranges::find(times_, stage, &StageTime::stage);
     if (time == times_.end()) time = times_.insert(time, {std::string{stage}, 0.0});
     time->milliseconds += milliseconds;
+    stopIfAsked();
 }
 
 }  // namespace inkedge

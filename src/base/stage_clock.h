@@ -27,6 +27,7 @@ public:
     explicit StageClock(std::vector<StageTime>& times) : times_{times} {}
 
     /// Adds the time since the last stage ended to what this stage took before.
+    /// @throws Error  (Kind::Stopped) as stopIfAsked() does
     void finish(std::string_view stage);
 
 private:

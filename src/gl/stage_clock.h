@@ -15,7 +15,8 @@ public:
     explicit StageClock(std::vector<StageTime>& times) : api_{nullptr}, clock_{times} {}
 
     /// Waits until the stage's work is done, and adds the time since the last stage to this stage's.
-    /// @throws Error  (Kind::Runtime) if OpenGL reports an error or a lost context
+    /// @throws Error  (Kind::Runtime) if OpenGL reports an error or a lost context; (Kind::Stopped) as stopIfAsked()
+    ///                does
     void finish(const char* stage);
 
 private:

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/stop.h"
 #include "ink/brushed_strokes.h"
 #include "ink/pens.h"
 #include "ink/stroke_coverage.h"
@@ -145,6 +146,7 @@ Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureS
     std::optional<BrushedStrokes> brushed;
     if (brush != nullptr) brushed.emplace(*brush, strokes, allPens, stripSize);
     for (const std::vector<BoxedStroke>& shown : sorted(strokes, allPens, settings.size)) {
+        stopIfAsked();
         if (!shown.empty()) paint(strip, shown, coats, picture, brushed);
         strip.rows.first += stripRows;
     }

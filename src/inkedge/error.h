@@ -18,6 +18,7 @@ public:
         Input = 3,    ///< a file cannot be read or holds what we do not support
         Context = 4,  ///< no usable OpenGL context
         Output = 5,   ///< a result cannot be written
+        Stopped = 6,  ///< the caller asked to stop: the command never does, signals end it
     };
 
     Error(Kind kind, const std::string& message) : std::runtime_error{message}, kind_{kind} {}

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,9 @@ struct JobOptions {
     std::function<void(const JobFailure&)> failed = {};
     /// So many of all jobs' views are done with, finished or failed.
     std::function<void(std::size_t ended, std::size_t views)> progress = {};
+    /// Ends the work when it is asked to stop: views being drawn are given up, and nothing is written of them; a model
+    /// being read is given up once it is read; views being written are finished.
+    std::stop_token stop = {};
 };
 
 /// The files that a view of a job is written to: one of each output, its maps' after it, then that of metadata.
@@ -80,10 +84,11 @@ INKEDGE_API void checkJobs(std::span<const Job>);
 
 /// Checks the jobs and draws their views, in this order, by several renderers at once: a software driver leaves cores
 /// idle between its own threads, and a graphics processor while pictures are encoded. Returns when all is done. A file
-/// appears whole or not at all. No more scenes are held at once than there are workers.
+/// appears whole or not at all. No more than two scenes a worker are held at once.
 /// @throws Error  as checkJobs() does, (Kind::Usage) if the workers are not 0 to 1024, or as loadScene(),
 ///                frameCamera(), Renderer, writeMaps() and writeLines() do: what failed first, unless options.failed
-///                takes it. Views under way at that time are finished.
+///                takes it. Views under way at that time are finished. (Kind::Stopped) if options.stop is asked to
+///                stop before all is done.
 INKEDGE_API void runJobs(std::span<const Job>, const JobOptions& options = {});
 
 }  // namespace inkedge

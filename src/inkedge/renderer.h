@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 
 #include <inkedge/backends.h>
 #include <inkedge/camera.h>
@@ -15,7 +16,7 @@ namespace inkedge {
 
 /// When a Renderer makes its context.
 enum class ContextTime {
-    AtOnce,     ///< in its constructor
+    AtOnce,  ///< in its constructor
     /// In the first call that draws with it. Lines from object space, and pictures of them alone, without maps and
     /// functions, need no OpenGL on the machine.
     WhenNeeded
@@ -26,6 +27,10 @@ enum class ContextTime {
 /// One thread at a time may use a renderer; several renderers may work side by side. The context is current only during
 /// a call. After the call the caller's EGL context is current again, if the renderer's context is EGL's too. Where one
 /// Mesa serves both EGL and OSMesa, and the caller's context is of the other of the two, no context is current.
+///
+/// A call may be stopped from another thread by its token, which is looked at between tiles, stages and pieces of what
+/// works without OpenGL. The call then throws Error (Kind::Stopped), and the renderer is as usable as before. What OpenGL
+/// draws of one tile is waited for: a smaller PictureSettings::tileSize stops sooner.
 class INKEDGE_API Renderer {
 public:
     /// @throws Error  (Kind::Context) if no context can be had; the message says why for each backend tried;
@@ -44,7 +49,7 @@ public:
     ///                (Kind::Input) if the brush of lines from object space cannot be read, or is no PNG;
     ///                (Kind::Runtime) if there is less memory than the picture and its maps take, or the context runs
     ///                out of memory, or is lost: then make a new Renderer
-    [[nodiscard]] Maps render(const Scene&, const Camera&, const RenderSettings& = {});
+    [[nodiscard]] Maps render(const Scene&, const Camera&, const RenderSettings& = {}, const std::stop_token& = {});
 
     /// The lines of one view as polylines in the picture and in the world. From object space, unless
     /// settings.lines.from says image: visible ones, and hidden ones if settings.lines.hidden keeps them. What a scene
@@ -54,7 +59,7 @@ public:
     /// @throws Error  (Kind::Usage) if validate() refuses a setting, if the camera is unusable, or lines from image are
     ///                asked of the classic detector, or of a contour finder what it cannot do; (Kind::Runtime) if
     ///                Embree is not there or memory runs out
-    [[nodiscard]] Lines lines(const Scene&, const Camera&, const RenderSettings& = {});
+    [[nodiscard]] Lines lines(const Scene&, const Camera&, const RenderSettings& = {}, const std::stop_token& = {});
 
     /// Empty while there is no context.
     [[nodiscard]] const BackendInfo& backend() const noexcept;

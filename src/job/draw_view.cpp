@@ -7,6 +7,7 @@
 #include <inkedge/write.h>
 
 #include "base/stage_clock.h"
+#include "base/stop.h"
 #include "job/file_names.h"
 
 namespace inkedge::job {
@@ -54,6 +55,7 @@ JobResult drawView(const Job& job, const View& view, const Scene& scene, Rendere
 
     const Stopwatch watch;
     JobResult result;
+    stopIfAsked();  // the last time: no view is written by half
     if (drawn.maps) reportDrawn(*drawn.maps);
     result.files = write(drawn, outputs, scene, settings);
     const double writing = watch.milliseconds();

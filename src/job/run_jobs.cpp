@@ -14,6 +14,7 @@
 
 #include "base/parallel.h"
 #include "base/stage_clock.h"
+#include "base/stop.h"
 #include "job/draw_view.h"
 #include "job/file_names.h"
 
@@ -100,7 +101,9 @@ private:
     void work() noexcept {
         OwnRenderer renderer;
         try {
+            const StopScope scope{[&] { return options_.stop.stop_requested(); }};
             for (std::size_t i = next_++; i < tasks_.size(); i = next_++) {
+                stopIfAsked();
                 const Task task = tasks_[i];
                 JobState& state = states_[task.job];
                 if (isLoaded(state, task.job)) drawView(state, task, renderer);
@@ -153,6 +156,7 @@ private:
     }
 
     void fail(const JobFailure& failure) {
+        stopIfAsked();
         if (!options_.failed) std::rethrow_exception(failure.error);
         const std::scoped_lock lock{calling_};
         options_.failed(failure);

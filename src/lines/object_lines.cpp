@@ -11,6 +11,7 @@
 
 #include "base/parallel.h"
 #include "base/stage_clock.h"
+#include "base/stop.h"
 #include "camera/stands_outside.h"
 #include "lines/bridge_gaps.h"
 #include "lines/chains.h"
@@ -167,13 +168,37 @@ Line makeLine(const ViewSegments& view, const Chain& chain, const Part& part, Li
 
 }  // namespace
 
-struct ObjectLines::State {
-    explicit State(const Scene& whole) : scene{whole}, rays{scene} {
-        for (std::size_t i = 0; i < scene.meshes().size(); ++i)
+// Views at the same time each go on from those that were done before.
+struct ObjectLines::Memories {
+    explicit Memories(std::size_t instances) : memories_(instances) {}
+
+    [[nodiscard]] ContourMemory recall(std::uint32_t instance, ContourFinder finder) const {
+        if (finder != ContourFinder::Random) return {};
+        const std::scoped_lock lock{mutex_};
+        return memories_[instance];
+    }
+    void remember(std::uint32_t instance, ContourMemory memory) {
+        if (memory.sample == 0) return;  // nothing was looked for at random
+        const std::scoped_lock lock{mutex_};
+        memories_[instance] = std::move(memory);
+    }
+
+private:
+    mutable std::mutex mutex_;
+    std::vector<ContourMemory> memories_;  // one per instance
+};
+
+// It holds the scene, which therefore must not hold it.
+struct ObjectLines::Prepared {
+    explicit Prepared(const Scene& whole) : scene{whole}, rays{scene} {
+        for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
+            stopIfAsked();
             edges.push_back(findEdges(scene.meshes()[i], topologyOf(scene, i), scene.creaseAngle()));
-        for (std::size_t i = 0; i < scene.meshes().size(); ++i)
+        }
+        for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
+            stopIfAsked();
             searches.push_back(std::make_unique<ContourSearch>(scene.meshes()[i], topologyOf(scene, i), edges[i]));
-        memories_.resize(scene.instances().size());
+        }
         borders = findBorderSegments(scene, edges);
     }
 
@@ -184,7 +209,7 @@ struct ObjectLines::State {
     }
 
     const ControlMesh& controlOf(std::uint32_t mesh) const {
-        const std::scoped_lock lock{mutex_};
+        const std::unique_lock lock = lockUnlessStopped(mutex_);
         controls_.resize(scene.meshes().size());
         if (!controls_[mesh]) controls_[mesh] = controlMesh(scene.meshes()[mesh], topologyOf(scene, mesh));
         return *controls_[mesh];
@@ -192,21 +217,21 @@ struct ObjectLines::State {
 
     // Found when they are first asked for: no other line needs the search.
     const std::vector<IntersectionSegment>& intersections() const {
-        const std::scoped_lock lock{mutex_};
+        const std::unique_lock lock = lockUnlessStopped(mutex_);
         if (!intersections_) intersections_ = findIntersections(scene);
         return *intersections_;
     }
 
     // Those of smooth contours. Null: the scene's surface is one.
     const SurfaceComponents* components() const {
-        const std::scoped_lock lock{mutex_};
+        const std::unique_lock lock = lockUnlessStopped(mutex_);
         if (!components_) components_.emplace(scene, borders);
         return components_->areOne() ? nullptr : &*components_;
     }
 
     /// One per mesh. Those for the last steps asked for are kept.
     std::shared_ptr<const std::vector<std::vector<IsolineSegment>>> isolines(Isolines steps) const {
-        const std::scoped_lock lock{mutex_};
+        const std::unique_lock lock = lockUnlessStopped(mutex_);
         if (isolines_ && isolineSteps_ == steps) return isolines_;
         std::vector<std::vector<IsolineSegment>> found(scene.meshes().size());
         if (steps != Isolines{}) {
@@ -218,17 +243,19 @@ struct ObjectLines::State {
         return isolines_;
     }
 
-    // The curves of all instances. Views at the same time each go on from those that were done before.
-    [[nodiscard]] std::vector<Segment> curves(const Screen& screen, CurveChoice choice, Isolines steps) const {
+    // The curves of all instances.
+    [[nodiscard]] std::vector<Segment> curves(const Screen& screen, CurveChoice choice, Isolines steps,
+                                              Memories& memories) const {
         std::vector<Segment> segments;
         const auto isolinesOfMeshes = isolines(steps);
         for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
+            stopIfAsked();
             const std::uint32_t mesh = scene.instances()[i].mesh;
             if (choice.refinement > 0) choice.control = &controlOf(mesh);
-            ContourMemory memory = recall(i, choice.finder);
+            ContourMemory memory = memories.recall(i, choice.finder);
             collectInstanceCurves(scene, i, {*searches[mesh], bordersOf(i), (*isolinesOfMeshes)[mesh]}, memory, screen,
                                   choice, segments);
-            remember(i, std::move(memory));
+            memories.remember(i, std::move(memory));
         }
         return segments;
     }
@@ -240,19 +267,7 @@ struct ObjectLines::State {
     std::vector<BorderSegment> borders;
 
 private:
-    [[nodiscard]] ContourMemory recall(std::uint32_t instance, ContourFinder finder) const {
-        if (finder != ContourFinder::Random) return {};
-        const std::scoped_lock lock{mutex_};
-        return memories_[instance];
-    }
-    void remember(std::uint32_t instance, ContourMemory memory) const {
-        if (memory.sample == 0) return;  // nothing was looked for at random
-        const std::scoped_lock lock{mutex_};
-        memories_[instance] = std::move(memory);
-    }
-
-    mutable std::mutex mutex_;
-    mutable std::vector<ContourMemory> memories_;  // one per instance
+    mutable std::timed_mutex mutex_;  // of what is made on first use
     mutable std::optional<std::vector<IntersectionSegment>> intersections_;
     mutable std::optional<SurfaceComponents> components_;
     mutable std::vector<std::optional<ControlMesh>> controls_;
@@ -260,36 +275,39 @@ private:
     mutable Isolines isolineSteps_;
 };
 
-ObjectLines::ObjectLines(const Scene& scene) : state_{std::make_unique<State>(scene)} {}
+ObjectLines::ObjectLines(const Scene& scene)
+    : prepared_{std::static_pointer_cast<const Prepared>(
+          preparedOf(scene)->lines->get([&] { return std::shared_ptr<const Prepared>{new Prepared{scene}}; }))},
+      memories_{std::make_unique<Memories>(scene.instances().size())} {}
 ObjectLines::~ObjectLines() = default;
 
 bool ObjectLines::holds(const Scene& scene) const noexcept {
-    return identityOf(state_->scene).lock() == identityOf(scene).lock();
+    return identityOf(prepared_->scene).lock() == identityOf(scene).lock();
 }
 
 Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings) const {
-    const Scene& scene = state_->scene;
+    const Scene& scene = prepared_->scene;
     Lines result;
     result.size = settings.picture.size;
     result.camera = camera;
     StageClock clock{result.times};
 
     const Screen screen{camera, scene.bounds().centre, settings.picture.size};
-    ViewSegments view{scene, state_->rays, screen, nullptr, {}, {}};
+    ViewSegments view{scene, prepared_->rays, screen, nullptr, {}, {}};
     view.segments =
-        state_->curves(screen,
-                       {settings.lines.contour, settings.lines.contourFinder, settings.lines.subdivideAdaptive, nullptr,
-                        settings.lines.hidden, standsOutside(camera, scene), settings.picture.lines},
-                       drawnIsolines(settings));
+        prepared_->curves(screen,
+                          {settings.lines.contour, settings.lines.contourFinder, settings.lines.subdivideAdaptive,
+                           nullptr, settings.lines.hidden, standsOutside(camera, scene), settings.picture.lines},
+                          drawnIsolines(settings), *memories_);
     clock.finish("curves");
     if (settings.picture.lines.contains(LineType::Intersection))
-        addIntersections(state_->intersections(), view.segments);
+        addIntersections(prepared_->intersections(), view.segments);
     clock.finish("intersections");
     view.projected = project(view.segments, screen);
     const std::vector<Chain> chains = chainSegments(view.segments, view.projected);
     clock.finish("chains");
     if (std::ranges::any_of(view.segments, [](const Segment& segment) { return segment.slack > 0.0; }))
-        view.components = state_->components();
+        view.components = prepared_->components();
     const std::vector<Crossing> crossings = findCrossings(view.segments, view.projected, screen, view.components);
     std::vector<std::uint32_t> firstCrossings(view.segments.size() + 1, 0);
     for (const Crossing& crossing : crossings) ++firstCrossings[crossing.segment + 1];
@@ -297,7 +315,10 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings) co
     clock.finish("crossings");
 
     std::vector<std::vector<Part>> parts(chains.size());
-    const Judge judge = [&](std::uint32_t segment, double at) { return view.judge(segment, at); };
+    const Judge judge = [&](std::uint32_t segment, double at) {
+        stopIfAsked();
+        return view.judge(segment, at);
+    };
     onEach(chains.size(),
            [&](std::size_t c) { parts[c] = partChain(chains[c], view.projected, crossings, firstCrossings, judge); });
     clock.finish("visibility");

@@ -8,10 +8,12 @@
 
 namespace inkedge::lines {
 
-/// The lines of a scene from object space. Edge tables and bounding volume hierarchies are made once for all views.
+/// The lines of a scene from object space. Edge tables and bounding volume hierarchies are made once for all views, and
+/// once for all objects of one scene that exist at the same time, on whatever threads. What ContourFinder::Random
+/// remembers of earlier views is each object's own.
 class ObjectLines {
 public:
-    /// @throws Error  (Kind::Runtime) if Embree is not there or runs out of memory
+    /// @throws Error  (Kind::Runtime) if Embree is not there or runs out of memory; (Kind::Stopped) as stopIfAsked()
     explicit ObjectLines(const Scene&);
     ~ObjectLines();
 
@@ -22,8 +24,10 @@ public:
     [[nodiscard]] Lines find(const Camera&, const RenderSettings&) const;
 
 private:
-    struct State;
-    std::unique_ptr<State> state_;
+    struct Prepared;
+    struct Memories;
+    std::shared_ptr<const Prepared> prepared_;
+    std::unique_ptr<Memories> memories_;
 };
 
 }  // namespace inkedge::lines

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/stop.h"
 #include "gl/draw.h"
 #include "gl/read_back.h"
 #include "raster/tiles.h"
@@ -27,6 +28,7 @@ Image<std::uint8_t> pencil(gl::Gpu& gpu, const Image<std::uint8_t>& drawing, con
     gpu.api.ProgramUniform1ui(id, 3, static_cast<GLuint>(settings.pencilSeed));
     Image<std::uint8_t> picture;
     for (const Tile& tile : tilesOf(drawing.size, tileSide, reachOf(settings))) {
+        stopIfAsked();
         const gl::Texture part = gpu.textures.acquire(tile.drawn.size, GL_RGBA8);
         gl::writeBytes(gpu.api, drawing, tile.drawn, part);
         gpu.api.ProgramUniform2i(id, 0, tile.drawn.x, tile.drawn.y);

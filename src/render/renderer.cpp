@@ -3,6 +3,7 @@
 #include <inkedge/renderer.h>
 #include <inkedge/setting_table.h>
 
+#include "base/stop.h"
 #include "render/expect_usable.h"
 #include "render/kept.h"
 #include "render/lines.h"
@@ -25,19 +26,25 @@ Renderer::~Renderer() = default;
 
 const BackendInfo& Renderer::backend() const noexcept { return state_->backend(); }
 
-Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
+Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSettings& settings,
+                      const std::stop_token& stop) {
+    const StopScope scope{[&] { return stop.stop_requested(); }};
     validate(settings);
     expectLoaded(scene, settings);
     expectUsable(camera);
+    stopIfAsked();
     return settings.lines.from == LinesFrom::Image ? imageLines(scene, camera, settings, *state_)
                                                    : objectLines(scene, camera, settings, *state_);
 }
 
-Maps Renderer::render(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
+Maps Renderer::render(const Scene& scene, const Camera& camera, const RenderSettings& settings,
+                      const std::stop_token& stop) {
+    const StopScope scope{[&] { return stop.stop_requested(); }};
     validate(settings);
     expectLoaded(scene, settings);
     expectUsable(camera);
     expectMemory(settings);
+    stopIfAsked();
     return drawPicture(scene, camera, settings, *state_);
 }
 

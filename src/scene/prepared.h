@@ -11,6 +11,7 @@
 #include "scene/instanced_meshes.h"
 #include "scene/patch_numbers.h"
 #include "scene/scene_face.h"
+#include "scene/shared_once.h"
 
 namespace inkedge {
 
@@ -28,6 +29,8 @@ struct PreparedScene {
     std::uint64_t triangleCount = 0;       ///< of all instances
     PatchNumbers patchNumbers;
     double milliseconds = 0.0;  ///< that preparation took
+    /// What the room of lines makes of it, for all who look for its lines at the same time.
+    std::unique_ptr<SharedOnce> lines = std::make_unique<SharedOnce>();
 };
 
 [[nodiscard]] const std::shared_ptr<const PreparedScene>& preparedOf(const Scene&) noexcept;

@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/stop.h"
 #include "raster/pair_mark.h"
 #include "scene/prepared.h"
 
@@ -459,6 +460,7 @@ TracedLines traceLines(LineBuffers buffers, const Scene& scene, const ScreenTria
     CrossingRow below{tile.drawn.size.width};
     tracer.traceRow(rows.y, above);
     for (int y = rows.y + 1; y < rows.y + rows.size.height; ++y) {
+        stopIfAsked();
         tracer.traceRow(y, below);
         if (const int cells = y - 1 + tile.drawn.y; cells >= tile.kept.y) joiner.join(cells, above, below);
         std::swap(above, below);

@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <stop_token>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -158,6 +159,39 @@ TEST_P(RunJobs, endWithWhatTheCallerThrows) {
     options.failed = [](const JobFailure&) { ADD_FAILURE() << "not a view's failure"; };
     EXPECT_THROW(runJobs({&each, 1}, options), std::runtime_error);
     EXPECT_THAT(folder_.names(), ElementsAre("000.png"));
+}
+
+TEST_P(RunJobs, doNothingOnceAskedToStop) {
+    std::stop_source source;
+    source.request_stop();
+    const Job each = job("cube.glb", {"a.png"});
+    JobOptions options{.stop = source.get_token()};
+    options.loaded = [](std::size_t, const Scene&) { ADD_FAILURE() << "expected no model to be read"; };
+    expectError(Error::Kind::Stopped, HasSubstr("found a request to stop"), [&] { runJobs({&each, 1}, options); });
+    EXPECT_THAT(folder_.names(), IsEmpty());
+}
+
+TEST_P(RunJobs, endWhenAskedToStopWithTheFilesOfWholeViews) {
+    for (const int workers : {1, 3}) {
+        std::stop_source source;
+        std::set<std::filesystem::path> written;
+        std::size_t ended = 0;
+        Job each = job("gear.glb", {"{view}.png"}, 40);
+        each.settings.maps = {Map::Depth};
+        JobOptions options{.workers = workers, .stop = source.get_token()};
+        options.finished = [&](const JobResult& result) {
+            written.insert(result.files.begin(), result.files.end());
+            if (++ended == 5) source.request_stop();
+        };
+        options.failed = [](const JobFailure&) { ADD_FAILURE() << "a view that was given up has not failed"; };
+        expectError(Error::Kind::Stopped, HasSubstr("found a request to stop"), [&] { runJobs({&each, 1}, options); });
+        EXPECT_GE(ended, 5U);
+        EXPECT_LT(ended, 5U + static_cast<std::size_t>(workers));
+        std::set<std::filesystem::path> found;
+        for (const std::string& name : folder_.names()) found.insert(folder_ / name);
+        EXPECT_EQ(found, written) << "no file of a view that was given up, none half-written";
+        for (const auto& file : found) std::filesystem::remove(file);
+    }
 }
 
 TEST_P(RunJobs, refuseACountOfWorkers) {

@@ -5,11 +5,15 @@
 
 #include <glm/common.hpp>
 
+#include "base/stop.h"
+
 namespace inkedge::lines {
 namespace {
 
 constexpr double cellSize = 8.0;  // pixels
 constexpr double minStep = 0.05;  // footprints: an occluder that is nearer by less lies on the same surface
+
+constexpr std::uint32_t segmentsBetweenLooks = 256;
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -95,6 +99,7 @@ std::vector<Crossing> findCrossings(std::span<const Segment> segments, std::span
 
     std::vector<Crossing> crossings;
     for (std::uint32_t s = 0; s < segments.size(); ++s) {
+        if (s % segmentsBetweenLooks == 0) stopIfAsked();
         if (!segments[s].drawn) continue;
         const ScreenSegment& own = screenSegments[s];
         const glm::dvec2 along = own.ends[1].pixel - own.ends[0].pixel;
