@@ -1,20 +1,21 @@
-// The README's table of settings is written from the settings table, so that it cannot go stale. With
-// INKEDGE_UPDATE_README set (tools/update_readme) the test writes it instead of comparing.
+// The README's table of settings and its list of formats are written from their tables, so that they cannot go
+// stale. With INKEDGE_UPDATE_README set (tools/update_readme) the tests write them instead of comparing.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <inkedge/load_scene.h>
 #include <inkedge/setting_table.h>
 
 namespace inkedge {
 namespace {
-
-constexpr std::string_view tableBegin = "<!-- settings -->\n";
-constexpr std::string_view tableEnd = "<!-- /settings -->";
 
 std::string escaped(std::string_view text) {
     std::string result;
@@ -33,22 +34,40 @@ std::string settingsTable() {
     return table;
 }
 
-TEST(Readme, settingsTableIsTheSettingsTable) {
+std::string formatsList() {
+    std::vector<std::string> items;
+    for (const ModelFormat& format : readableFormats())
+        items.push_back(fmt::format("{} (`{}`)", format.name, fmt::join(format.extensions, "`, `")));
+    const std::string last = items.back();
+    items.pop_back();
+    return fmt::format("{} or {}", fmt::join(items, ", "), last);
+}
+
+// Compares what stands between two marks with what should, or writes it.
+void expectBetween(const std::string& begin, const std::string& end, const std::string& expected) {
     const std::string file = INKEDGE_SOURCE_DIR "/README.md";
     std::ostringstream stream;
     stream << std::ifstream{file}.rdbuf();
     const std::string readme = stream.str();
-    const std::size_t begin = readme.find(tableBegin);
-    const std::size_t end = readme.find(tableEnd);
-    ASSERT_NE(begin, std::string::npos) << "README.md has no line " << tableBegin;
-    ASSERT_NE(end, std::string::npos) << "README.md has no line " << tableEnd;
-    const std::size_t tableStart = begin + tableBegin.size();
+    const std::size_t beginAt = readme.find(begin);
+    const std::size_t endAt = readme.find(end);
+    ASSERT_NE(beginAt, std::string::npos) << "README.md has no " << begin;
+    ASSERT_NE(endAt, std::string::npos) << "README.md has no " << end;
+    const std::size_t start = beginAt + begin.size();
 
     if (std::getenv("INKEDGE_UPDATE_README") != nullptr) {
-        std::ofstream{file} << readme.substr(0, tableStart) << settingsTable() << readme.substr(end);
+        std::ofstream{file} << readme.substr(0, start) << expected << readme.substr(endAt);
         return;
     }
-    EXPECT_EQ(readme.substr(tableStart, end - tableStart), settingsTable()) << "run tools/update_readme";
+    EXPECT_EQ(readme.substr(start, endAt - start), expected) << "run tools/update_readme";
+}
+
+TEST(Readme, settingsTableIsTheSettingsTable) {
+    expectBetween("<!-- settings -->\n", "<!-- /settings -->", settingsTable());
+}
+
+TEST(Readme, formatsAreThoseOfTheTableOfReaders) {
+    expectBetween("<!-- formats -->", "<!-- /formats -->", formatsList());
 }
 
 }  // namespace

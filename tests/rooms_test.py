@@ -15,6 +15,7 @@ OWNERS = {  # of the other public headers
     "images": ["encode_png"],
     "settings": ["setting_table", "settings", "surface_functions"],
     "mesh": ["mesh"],
+    "formats": ["load_scene"],
     "scene": ["scene"],
     "camera": ["camera", "views"],
     "gl": ["backends"],

@@ -39,12 +39,16 @@ Bytes readFirst(const fs::path& path, std::uint64_t size) {
 
 }  // namespace
 
-Bytes readBytes(const fs::path& path, std::uint64_t& bytesLeft) {
-    const std::uint64_t size = checkedSize(path);
+void spend(std::uint64_t size, std::uint64_t& bytesLeft) {
     if (size > bytesLeft)
         refuse(fmt::format("expected at most {} more bytes in the files of a model, found {}; raise max-file-size",
                            bytesLeft, size));
     bytesLeft -= size;
+}
+
+Bytes readBytes(const fs::path& path, std::uint64_t& bytesLeft) {
+    const std::uint64_t size = checkedSize(path);
+    spend(size, bytesLeft);
     return readFirst(path, size);
 }
 

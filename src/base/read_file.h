@@ -14,6 +14,10 @@ using Bytes = std::vector<std::uint8_t>;
 /// @throws Error  (Kind::Input) if it is missing, empty, unreadable, no regular file or larger than bytesLeft
 [[nodiscard]] Bytes readBytes(const std::filesystem::path&, std::uint64_t& bytesLeft);
 
+/// Subtracts a size from bytesLeft.
+/// @throws Error  (Kind::Input) if it is larger
+void spend(std::uint64_t size, std::uint64_t& bytesLeft);
+
 /// The first bytes of a file, at most size.
 /// @throws Error  (Kind::Input) if it is missing, empty, unreadable or no regular file
 [[nodiscard]] Bytes readStart(const std::filesystem::path&, std::size_t size);

@@ -5,9 +5,11 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <inkedge/load_scene.h>
 #include <inkedge/scene.h>
 
 #include "base/stage_clock.h"
+#include "cli/model_argument.h"
 #include "cli/settings_sources.h"
 #include "cli/streams.h"
 #include "cli/verbs.h"
@@ -128,7 +130,7 @@ int inspect(const InspectArguments& arguments) {
 void addInspect(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<InspectArguments>();
     CLI::App* verb = app.add_subcommand("inspect", "Say what is in a model: meshes, bounds, cameras and warnings.");
-    verb->add_option("MODEL", arguments->model, "glTF 2.0, OBJ, STL or PLY file")->required();
+    addModel(*verb, arguments->model);
     verb->add_flag("--json", arguments->json, "print it as JSON");
     arguments->settings.addTo(*verb, {"model", "limits"});
     verb->callback([arguments, &action] { action = [arguments] { return inspect(*arguments); }; });

@@ -11,6 +11,7 @@
 #include <inkedge/views.h>
 
 #include "cli/checks.h"
+#include "cli/model_argument.h"
 #include "cli/settings_sources.h"
 #include "cli/streams.h"
 #include "cli/verbs.h"
@@ -110,7 +111,7 @@ int render(const RenderArguments& arguments) {
 void addRender(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<RenderArguments>();
     CLI::App* verb = app.add_subcommand("render", "Draw the outlines of a model.");
-    verb->add_option("MODEL", arguments->model, "glTF 2.0, OBJ, STL or PLY file")->required();
+    addModel(*verb, arguments->model);
     verb->add_option("-o,--output", arguments->output,
                      "picture to write, .png .tif .exr, or lines, .svg .json, or - for PNG on stdout; {model}, {view} "
                      "and {map} are filled in")

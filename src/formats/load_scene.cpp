@@ -1,26 +1,26 @@
+#include <inkedge/load_scene.h>
+
 #include <algorithm>
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <inkedge/error.h>
-#include <inkedge/scene.h>
 #include <inkedge/setting_table.h>
 
 #include "base/message.h"
 #include "base/read_file.h"
-#include "formats/gltf/load_gltf.h"
-#include "formats/polygons/load_polygons.h"
+#include "formats/reader.h"
 
 namespace inkedge {
+namespace load {
 namespace {
 
 namespace fs = std::filesystem;
-using load::PolygonFormat;
 
 std::string lowerCaseExtension(const fs::path& file) {
     std::string extension = file.extension().string();
@@ -29,37 +29,64 @@ std::string lowerCaseExtension(const fs::path& file) {
     return extension;
 }
 
-std::optional<PolygonFormat> polygonFormat(std::string_view extension) {
-    using enum PolygonFormat;
-    for (const auto& [format, itsExtension] : {std::pair{Obj, ".obj"}, {Stl, ".stl"}, {Ply, ".ply"}})
-        if (extension == itsExtension) return format;
-    return {};
+std::string allExtensions() {
+    std::vector<std::string_view> all;
+    for (const Reader& reader : readers())
+        all.insert(all.end(), reader.format.extensions.begin(), reader.format.extensions.end());
+    const std::string_view last = all.back();
+    all.pop_back();
+    return fmt::format("{} or {}", fmt::join(all, ", "), last);
 }
 
-// By extension, but for binary glTF, which says what it is.
-Scene::Data loadByFormat(const fs::path& file, const LoadSettings& settings) {
-    const std::string extension = lowerCaseExtension(file);
-    if (extension == ".glb" || extension == ".gltf") return loadGltf(file, settings);
-    const load::Bytes start = load::within(load::printable(file.string()), [&] { return load::readStart(file, 512); });
-    if (load::textOf(start).starts_with("glTF")) return loadGltf(file, settings);
-    if (const std::optional<PolygonFormat> format = polygonFormat(extension))
-        return loadPolygons(file, *format, settings.limits,
-                            settings.textureCoordinates ? load::Coordinates::Read : load::Coordinates::Skip);
-    load::refuse(fmt::format("{}: expected a model by its extension, .glb, .gltf, .obj, .stl or .ply, found {} with {}",
-                             load::printable(file.string()), load::kindOf(load::textOf(start)),
-                             extension.empty() ? "none" : load::printable(extension)));
+const Reader* byExtension(std::string_view extension) {
+    for (const Reader& reader : readers())
+        if (std::ranges::find(reader.format.extensions, extension) != reader.format.extensions.end()) return &reader;
+    return nullptr;
+}
+
+const Reader* byFirstBytes(std::string_view start) {
+    for (const Reader& reader : readers())
+        if (std::ranges::any_of(reader.firstBytes, [&](std::string_view first) { return start.starts_with(first); }))
+            return &reader;
+    return nullptr;
+}
+
+const Reader& readerOf(const ModelInput& input) {
+    const std::string extension = lowerCaseExtension(input.name);
+    const Reader* const named = byExtension(extension);
+    const Bytes bytes = within(input.where(), [&] { return startOf(input, 512); });
+    const Reader* const known = byFirstBytes(textOf(bytes));
+    if (known != nullptr && (named == nullptr || known->firstBytesAreCertain)) return *known;
+    if (named != nullptr) return *named;
+    refuse(fmt::format("{}: expected a model by its extension, {}, found {} with {}", input.where(), allExtensions(),
+                       kindOf(textOf(bytes)), extension.empty() ? "none" : printable(extension)));
+}
+
+Scene load(const ModelInput& input, const LoadSettings& settings) {
+    validate(settings);
+    Scene::Data data = readModel(input, settings);
+    return within(input.where(), [&] { return Scene{std::move(data), settings}; });
 }
 
 }  // namespace
 
-Scene loadScene(const fs::path& file, const LoadSettings& settings) {
-    validate(settings);
-    Scene::Data data = loadByFormat(file, settings);
-    try {
-        return Scene{std::move(data), settings};
-    } catch (const Error& error) {
-        throw Error{error.kind(), fmt::format("{}: {}", file.string(), error.what())};
-    }
+Scene::Data readModel(const ModelInput& input, const LoadSettings& settings) {
+    const Reader& reader = readerOf(input);
+    Scene::Data data = reader.read(input, settings);
+    data.source.format = reader.format.name;
+    data.source.knowsSides = reader.knowsSides;
+    if (data.source.unit == LengthUnit::None) data.source.unit = reader.unit;
+    return data;
+}
+
+}  // namespace load
+
+Scene loadScene(const std::filesystem::path& file, const LoadSettings& settings) {
+    return load::load({file}, settings);
+}
+
+Scene loadScene(std::span<const std::uint8_t> bytes, const std::filesystem::path& name, const LoadSettings& settings) {
+    return load::load({name, bytes}, settings);
 }
 
 }  // namespace inkedge

@@ -13,6 +13,7 @@
 #include <inkedge/job.h>
 #include <inkedge/line_types.h>
 #include <inkedge/lines.h>
+#include <inkedge/load_scene.h>
 #include <inkedge/maps.h>
 #include <inkedge/mesh.h>
 #include <inkedge/renderer.h>

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,7 +24,7 @@ enum class LengthUnit { None, Metre, Millimetre };
 
 /// What a model's file is, and what it offers to choose from.
 struct SceneSource {
-    std::string format;                   ///< "glTF 2.0", "OBJ", "STL", "PLY"; empty: no file
+    std::string format;                   ///< a name of readableFormats(); empty: no file
     std::vector<std::string> scenes;      ///< names, in the order of LoadSettings::scene; may be empty texts
     std::vector<std::string> animations;  ///< likewise, of LoadSettings::animation
     std::vector<std::string> extensions;  ///< of glTF, that it uses
@@ -121,10 +120,5 @@ private:
     friend const std::shared_ptr<const PreparedScene>& preparedOf(const Scene&) noexcept;
     std::shared_ptr<const PreparedScene> prepared_;
 };
-
-/// Reads a model: glTF 2.0 (.glb, .gltf; Draco and meshopt compression included), OBJ, STL or PLY. A file of the last
-/// three becomes one mesh.
-/// @throws Error  (Kind::Input) if it is missing, in another format, truncated or inconsistent, or draws no triangle
-[[nodiscard]] INKEDGE_API Scene loadScene(const std::filesystem::path& file, const LoadSettings& settings = {});
 
 }  // namespace inkedge

@@ -9,6 +9,7 @@
 
 #include <inkedge/error.h>
 #include <inkedge/job.h>
+#include <inkedge/load_scene.h>
 #include <inkedge/renderer.h>
 #include <inkedge/scene.h>
 

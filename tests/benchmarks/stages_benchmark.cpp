@@ -13,6 +13,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <inkedge/load_scene.h>
 #include <inkedge/renderer.h>
 #include <inkedge/write.h>
 

@@ -1,4 +1,6 @@
 // Texture coordinates on their way from the file into the scene.
+#include <inkedge/load_scene.h>
+
 #include "formats/gltf/gltf_files.h"
 
 #include "scenes.h"

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include <inkedge/camera.h>
+#include <inkedge/load_scene.h>
 #include <inkedge/scene.h>
 
 #include "fuzz/promise.h"

@@ -22,6 +22,7 @@
 
 #include <inkedge/camera.h>
 #include <inkedge/compare.h>
+#include <inkedge/load_scene.h>
 #include <inkedge/renderer.h>
 #include <inkedge/scene.h>
 #include <inkedge/setting_table.h>

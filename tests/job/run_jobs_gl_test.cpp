@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <inkedge/job.h>
+#include <inkedge/load_scene.h>
 #include <inkedge/renderer.h>
 #include <inkedge/write.h>
 

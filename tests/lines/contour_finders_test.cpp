@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 
 #include <inkedge/error.h>
+#include <inkedge/load_scene.h>
 
 #include "lines/object_lines.h"
 #include "scene/prepared.h"

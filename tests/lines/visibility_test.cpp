@@ -11,6 +11,7 @@
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <inkedge/load_scene.h>
 #include <inkedge/scene.h>
 
 #include "lines/views.h"

@@ -12,6 +12,8 @@
 #include <gmock/gmock.h>
 #include <glm/trigonometric.hpp>
 
+#include <inkedge/load_scene.h>
+
 #include "reference/reference.h"
 
 #include "gl/gl_test.h"

@@ -3,9 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include <inkedge/load_scene.h>
 #include <inkedge/renderer.h>
 
-#include "formats/gltf/load_gltf.h"
+#include "formats/reader.h"
 #include "gl/gl_test.h"
 
 namespace inkedge {
@@ -66,7 +67,7 @@ TEST_P(DrawGeometry, SkipsHiddenBacksUnseen) {
     int hiding = 0;
     for (const char* asset : {"gear.glb", "boxes.glb", "touching_solids.glb", "torus_knot.glb", "blob.glb",
                               "bracket.glb", "sheet.glb", "teapot.glb", "primitives.glb"}) {
-        Scene::Data data = loadGltf(assets + asset);
+        Scene::Data data = load::readModel({assets + asset}, {});
         const Scene skipping{data};
         data.source.knowsSides = false;
         const Scene drawing{std::move(data)};

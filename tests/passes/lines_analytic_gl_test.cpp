@@ -11,6 +11,8 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <inkedge/load_scene.h>
+
 #include "gl/gl_test.h"
 #include "scene/prepared.h"
 #include "scenes.h"

@@ -1,4 +1,5 @@
 // Renderer::lines() as a library's user calls it.
+#include <inkedge/load_scene.h>
 #include <inkedge/renderer.h>
 
 #include <algorithm>

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <inkedge/load_scene.h>
+
 #include "gl/gl_test.h"
 #include "raster/tiles.h"
 #include "scenes.h"

@@ -119,7 +119,7 @@ const CutOuts::Alpha& CutOuts::opacityMap(std::uint64_t image) {
     if (image >= file_.images.size())
         refuse(fmt::format("expected an image below {}, found {}", file_.images.size(), image));
     return within(label("image", image), [&]() -> const Alpha& {
-        const load::Bytes bytes = pictureBytes(model_, path_, file_.images[image], bytesLeft_);
+        const load::Bytes bytes = pictureBytes(model_, input_, file_.images[image], bytesLeft_);
         return maps_.emplace(image, decodeOpacity(bytes, maxPixels_)).first->second;
     });
 }

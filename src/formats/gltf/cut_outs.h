@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -19,8 +18,8 @@ namespace inkedge::gltf {
 /// outlive this.
 class CutOuts {
 public:
-    CutOuts(const tinygltf::Model& model, const File& file, const std::filesystem::path& path, const LoadLimits& limits)
-        : model_{model}, file_{file}, path_{path}, maxPixels_{limits.imagePixels}, bytesLeft_{file.bytesLeft} {}
+    CutOuts(const tinygltf::Model& model, const File& file, const load::ModelInput& input, const LoadLimits& limits)
+        : model_{model}, file_{file}, input_{input}, maxPixels_{limits.imagePixels}, bytesLeft_{file.bytesLeft} {}
 
     /// Keeps only the opaque parts of a primitive's triangles.
     /// @throws Error  (Kind::Input) if the mask's picture cannot be read
@@ -36,7 +35,7 @@ private:
 
     const tinygltf::Model& model_;
     const File& file_;
-    const std::filesystem::path& path_;
+    const load::ModelInput& input_;
     std::uint64_t maxPixels_;
     std::uint64_t bytesLeft_;
     std::map<std::uint64_t, Alpha> maps_;

@@ -210,12 +210,12 @@ std::vector<std::string> warningsOf(std::vector<std::string> used) {
                         listed(used))};
 }
 
-Bytes bufferBytes(const fs::path& model, const Json& buffer, std::optional<Bytes> binaryChunk,
+Bytes bufferBytes(const ModelInput& input, const Json& buffer, std::optional<Bytes> binaryChunk,
                   std::uint64_t& bytesLeft) {
     if (buffer.contains("uri")) {
         if (!buffer["uri"].is_string())
             refuse(fmt::format("expected a string as uri, found {}", buffer["uri"].type_name()));
-        return readUri(model, buffer["uri"].get_ref<const std::string&>(), bytesLeft);
+        return readUri(input, buffer["uri"].get_ref<const std::string&>(), bytesLeft);
     }
     if (!binaryChunk) refuse("expected a uri or the binary chunk of a .glb, found neither");
     return std::move(*binaryChunk);
@@ -232,7 +232,7 @@ Bytes standIn(Json& buffer, std::size_t number) {
 }
 
 // Takes the bytes of the buffers, and replaces their URIs by numbers.
-std::vector<Bytes> takeBuffers(const fs::path& model, Json& document, std::optional<Bytes> binaryChunk,
+std::vector<Bytes> takeBuffers(const ModelInput& input, Json& document, std::optional<Bytes> binaryChunk,
                                std::uint64_t& bytesLeft) {
     std::vector<Bytes> buffers;
     if (!document.contains("buffers")) return buffers;
@@ -246,7 +246,7 @@ std::vector<Bytes> takeBuffers(const fs::path& model, Json& document, std::optio
             if (!length.is_number_unsigned() || length == 0)
                 refuse("expected a byteLength over 0, found " + printable(length.dump().substr(0, 80)));
             if (isFallback(buffer)) return buffers.push_back(standIn(buffer, number));
-            Bytes bytes = bufferBytes(model, buffer, number == 0 ? std::move(binaryChunk) : std::nullopt, bytesLeft);
+            Bytes bytes = bufferBytes(input, buffer, number == 0 ? std::move(binaryChunk) : std::nullopt, bytesLeft);
             if (bytes.size() < length.get<std::uint64_t>())
                 refuse(fmt::format("expected {} bytes, found {}", length.get<std::uint64_t>(), bytes.size()));
             bytes.resize(length.get<std::uint64_t>());
@@ -257,14 +257,6 @@ std::vector<Bytes> takeBuffers(const fs::path& model, Json& document, std::optio
     return buffers;
 }
 
-// The bytes of a chunk, moved to the front of the file's bytes.
-Bytes keepOnly(Bytes&& bytes, std::span<const std::uint8_t> chunk) {
-    const auto start = chunk.data() - bytes.data();
-    bytes.resize(static_cast<std::size_t>(start) + chunk.size());
-    bytes.erase(bytes.begin(), bytes.begin() + start);
-    return std::move(bytes);
-}
-
 bool looksLikeJson(std::string_view text) {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     const std::size_t start = text.find_first_not_of(" \t\r\n");
@@ -273,22 +265,24 @@ bool looksLikeJson(std::string_view text) {
 
 }  // namespace
 
-Bytes readUri(const fs::path& model, const std::string& uri, std::uint64_t& bytesLeft) {
+Bytes readUri(const ModelInput& input, const std::string& uri, std::uint64_t& bytesLeft) {
     if (isDataUri(uri)) return decodeDataUri(uri);
-    const fs::path file = fileOfUri(model, uri);
+    if (!input.isFile())
+        refuse("expected all data within a model in memory, embedded or as data URIs, found the file " + quote(uri));
+    const fs::path file = fileOfUri(input.name, uri);
     return within(quote(uri), [&] { return readBytes(file, bytesLeft); });
 }
 
-File readFile(const fs::path& model, const LoadLimits& limits) {
+File readFile(const ModelInput& input, const LoadLimits& limits) {
     File file;
     file.bytesLeft = limits.fileSize;
-    Bytes bytes = readBytes(model, file.bytesLeft);
-    const std::string_view content = textOf(bytes);
+    Content bytes{input, file.bytesLeft};
+    const std::string_view content = textOf(bytes.bytes());
     const bool binary = content.starts_with("glTF");
     if (!binary && !looksLikeJson(content))
         refuse(fmt::format("expected glTF 2.0 (.glb or .gltf), found {}", kindOf(content)));
 
-    const Chunks chunks = binary ? splitGlb(bytes) : Chunks{content, {}};
+    const Chunks chunks = binary ? splitGlb(bytes.bytes()) : Chunks{content, {}};
     Json document = parseJson(chunks.json);
     checkVersion(document);
     checkRequiredExtensions(document);
@@ -300,8 +294,8 @@ File readFile(const fs::path& model, const LoadLimits& limits) {
     file.images = readImages(document);
     for (const char* read : {"images", "materials", "samplers", "textures"}) document.erase(read);
     std::optional<Bytes> binaryChunk;
-    if (!chunks.binary.empty()) binaryChunk = keepOnly(std::move(bytes), chunks.binary);
-    file.buffers = takeBuffers(model, document, std::move(binaryChunk), file.bytesLeft);
+    if (!chunks.binary.empty()) binaryChunk = std::move(bytes).keepOnly(chunks.binary);
+    file.buffers = takeBuffers(input, document, std::move(binaryChunk), file.bytesLeft);
     decompress(document, file.buffers, limits.decompressedSize);
     file.json = document.dump();
     return file;

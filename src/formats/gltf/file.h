@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -9,6 +8,7 @@
 
 #include "base/read_file.h"
 #include "formats/gltf/materials.h"
+#include "formats/model_input.h"
 
 namespace inkedge::gltf {
 
@@ -30,11 +30,11 @@ struct File {
 /// @throws Error  (Kind::Input) if a file is missing, unreadable, truncated or no glTF 2.0, lies outside the model's
 ///                folder, all of them together, or what compressed data come to, are over the limits, an extension is
 ///                required that is not read, or compressed data are damaged
-[[nodiscard]] File readFile(const std::filesystem::path& model, const LoadLimits&);
+[[nodiscard]] File readFile(const load::ModelInput&, const LoadLimits&);
 
 /// The bytes of a uri of the model: of a data URI, or of a file in the model's folder, whose size is subtracted from
 /// bytesLeft.
-/// @throws Error  (Kind::Input) as readFile()
-[[nodiscard]] load::Bytes readUri(const std::filesystem::path& model, const std::string& uri, std::uint64_t& bytesLeft);
+/// @throws Error  (Kind::Input) as readFile(), or if a model in memory names a file
+[[nodiscard]] load::Bytes readUri(const load::ModelInput&, const std::string& uri, std::uint64_t& bytesLeft);
 
 }  // namespace inkedge::gltf

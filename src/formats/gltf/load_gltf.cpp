@@ -63,15 +63,15 @@ std::uint64_t elementLimit(const tinygltf::Model& model) {
 
 class Loader {
 public:
-    Loader(const tinygltf::Model& model, const gltf::File& file, const std::filesystem::path& path,
+    Loader(const tinygltf::Model& model, const gltf::File& file, const load::ModelInput& input,
            const LoadSettings& settings)
         : model_{model},
           file_{file},
-          path_{path},
+          input_{input},
           settings_{settings},
           nodes_{gltf::nodeTransforms(model, settings.limits)},
           sceneNodes_(model.nodes.size(), noNode),
-          cutOuts_{model, file, path, settings.limits},
+          cutOuts_{model, file, input, settings.limits},
           elementsLeft_{std::min(settings.limits.vertices, elementLimit(model))} {}
 
     Scene::Data load() {
@@ -274,7 +274,7 @@ private:
                 if (!picture)
                     picture = within(label("image", *source.texture->image), [&] {
                         return std::make_shared<const Image<std::uint8_t>>(decodePicture(
-                            gltf::pictureBytes(model_, path_, image, bytesLeft), settings_.limits.imagePixels));
+                            gltf::pictureBytes(model_, input_, image, bytesLeft), settings_.limits.imagePixels));
                     });
                 material.picture = picture;
             } catch (const Error& error) {
@@ -351,7 +351,7 @@ private:
 
     const tinygltf::Model& model_;
     const gltf::File& file_;
-    const std::filesystem::path& path_;
+    const load::ModelInput& input_;
     const LoadSettings& settings_;
     gltf::Nodes nodes_;
     std::vector<std::uint32_t> sceneNodes_;  // one per node of the file: its index in the scene
@@ -366,22 +366,19 @@ private:
 
 }  // namespace
 
-Scene::Data loadGltf(const std::filesystem::path& path, const LoadSettings& settings) {
-    return within(load::printable(path.string()), [&] {
+Scene::Data loadGltf(const load::ModelInput& input, const LoadSettings& settings) {
+    return within(input.where(), [&] {
         try {
-            gltf::File file = gltf::readFile(path, settings.limits);
+            gltf::File file = gltf::readFile(input, settings.limits);
             tinygltf::Model model = gltf::parse(std::move(file.json), std::move(file.buffers));
             std::vector<std::string> warnings = std::move(file.warnings);
             if (!settings.animation.empty())
                 for (std::string& warning : gltf::poseNodes(model, settings.animation, settings.time))
                     warnings.push_back(std::move(warning));
-            Scene::Data data = Loader{model, file, path, settings}.load();
-            data.source = {.format = "glTF 2.0",
-                           .scenes = namesOf(model.scenes),
-                           .animations = namesOf(model.animations),
-                           .extensions = file.extensions,
-                           .unit = LengthUnit::Metre,
-                           .knowsSides = true};
+            Scene::Data data = Loader{model, file, input, settings}.load();
+            data.source.scenes = namesOf(model.scenes);
+            data.source.animations = namesOf(model.animations);
+            data.source.extensions = file.extensions;
             data.warnings.insert(data.warnings.begin(), warnings.begin(), warnings.end());
             return data;
         } catch (const Error&) {

@@ -24,9 +24,9 @@ TextureWrap wrapOf(Wrap wrap) {
     return TextureWrap::Repeat;
 }
 
-load::Bytes pictureBytes(const tinygltf::Model& model, const std::filesystem::path& path, const Image& source,
+load::Bytes pictureBytes(const tinygltf::Model& model, const load::ModelInput& input, const Image& source,
                          std::uint64_t& bytesLeft) {
-    if (!source.bufferView) return readUri(path, source.uri, bytesLeft);
+    if (!source.bufferView) return readUri(input, source.uri, bytesLeft);
     if (*source.bufferView > std::numeric_limits<int>::max())
         refuse(fmt::format("expected a bufferView, found {}", *source.bufferView));
     const auto view = viewBytes(model, static_cast<int>(*source.bufferView));

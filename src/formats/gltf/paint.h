@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <vector>
 
 #include <inkedge/scene.h>
@@ -17,7 +16,7 @@ namespace inkedge::gltf {
 
 /// The bytes of a picture's file. The size of a file beside the model is subtracted from bytesLeft.
 /// @throws Error  (Kind::Input) if it is missing or larger
-[[nodiscard]] load::Bytes pictureBytes(const tinygltf::Model&, const std::filesystem::path& model, const Image&,
+[[nodiscard]] load::Bytes pictureBytes(const tinygltf::Model&, const load::ModelInput&, const Image&,
                                        std::uint64_t& bytesLeft);
 
 /// The picture of a texture.

@@ -29,10 +29,11 @@ using load::PolygonFile;
 using load::PolygonFormat;
 using load::refuse;
 
-PolygonFile readFile(const std::filesystem::path& file, PolygonFormat format, const LoadLimits& limits,
+PolygonFile readFile(const load::ModelInput& input, PolygonFormat format, const LoadLimits& limits,
                      Coordinates coordinates) {
     std::uint64_t bytesLeft = limits.fileSize;
-    const load::Bytes bytes = load::readBytes(file, bytesLeft);
+    const load::Content content{input, bytesLeft};
+    const std::span<const std::uint8_t> bytes = content.bytes();
     switch (format) {
         case PolygonFormat::Obj:
             return load::readObj(load::textOf(bytes), coordinates);
@@ -72,7 +73,6 @@ public:
             data_.meshes.push_back(std::move(mesh_));
             data_.instances.push_back({name, 0, glm::dmat4{1.0}});
         }
-        data_.source.format = load::name(format_);
         return std::move(data_);
     }
 
@@ -243,12 +243,12 @@ private:
 
 }  // namespace
 
-Scene::Data loadPolygons(const std::filesystem::path& file, PolygonFormat format, const LoadLimits& limits,
+Scene::Data loadPolygons(const load::ModelInput& input, PolygonFormat format, const LoadLimits& limits,
                          Coordinates coordinates) {
-    return load::within(load::printable(file.string()), [&] {
+    return load::within(input.where(), [&] {
         try {
-            return Builder{readFile(file, format, limits, coordinates), format}.build(file.stem().string(),
-                                                                                      limits.vertices);
+            return Builder{readFile(input, format, limits, coordinates), format}.build(input.name.stem().string(),
+                                                                                       limits.vertices);
         } catch (const std::bad_alloc&) {
             refuse("expected a model that fits into memory, found one that does not");
         }

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <filesystem>
-
 #include <inkedge/scene.h>
 
+#include "formats/model_input.h"
 #include "formats/polygons/format.h"
 
 namespace inkedge {
@@ -22,10 +21,10 @@ namespace inkedge {
 /// meshes and no instances.
 ///
 /// @throws Error  (Kind::Input) if the file is missing, unreadable, over the limits, not of the format, truncated, or
-///                has a position that is not finite or a face without its vertices; the message starts with the path as
+///                has a position that is not finite or a face without its vertices; the message starts with the name as
 ///                given
 /// Thread-safe.
-[[nodiscard]] Scene::Data loadPolygons(const std::filesystem::path& file, load::PolygonFormat format,
+[[nodiscard]] Scene::Data loadPolygons(const load::ModelInput&, load::PolygonFormat format,
                                        const LoadLimits& limits = {},
                                        load::Coordinates coordinates = load::Coordinates::Skip);
 

@@ -103,7 +103,7 @@ private:
 Scene::Data load(const Model& model) {
     const TemporaryFolder folder;
     put(folder / "a.glb", model.glb());
-    return loadGltf(folder / "a.glb");
+    return loadGltf({folder / "a.glb"});
 }
 
 std::string refusal(const Model& model) {

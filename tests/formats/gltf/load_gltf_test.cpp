@@ -47,15 +47,15 @@ using LoadGltf = GltfFileTest;
 
 TEST_F(LoadGltf, tellsGlbFromGltfByContent) {
     for (const char* name : {"a.gltf", "a.glb", "a.data"}) {
-        expectNear(worldCorners(loadGltf(write(name, triangle().gltf()))), triangleCorners);
-        expectNear(worldCorners(loadGltf(write(name, triangle().glb()))), triangleCorners);
+        expectNear(worldCorners(loadGltf({write(name, triangle().gltf())})), triangleCorners);
+        expectNear(worldCorners(loadGltf({write(name, triangle().glb())})), triangleCorners);
     }
 }
 
 TEST_F(LoadGltf, readsJsonChunksPaddedWithZeros) {
     Model model = triangle();
     while (model.glb() == model.glb('\0')) model.json["asset"]["generator"] = model.json["asset"].dump();
-    expectNear(worldCorners(loadGltf(write("a.glb", model.glb('\0')))), triangleCorners);
+    expectNear(worldCorners(loadGltf({write("a.glb", model.glb('\0'))})), triangleCorners);
 }
 
 TEST_F(LoadGltf, readsExternalBuffersBesideAndBelowTheModel) {
@@ -73,7 +73,7 @@ TEST_F(LoadGltf, readsUnicodePathsAndKeepsUnicodeNames) {
     Model model = triangle();
     model.json["meshes"][0]["name"] = "歯車";
     model.json["nodes"][0]["name"] = "Prüfplatte";
-    const Scene::Data data = loadGltf(write("Ordner ü/歯車 🦷.glb", model.glb()));
+    const Scene::Data data = loadGltf({write("Ordner ü/歯車 🦷.glb", model.glb())});
     EXPECT_EQ(data.meshes.at(0).name, "歯車");
     EXPECT_EQ(data.instances.at(0).name, "Prüfplatte");
 }
@@ -85,7 +85,7 @@ TEST_F(LoadGltf, readsAModelNamedRelativeToTheCurrentFolder) {
     static_cast<void>(write("model.gltf", model.gltf()));
     const fs::path before = fs::current_path();
     fs::current_path(folder_);
-    const Scene::Data data = loadGltf("model.gltf");
+    const Scene::Data data = loadGltf({"model.gltf"});
     fs::current_path(before);
     expectNear(worldCorners(data), triangleCorners);
 }
@@ -596,7 +596,7 @@ TEST_F(LoadGltf, survivesEveryChangedByte) {
             std::string changed = content;
             changed[i] = byte;
             try {
-                for (const Mesh& mesh : loadGltf(write("model.glb", changed)).meshes)
+                for (const Mesh& mesh : loadGltf({write("model.glb", changed)}).meshes)
                     for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.positions.size());
             } catch (const Error& error) {
                 ASSERT_EQ(error.kind(), Error::Kind::Input);
@@ -905,7 +905,7 @@ TEST(LoadGltfModels, haveTheTrianglesThatTheirTableSays) {
         try {
             LoadSettings settings;
             settings.alphaMask = AlphaMask::Ignore;  // a cut-out has more triangles than the file
-            const Scene::Data data = loadGltf(modelFolder() / fields[0], settings);
+            const Scene::Data data = loadGltf({modelFolder() / fields[0]}, settings);
             EXPECT_EQ(std::to_string(triangleCount(data)), fields[3]) << fields[0];
         } catch (const Error& error) {
             EXPECT_THAT(error.what(), HasSubstr("_compression, which this build does not read"));

@@ -21,6 +21,7 @@
 #include <glm/geometric.hpp>
 
 #include <inkedge/error.h>
+#include <inkedge/load_scene.h>
 
 #include "base/expect_error.h"
 #include "base/temporary_folder.h"
@@ -90,7 +91,7 @@ protected:
     [[nodiscard]] Scene::Data load(PolygonFormat format, const std::string& content) const {
         const fs::path file = folder_ / "model";
         put(file, content);
-        return loadPolygons(file, format);
+        return loadPolygons({file}, format);
     }
     [[nodiscard]] Scene::Data obj(const std::string& content) const { return load(PolygonFormat::Obj, content); }
     [[nodiscard]] Scene::Data stl(const std::string& content) const { return load(PolygonFormat::Stl, content); }
@@ -597,37 +598,6 @@ TEST_F(LoadPolygons, survivesEveryChangedByte) {
             }
         }
     }
-}
-
-// ---- loadScene
-
-TEST_F(LoadPolygons, isChosenByExtensionInAnyCase) {
-    for (const auto& [name, content] : std::map<std::string, std::string>{
-             {"a.obj", triangleObj}, {"b.OBJ", triangleObj}, {"c.Stl", triangleStl}, {"d.ply", squarePly}}) {
-        put(folder_ / name, content);
-        EXPECT_GT(loadScene(folder_ / name).triangleCount(), 0U) << name;
-    }
-}
-
-TEST_F(LoadPolygons, namesTheFormatsWhenTheExtensionTellsNone) {
-    for (const std::string name : {"a.txt", "b"}) {
-        const fs::path file = folder_ / name;
-        put(file, triangleObj);
-        expectError(Error::Kind::Input,
-                    file.string() +
-                        ": expected a model by its extension, .glb, .gltf, .obj, .stl or .ply, found other "
-                        "text with " +
-                        (name == "b" ? "none" : ".txt"),
-                    [&] { static_cast<void>(loadScene(file)); });
-    }
-    expectError(Error::Kind::Input, HasSubstr("expected a file, found none"),
-                [&] { static_cast<void>(loadScene(folder_ / "missing.txt")); });
-}
-
-TEST_F(LoadPolygons, isNotAskedForBinaryGltfWhateverTheExtension) {
-    put(folder_ / "a.obj", "glTF....");
-    expectError(Error::Kind::Input, HasSubstr("expected a .glb"),
-                [&] { static_cast<void>(loadScene(folder_ / "a.obj")); });
 }
 
 // ---- real models
