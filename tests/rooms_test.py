@@ -14,7 +14,7 @@ OWNERS = {  # of the other public headers
     "base": ["write_file"],
     "images": ["encode_png"],
     "settings": ["setting_table", "settings", "surface_functions"],
-    "mesh": ["mesh"],
+    "mesh": ["mesh", "mesh_arrays"],
     "formats": ["load_scene"],
     "scene": ["scene"],
     "camera": ["camera", "views"],

@@ -8,6 +8,7 @@
 #include <inkedge/encode_png.h>
 #include <inkedge/error.h>
 #include <inkedge/job.h>
+#include <inkedge/renderer.h>
 #include <inkedge/views.h>
 
 #include "cli/checks.h"
@@ -51,13 +52,11 @@ void startTimeout(const RenderArguments& arguments) {
 
 void warn(const RenderArguments& arguments, const Settings& settings, const Scene& scene) {
     if (arguments.quiet) return;
-    const auto hasNone = [](const Mesh& mesh) { return mesh.textureCoordinates.empty(); };
-    const bool wantsIsolines = settings.lines.isolines != Isolines{} && loadSettings(settings).textureCoordinates;
-    if (wantsIsolines && std::ranges::all_of(scene.meshes(), hasNone))
-        report("warning: ", fmt::format("{}: has no texture coordinates: no isolines are drawn", arguments.model));
-    for (const std::string& warning : scene.warnings()) {
+    const auto say = [&](const std::string& warning) {
         report("warning: ", fmt::format("{}: {}", arguments.model, warning));
-    }
+    };
+    std::ranges::for_each(renderWarnings(scene, settings), say);
+    std::ranges::for_each(scene.warnings(), say);
 }
 
 void printSummary(const JobResult& result) {

@@ -138,9 +138,9 @@ std::vector<Item> itemsOf(const Scene& scene) {
     const std::vector<Instance>& instances = scene.instances();
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
         const auto total = static_cast<std::uint32_t>(scene.meshes()[instances[i].mesh].indices.size() / 3);
-        const std::uint32_t oneSided = scene.oneSidedTriangles(instances[i].mesh);
+        const std::uint32_t oneSided = oneSidedTriangles(scene, instances[i].mesh);
         const bool mirrored = mirrors(instances[i]);
-        const bool hidesBacks = scene.hidesItsBacks(instances[i].mesh);
+        const bool hidesBacks = hidesItsBacks(scene, instances[i].mesh);
         if (oneSided > 0) items.push_back({i, 0, oneSided, true, hidesBacks, mirrored});
         if (oneSided < total) items.push_back({i, oneSided, total - oneSided, false, hidesBacks, mirrored});
     }

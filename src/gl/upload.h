@@ -41,7 +41,7 @@ public:
     /// @param transforms  one for each of instanceOrder()
     void setTransforms(const std::vector<InstanceTransforms>& transforms) const;
 
-    /// Whether to draw the backs of meshes that hide them: Scene::hidesItsBacks().
+    /// Whether to draw the backs of meshes that hide them: hidesItsBacks().
     enum class HiddenBacks { Draw, Skip };
 
     /// Draws with the state that prepareDrawing() has set. Normals point away from front faces.

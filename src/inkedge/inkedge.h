@@ -16,6 +16,7 @@
 #include <inkedge/load_scene.h>
 #include <inkedge/maps.h>
 #include <inkedge/mesh.h>
+#include <inkedge/mesh_arrays.h>
 #include <inkedge/renderer.h>
 #include <inkedge/scene.h>
 #include <inkedge/setting_table.h>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -39,6 +40,8 @@ struct Lines {
     Camera camera;
     BackendInfo backend;  ///< the renderer's; empty while it has no context, for nothing was drawn to find them
     std::vector<StageTime> times;
+    /// One line each: what the settings ask for and the scene has nothing for, as renderWarnings() gives it.
+    std::vector<std::string> warnings;
 };
 
 }  // namespace inkedge

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <inkedge/backends.h>
@@ -34,6 +35,8 @@ struct Maps {
     Camera camera;
     BackendInfo backend;
     std::vector<StageTime> times;
+    /// One line each: what the settings ask for and the scene has nothing for, as renderWarnings() gives it.
+    std::vector<std::string> warnings;
 };
 
 }  // namespace inkedge

@@ -2,6 +2,8 @@
 
 #include <memory>
 #include <stop_token>
+#include <string>
+#include <vector>
 
 #include <inkedge/backends.h>
 #include <inkedge/camera.h>
@@ -21,6 +23,10 @@ enum class ContextTime {
     /// functions, need no OpenGL on the machine.
     WhenNeeded
 };
+
+/// What these settings ask for and the scene has nothing for, one line each: isoparametric lines where no mesh has
+/// texture coordinates. Known before anything is drawn; Maps::warnings and Lines::warnings have it, too.
+[[nodiscard]] INKEDGE_API std::vector<std::string> renderWarnings(const Scene&, const RenderSettings&);
 
 /// Owns one offscreen OpenGL context and draws any number of scenes and views with it.
 ///

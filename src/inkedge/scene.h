@@ -101,11 +101,6 @@ public:
     [[nodiscard]] const Box& box() const noexcept;
     /// A sphere in world space around everything drawn.
     [[nodiscard]] const Sphere& bounds() const noexcept;
-    /// The first triangles of mesh i are seen from their front only: so many (LoadSettings::backFaces).
-    [[nodiscard]] std::uint32_t oneSidedTriangles(std::size_t i) const noexcept;
-    /// Whether all faces of mesh i are single-sided and together close it, wound outward. No back of a face is then
-    /// seen from outside.
-    [[nodiscard]] bool hidesItsBacks(std::size_t i) const noexcept;
     /// The settings that the constructor was given.
     [[nodiscard]] const LoadSettings& loadedWith() const noexcept;
     /// Degrees: faces that meet at more than this meet in a crease.

@@ -10,7 +10,8 @@
 #include <string_view>
 
 #include <inkedge/error.h>
-#include <inkedge/write_file.h>
+
+#include "base/temporary_name.h"
 
 namespace inkedge::process {
 namespace {

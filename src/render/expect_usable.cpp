@@ -45,11 +45,16 @@ void expectUsable(const Camera& camera) {
 }
 
 void expectLoaded(const Scene& scene, const RenderSettings& settings) {
-    if (scene.source().format.empty()) return;
     Settings all;
     static_cast<RenderSettings&>(all) = settings;
     const LoadSettings needed = loadSettings(all);
     const LoadSettings& loaded = scene.loadedWith();
+    if (scene.source().format.empty()) {  // its coordinates and colours are those that it was given
+        if (!needed.curvature || loaded.curvature) return;
+        throw Error{Error::Kind::Usage,
+                    "scene: expected one made with its curvature, which functions read, found one made without; make "
+                    "it with Scene{data, loadSettings(settings)}"};
+    }
     const auto expect = [](bool isNeeded, bool isLoaded, std::string_view what) {
         if (!isNeeded || isLoaded) return;
         throw Error{

@@ -8,7 +8,7 @@ namespace inkedge {
 
 /// @throws Error  (Kind::Usage) if nothing can be drawn through the camera
 void expectUsable(const Camera&);
-/// Checks scenes from files; data given in memory are taken as they are.
+/// Coordinates and colours of a scene made of data in memory are those that it was given.
 /// @throws Error  (Kind::Usage) if functions or isoparametric lines read what the scene was not loaded with
 void expectLoaded(const Scene&, const RenderSettings&);
 /// @throws Error  (Kind::Runtime) if there is less memory than the picture and the maps that are asked for take

@@ -33,8 +33,10 @@ Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSett
     expectLoaded(scene, settings);
     expectUsable(camera);
     stopIfAsked();
-    return settings.lines.from == LinesFrom::Image ? imageLines(scene, camera, settings, *state_)
-                                                   : objectLines(scene, camera, settings, *state_);
+    Lines lines = settings.lines.from == LinesFrom::Image ? imageLines(scene, camera, settings, *state_)
+                                                          : objectLines(scene, camera, settings, *state_);
+    lines.warnings = renderWarnings(scene, settings);
+    return lines;
 }
 
 Maps Renderer::render(const Scene& scene, const Camera& camera, const RenderSettings& settings,
@@ -45,7 +47,9 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const RenderSett
     expectUsable(camera);
     expectMemory(settings);
     stopIfAsked();
-    return drawPicture(scene, camera, settings, *state_);
+    Maps maps = drawPicture(scene, camera, settings, *state_);
+    maps.warnings = renderWarnings(scene, settings);
+    return maps;
 }
 
 }  // namespace inkedge

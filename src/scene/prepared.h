@@ -21,8 +21,8 @@ struct PreparedScene {
     Scene::Data data;
     std::vector<Box> meshBoxes;            ///< one per mesh: of its positions, less its origin
     std::vector<MeshTopology> topologies;  ///< one per mesh, without its faceNormals
-    std::vector<std::uint32_t> oneSided;   ///< one per mesh: Scene::oneSidedTriangles()
-    std::vector<bool> hidesItsBacks;       ///< one per mesh: Scene::hidesItsBacks()
+    std::vector<std::uint32_t> oneSided;   ///< one per mesh: oneSidedTriangles()
+    std::vector<bool> hidesItsBacks;       ///< one per mesh: hidesItsBacks()
     Box box;                               ///< of everything drawn, in world space
     Sphere bounds;                         ///< around everything drawn, in world space
     LoadSettings loadedWith;               ///< what the constructor was given
@@ -38,6 +38,16 @@ struct PreparedScene {
 /// How the triangles of mesh i are connected.
 [[nodiscard]] inline const MeshTopology& topologyOf(const Scene& scene, std::size_t i) {
     return preparedOf(scene)->topologies[i];
+}
+
+/// How many triangles of mesh i, the first ones, are seen from their front only: LoadSettings::backFaces.
+[[nodiscard]] inline std::uint32_t oneSidedTriangles(const Scene& scene, std::size_t i) {
+    return preparedOf(scene)->oneSided[i];
+}
+
+/// Whether mesh i's faces are all single-sided and close it, wound outward: from outside no back of them is seen.
+[[nodiscard]] inline bool hidesItsBacks(const Scene& scene, std::size_t i) {
+    return preparedOf(scene)->hidesItsBacks[i];
 }
 
 /// The patches of all instances.

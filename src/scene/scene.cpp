@@ -20,8 +20,6 @@ const SceneSource& Scene::source() const noexcept { return prepared_->data.sourc
 const Box& Scene::meshBox(std::size_t i) const noexcept { return prepared_->meshBoxes[i]; }
 const Box& Scene::box() const noexcept { return prepared_->box; }
 const Sphere& Scene::bounds() const noexcept { return prepared_->bounds; }
-std::uint32_t Scene::oneSidedTriangles(std::size_t i) const noexcept { return prepared_->oneSided[i]; }
-bool Scene::hidesItsBacks(std::size_t i) const noexcept { return prepared_->hidesItsBacks[i]; }
 const LoadSettings& Scene::loadedWith() const noexcept { return prepared_->loadedWith; }
 double Scene::creaseAngle() const noexcept { return prepared_->loadedWith.creaseAngle; }
 std::uint64_t Scene::triangleCount() const noexcept { return prepared_->triangleCount; }

@@ -1,5 +1,6 @@
 // Files appear whole or not at all, whatever ends the write. The table of faults is in tests/README.md.
 #include "base/staged_files.h"
+#include "base/temporary_name.h"
 
 #include <fcntl.h>
 #include <signal.h>

@@ -5,6 +5,7 @@
 #include <inkedge/renderer.h>
 
 #include "gl/gl_test.h"
+#include "scene/prepared.h"
 #include "scenes.h"
 
 namespace inkedge {
@@ -72,7 +73,7 @@ TEST_P(BackFacesTest, MixedMeshesKeepTheirTrianglesNumbers) {
     LoadSettings load;
     load.backFaces = BackFaces::Material;
     const Scene scene{std::move(data), load};
-    EXPECT_EQ(scene.oneSidedTriangles(0), 1U);
+    EXPECT_EQ(oneSidedTriangles(scene, 0), 1U);
     Settings settings;
     settings.picture.size = {64, 64};
     settings.maps = {Map::Ids};

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include <inkedge/inkedge.h>
 
@@ -18,6 +22,33 @@ bool hasLines(const inkedge::Image<std::uint8_t>& picture) {
     const double share = static_cast<double>(black) / static_cast<double>(picture.pixels.size());
     std::printf("%td of %zu pixels are black\n", black, picture.pixels.size());
     return share > minLines && share < maxLines;
+}
+
+// The same model from memory gives the same picture, and a mesh given by arrays has lines.
+void drawFromMemory(const char* model, inkedge::Renderer& renderer, const inkedge::Settings& settings) {
+    std::ifstream stream{model, std::ios::binary};
+    const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>{stream}, {}};
+    const inkedge::Scene file = inkedge::loadScene(model);
+    const inkedge::Scene memory = inkedge::loadScene(bytes, "model.glb");
+    const inkedge::Camera camera = inkedge::frameCamera(file, settings.camera, settings.picture.size);
+    if (renderer.render(file, camera, settings).picture.pixels !=
+        renderer.render(memory, camera, settings).picture.pixels)
+        throw std::runtime_error{"expected a model in memory to give its file's picture, found another"};
+    if (inkedge::readableFormats().empty()) throw std::runtime_error{"expected formats that are read, found none"};
+
+    const std::vector<float> corners{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const std::vector<std::uint16_t> triangles{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    inkedge::MeshArrays arrays;
+    arrays.positions = {corners.data(), inkedge::NumberType::Float32, 4, 3};
+    arrays.indices = {triangles.data(), inkedge::NumberType::UInt16, 4, 3};
+    inkedge::Scene::Data data;
+    data.meshes.push_back(inkedge::makeMesh(arrays));
+    data.instances.push_back({"tetrahedron", 0});
+    const inkedge::Scene tetrahedron{std::move(data), inkedge::loadSettings(settings)};
+    const inkedge::Maps maps = renderer.render(
+        tetrahedron, inkedge::frameCamera(tetrahedron, settings.camera, settings.picture.size), settings);
+    if (!hasLines(maps.picture) || !maps.warnings.empty())
+        throw std::runtime_error{"expected a tetrahedron's lines and no warnings, found otherwise"};
 }
 
 }  // namespace
@@ -55,6 +86,8 @@ int main(int argc, char** argv) {
         if (!refused) throw std::runtime_error{"expected a scene without colours to be refused, found it drawn"};
         (void)renderer.render(inkedge::loadScene(argv[1], inkedge::loadSettings(colored)), camera, colored);
         inkedge::writeMaps(maps, settings.maps, argv[3]);
+
+        drawFromMemory(argv[1], renderer, settings);
 
         settings.detector.detector = inkedge::Detector::Planes;
         settings.lines.from = inkedge::LinesFrom::Image;  // needs no Embree

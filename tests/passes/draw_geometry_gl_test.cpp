@@ -8,6 +8,7 @@
 
 #include "formats/reader.h"
 #include "gl/gl_test.h"
+#include "scene/prepared.h"
 
 namespace inkedge {
 namespace {
@@ -72,8 +73,8 @@ TEST_P(DrawGeometry, SkipsHiddenBacksUnseen) {
         data.source.knowsSides = false;
         const Scene drawing{std::move(data)};
         for (std::size_t i = 0; i < skipping.meshes().size(); ++i) {
-            hiding += skipping.hidesItsBacks(i) ? 1 : 0;
-            EXPECT_FALSE(drawing.hidesItsBacks(i));
+            hiding += hidesItsBacks(skipping, i) ? 1 : 0;
+            EXPECT_FALSE(hidesItsBacks(drawing, i));
         }
         CameraSettings inside;
         inside.position = skipping.bounds().centre + glm::dvec3{0.1, 0.2, 0.3} * skipping.bounds().radius;

@@ -391,6 +391,26 @@ TEST_P(Functions, inTilesAreTheSame) {
     EXPECT_GT(marked(whole.edges), 1000);
 }
 
+TEST_P(Functions, areRefusedWithoutTheCurvatureThatTheyRead) {
+    const Scene without = scenes::sceneOf(scenes::cube());
+    const Camera camera = cameraFor(without, false);
+    for (const char* const function : {"curvature", "height;curvature:steps=7"}) {
+        SCOPED_TRACE(function);
+        try {
+            (void)edgesOf(renderer(), without, camera, function);
+            ADD_FAILURE() << "drawn";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), Error::Kind::Usage);
+            EXPECT_STREQ(error.what(),
+                         "scene: expected one made with its curvature, which functions read, found one made without; "
+                         "make it with Scene{data, loadSettings(settings)}");
+        }
+    }
+    EXPECT_NO_THROW((void)edgesOf(renderer(), without, camera, "height"));
+    EXPECT_NO_THROW((void)edgesOf(renderer(), scenes::sceneOf({{scenes::cube(), glm::dmat4{1.0}}}, everything()),
+                                  camera, "curvature"));
+}
+
 TEST_P(Functions, areRefusedWithoutTextureCoordinates) {
     const Scene scene = scenes::sceneOf(scenes::cube());
     try {

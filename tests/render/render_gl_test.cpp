@@ -52,6 +52,25 @@ void expectSame(const Lines& a, const Lines& b) {
     }
 }
 
+TEST_P(RendererLines, warnOfIsolinesWithoutTextureCoordinates) {
+    const std::vector<std::string> expected{"has no texture coordinates: no isolines are drawn"};
+    const Scene without = scenes::sceneOf(scenes::cube());
+    Mesh mapped = scenes::cube();
+    mapped.textureCoordinates.resize(mapped.positions.size());
+    const Scene with = scenes::sceneOf(mapped);
+    const Camera camera = frameCamera(without, {}, size);
+    for (Settings settings : everyWay()) {
+        EXPECT_TRUE(linesOf(renderer(), without, settings).warnings.empty());
+        settings.lines.isolines = {4, 0};
+        settings.picture.lines |= LineType::Isoparametric;
+        EXPECT_EQ(linesOf(renderer(), without, settings).warnings, expected);
+        EXPECT_EQ(renderer().render(without, camera, settings).warnings, expected);
+        EXPECT_EQ(renderWarnings(without, settings), expected);
+        EXPECT_TRUE(linesOf(renderer(), with, settings).warnings.empty());
+        EXPECT_TRUE(renderer().render(with, camera, settings).warnings.empty());
+    }
+}
+
 TEST_P(RendererLines, sayWhatFoundThem) {
     const Scene scene = scenes::sceneOf(scenes::cube());
     for (const Settings& settings : everyWay()) {

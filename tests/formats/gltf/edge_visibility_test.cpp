@@ -147,7 +147,7 @@ TEST_F(EdgeVisibility, StaysWithItsEdges) {
     LoadSettings settings;
     settings.backFaces = BackFaces::Material;
     const Scene scene{load(model, settings), settings};
-    EXPECT_EQ(scene.oneSidedTriangles(0), 2U);
+    EXPECT_EQ(oneSidedTriangles(scene, 0), 2U);
     const std::vector<glm::dvec3> expected{{-1, 0, 0}, {-1, 1, 0}, {-1, 0, 0}, {-1, 1, 0}};
     expectNear(middlesOfMarked(scene.meshes()[0]), expected);
 }
