@@ -20,7 +20,7 @@ OWNERS = {  # of the other public headers
     "camera": ["camera", "views"],
     "gl": ["backends"],
     "render": ["renderer"],
-    "io": ["compare", "write"],
+    "io": ["compare", "read_lines", "write"],
     "job": ["job"],
 }
 LIBRARIES = {  # start of a header's name: what stands for it after LIBRARIES

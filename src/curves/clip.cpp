@@ -40,7 +40,14 @@ LinePoint between(const LinePoint& a, const LinePoint& b, double share) {
     return {glm::mix(a.pixel, b.pixel, share), glm::mix(a.position, b.position, share)};
 }
 
-Line emptyLike(const Line& line) { return {line.type, line.visible, false, line.object, line.patch, {}}; }
+Line emptyLike(const Line& line) {
+    return {.type = line.type,
+            .visible = line.visible,
+            .id = line.id,
+            .object = line.object,
+            .patch = line.patch,
+            .points = {}};
+}
 
 }  // namespace
 

@@ -17,6 +17,7 @@
 #include <inkedge/maps.h>
 #include <inkedge/mesh.h>
 #include <inkedge/mesh_arrays.h>
+#include <inkedge/read_lines.h>
 #include <inkedge/renderer.h>
 #include <inkedge/scene.h>
 #include <inkedge/setting_table.h>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -8,8 +9,10 @@
 #include <glm/vec3.hpp>
 
 #include <inkedge/backends.h>
+#include <inkedge/bounds.h>
 #include <inkedge/camera.h>
 #include <inkedge/image.h>
+#include <inkedge/scene.h>
 #include <inkedge/settings.h>
 #include <inkedge/stage_time.h>
 
@@ -26,19 +29,39 @@ struct LinePoint {
 struct Line {
     LineType type = LineType::Outline;
     bool visible = true;
-    bool closed = false;       ///< the last point is joined to the first, which is not repeated
+    bool closed = false;  ///< the last point is joined to the first, which is not repeated
+    /// From 1, one of its own among the lines of a view; 0: the line has none. The same scene, camera and settings give
+    /// the same line the same id, unless ContourFinder::Random looked for it: that finds other lines each time. With
+    /// other settings, or another camera, lines are numbered anew.
+    std::uint32_t id = 0;
     std::uint32_t object = 0;  ///< the node that the line lies on, as in Maps::ids: from 1
     /// The patch that the line lies on, as in Maps::ids: from 1. Between two patches, the nearer one.
     std::uint32_t patch = 0;
     std::vector<LinePoint> points;  ///< two or more
 };
 
-/// The lines of one view.
+/// What lines were found on, and by what.
+struct LinesSource {
+    std::string name;                             ///< of the model's file, without its folder; empty: no file
+    std::string format;                           ///< as SceneSource::format
+    LengthUnit unit = LengthUnit::None;           ///< of world space
+    std::uint64_t triangles = 0;                  ///< as Scene::triangleCount()
+    std::vector<std::string> warnings;            ///< as Scene::warnings()
+    LinesFrom space = LinesFrom::Object;          ///< Object or Image, never Auto
+    ContourFinder finder = ContourFinder::Every;  ///< of lines from object space
+    Detector detector = Detector::Planes;         ///< of lines from image space
+};
+
+/// The lines of one view: all that drawing, writing and comparing them needs.
 struct Lines {
     std::vector<Line> lines;
     Size size;  ///< of the picture that LinePoint::pixel counts in
     Camera camera;
-    BackendInfo backend;  ///< the renderer's; empty while it has no context, for nothing was drawn to find them
+    Sphere bounds;  ///< world space, around the whole model: Scene::bounds()
+    LinesSource source;
+    std::map<std::uint32_t, std::string> objects;  ///< names of the nodes that lines lie on, by Line::object
+    double tolerance = 0.0;  ///< pixels by which points may stray from the lines found: over 0 where a file was read
+    BackendInfo backend;     ///< the renderer's; empty while it has no context, for nothing was drawn to find them
     std::vector<StageTime> times;
     /// One line each: what the settings ask for and the scene has nothing for, as renderWarnings() gives it.
     std::vector<std::string> warnings;

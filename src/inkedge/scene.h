@@ -24,6 +24,7 @@ enum class LengthUnit { None, Metre, Millimetre };
 
 /// What a model's file is, and what it offers to choose from.
 struct SceneSource {
+    std::string name = {};                ///< of the file, without its folder; empty: no file
     std::string format;                   ///< a name of readableFormats(); empty: no file
     std::vector<std::string> scenes;      ///< names, in the order of LoadSettings::scene; may be empty texts
     std::vector<std::string> animations;  ///< likewise, of LoadSettings::animation

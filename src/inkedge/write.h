@@ -22,7 +22,7 @@ namespace inkedge {
 [[nodiscard]] INKEDGE_API std::string metadataJson(const Scene&, const Maps&, const Settings&);
 
 /// The same for lines.
-[[nodiscard]] INKEDGE_API std::string metadataJson(const Scene&, const Lines&, const Settings&);
+[[nodiscard]] INKEDGE_API std::string metadataJson(const Lines&, const Settings&);
 
 /// The files that writeMaps() writes: first the picture's, then one for each map if the format holds one map a file.
 /// "{map}" in output stands for "outline" or the map's name; without it a map's name goes before the extension
@@ -44,21 +44,21 @@ INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<
 
 /// The lines as an SVG document: those whose types settings.picture.lines names, hidden ones if settings.lines.hidden
 /// wants them, cut at the picture's edges (and half a width beyond), as polylines or curves within
-/// settings.lines.simplify or .fitCurves. Its coordinates are pixels of lines.size; its width and height are the
+/// settings.lines.simplify, less Lines::tolerance, or .fitCurves. Its coordinates are pixels of lines.size; its width and height are the
 /// page's, or pixels, or millimetres where a width or settings.picture.dpi says so. One group a type and visibility,
 /// what covers last, with the classes "inkedge", the type's name, and "visible" or "hidden"; in it one path an object,
 /// data-object is LinePoint's object. Where widths vary a path is the filled outline of its strokes, all straight.
 /// Metadata holds a JSON object: camera, size, bounds, settings.
 /// @param title  UTF-8; what is not becomes U+FFFD
 /// @throws Error  (Kind::Usage) if lines.size has no pixel, or settings.lines.brush is given: it needs pixels
-[[nodiscard]] INKEDGE_API std::string linesSvg(const Scene&, const Lines&, const Settings&,
-                                               std::string_view title = "Line drawing");
+[[nodiscard]] INKEDGE_API std::string linesSvg(const Lines&, const Settings&, std::string_view title = "Line drawing");
 
-/// The same lines, not cut, as one JSON object: "places" (LinePoint::pixel) in pixels of "size", y down; "points"
-/// (LinePoint::position) in world space; each line with type, visible, closed, object, patch; camera, bounds, settings.
-/// README.md describes it.
-/// @throws Error  (Kind::Usage) if lines.size has no pixel
-[[nodiscard]] INKEDGE_API std::string linesJson(const Scene&, const Lines&, const Settings&);
+/// The same lines, not cut, as one JSON object, which linesFromJson() reads: README.md describes it. "pixels" are
+/// rounded to 0.001, "positions" to a millionth of the bounds' radius. Points that are not finite are left
+/// out. Lines are simplified by what settings.lines.simplify leaves over Lines::tolerance: what was read and is written
+/// with the same settings comes to the same bytes. Backend and times are not written.
+/// @throws Error  (Kind::Usage) if lines.size has no pixel, or camera, bounds or tolerance are not finite
+[[nodiscard]] INKEDGE_API std::string linesJson(const Lines&, const Settings&);
 
 /// Whether a file of this name holds lines rather than pixels: its extension is .svg or .json, in whatever case.
 [[nodiscard]] INKEDGE_API bool holdsLines(const std::filesystem::path&);
@@ -67,6 +67,6 @@ INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<
 /// at all.
 /// @throws Error  (Kind::Usage) as they do, or if the extension is neither; (Kind::Output) if the file cannot
 ///                be written
-INKEDGE_API void writeLines(const Scene&, const Lines&, const Settings&, const std::filesystem::path&);
+INKEDGE_API void writeLines(const Lines&, const Settings&, const std::filesystem::path&);
 
 }  // namespace inkedge

@@ -2,6 +2,7 @@
 
 #include <glm/matrix.hpp>
 
+#include <inkedge/scene.h>
 #include <inkedge/setting_table.h>
 #include <inkedge/write.h>
 
@@ -35,19 +36,22 @@ Json timesJson(const std::vector<StageTime>& times) {
 
 // What metadata say of one view.
 struct Drawn {
+    const Sphere& bounds;
+    std::uint64_t triangles;
+    const std::vector<std::string>& warnings;
     const Camera& camera;
     Size size;
     const BackendInfo& backend;
     const std::vector<StageTime>& times;
 };
 
-std::string metadataOf(const Scene& scene, const Drawn& drawn, const Settings& settings) {
+std::string metadataOf(const Drawn& drawn, const Settings& settings) {
     const Json json{{"camera", io::cameraJson(drawn.camera, drawn.size)},
                     {"size", {drawn.size.width, drawn.size.height}},
-                    {"bounds", io::boundsJson(scene.bounds())},
-                    {"triangles", scene.triangleCount()},
+                    {"bounds", io::boundsJson(drawn.bounds)},
+                    {"triangles", drawn.triangles},
                     {"settings", io::settingsJson(settings)},
-                    {"warnings", scene.warnings()},
+                    {"warnings", drawn.warnings},
                     {"backend", backendJson(drawn.backend)},
                     {"milliseconds", timesJson(drawn.times)}};
     return io::textOf(json, 2) + '\n';
@@ -90,11 +94,15 @@ std::string textOf(const Json& json, int indent) {
 }  // namespace io
 
 std::string metadataJson(const Scene& scene, const Maps& maps, const Settings& settings) {
-    return metadataOf(scene, {maps.camera, maps.picture.size, maps.backend, maps.times}, settings);
+    return metadataOf({scene.bounds(), scene.triangleCount(), scene.warnings(), maps.camera, maps.picture.size,
+                       maps.backend, maps.times},
+                      settings);
 }
 
-std::string metadataJson(const Scene& scene, const Lines& lines, const Settings& settings) {
-    return metadataOf(scene, {lines.camera, lines.size, lines.backend, lines.times}, settings);
+std::string metadataJson(const Lines& lines, const Settings& settings) {
+    return metadataOf({lines.bounds, lines.source.triangles, lines.source.warnings, lines.camera, lines.size,
+                       lines.backend, lines.times},
+                      settings);
 }
 
 }  // namespace inkedge

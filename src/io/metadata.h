@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <inkedge/bounds.h>
 #include <inkedge/camera.h>
-#include <inkedge/scene.h>
 #include <inkedge/settings.h>
 
 namespace inkedge::io {

@@ -155,9 +155,10 @@ using Paths = std::map<std::uint32_t, io::SvgPath>;
 std::array<Paths, penCount> pathsOf(const Lines& lines, const PictureSettings& picture, const LineSettings& settings) {
     const auto allPens = pens(picture);
     const glm::dvec2 size{lines.size.width, lines.size.height};
+    const double tolerance = std::max(settings.simplify - lines.tolerance, 0.0);  // what is left of it
     std::array<Paths, penCount> paths;
     if (varies(settings)) {
-        const StrokeMaker maker{lines, picture, settings, settings.simplify};
+        const StrokeMaker maker{lines, picture, settings, tolerance};
         std::vector<Stroke> strokes;
         for (const Line& line : lines.lines) {
             strokes.clear();
@@ -177,7 +178,7 @@ std::array<Paths, penCount> pathsOf(const Lines& lines, const PictureSettings& p
             if (settings.fitCurves > 0.0) {
                 addCurves(path, part, settings.fitCurves);
             } else {
-                addPolyline(path, part, settings.simplify);
+                addPolyline(path, part, tolerance);
             }
         }
     }
@@ -205,7 +206,7 @@ std::string group(std::size_t number_, const Pen& pen, const Paths& paths, const
 
 }  // namespace
 
-std::string linesSvg(const Scene& scene, const Lines& lines, const Settings& settings, std::string_view title) {
+std::string linesSvg(const Lines& lines, const Settings& settings, std::string_view title) {
     const Size size = lines.size;
     if (size.width < 1 || size.height < 1) {
         throw Error{Error::Kind::Usage,
@@ -219,7 +220,7 @@ std::string linesSvg(const Scene& scene, const Lines& lines, const Settings& set
     const PictureSettings picture = onPage(settings.picture, size);
     const io::Json metadata{{"camera", io::cameraJson(lines.camera, size)},
                             {"size", {size.width, size.height}},
-                            {"bounds", io::boundsJson(scene.bounds())},
+                            {"bounds", io::boundsJson(lines.bounds)},
                             {"settings", io::settingsJson(settings)}};
     std::string text = fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"

@@ -30,11 +30,11 @@ Drawn draw(const Job& job, const std::vector<std::filesystem::path>& outputs, co
 }
 
 std::vector<std::filesystem::path> write(const Drawn& drawn, const std::vector<std::filesystem::path>& outputs,
-                                         const Scene& scene, const Settings& settings) {
+                                         const Settings& settings) {
     std::vector<std::filesystem::path> files;
     for (const std::filesystem::path& output : outputs) {
         if (holdsLines(output)) {
-            writeLines(scene, *drawn.lines, settings, output);
+            writeLines(*drawn.lines, settings, output);
             files.push_back(output);
         } else {
             for (auto& file : writeMaps(*drawn.maps, settings.maps, output)) files.push_back(std::move(file));
@@ -57,7 +57,7 @@ JobResult drawView(const Job& job, const View& view, const Scene& scene, Rendere
     JobResult result;
     stopIfAsked();  // the last time: no view is written by half
     if (drawn.maps) reportDrawn(*drawn.maps);
-    result.files = write(drawn, outputs, scene, settings);
+    result.files = write(drawn, outputs, settings);
     const double writing = watch.milliseconds();
 
     result.times = before;
@@ -69,7 +69,7 @@ JobResult drawView(const Job& job, const View& view, const Scene& scene, Rendere
     const bool startsWithLines = !outputs.empty() && holdsLines(outputs.front());
     (startsWithLines ? drawn.lines->times : drawn.maps->times) = result.times;
     result.metadata =
-        startsWithLines ? metadataJson(scene, *drawn.lines, settings) : metadataJson(scene, *drawn.maps, settings);
+        startsWithLines ? metadataJson(*drawn.lines, settings) : metadataJson(scene, *drawn.maps, settings);
     if (!job.metadata.empty()) {
         writeFile(metadataFileOf(job, view),
                   {reinterpret_cast<const std::uint8_t*>(result.metadata.data()), result.metadata.size()});

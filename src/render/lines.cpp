@@ -6,6 +6,7 @@
 #include <inkedge/error.h>
 
 #include "gl/stage_clock.h"
+#include "lines/describe.h"
 #include "lines/join_pieces.h"
 #include "render/plan.h"
 #include "render/tiles.h"
@@ -43,6 +44,7 @@ Lines objectLines(const Scene& scene, const Camera& camera, const RenderSettings
     const lines::ObjectLines& prepared = kept.objectLines(scene);
     clock.finish("prepare lines");
     Lines found = prepared.find(camera, settings);
+    lines::describe(found, scene, settings, LinesFrom::Object);
     found.backend = kept.backend();
     found.times.insert(found.times.begin(), before.begin(), before.end());
     return found;
@@ -66,6 +68,7 @@ Lines imageLines(const Scene& scene, const Camera& camera, const RenderSettings&
     graphics.gpu().textures.trim();
     found.size = settings.picture.size;
     found.camera = camera;
+    lines::describe(found, scene, settings, LinesFrom::Image);
     found.backend = kept.backend();
     return found;
 }

@@ -14,4 +14,9 @@ inline constexpr std::array<std::string_view, mapCount> mapNames{"depth", "norma
 inline constexpr std::array<std::string_view, lineTypeCount> lineTypeNames{
     "outline", "occlusion", "boundary", "crease", "intersection", "object", "isoparametric", "marked"};
 
+/// In the order of ContourFinder.
+inline constexpr std::array<std::string_view, 3> contourFinderNames{"every", "random", "gauss"};
+/// In the order of Detector.
+inline constexpr std::array<std::string_view, 4> detectorNames{"planes", "classic", "saito-takahashi", "none"};
+
 }  // namespace inkedge::settings

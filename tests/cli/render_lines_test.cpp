@@ -61,7 +61,7 @@ std::set<std::string> typesOf(const json& drawing) {
 double lengthOf(const json& drawing) {
     double length = 0.0;
     for (const json& line : drawing.at("lines")) {
-        const json& pixels = line.at("places");
+        const json& pixels = line.at("pixels");
         for (std::size_t i = line.at("closed") ? 0 : 1; i < pixels.size(); ++i) {
             const json& from = pixels.at(i > 0 ? i - 1 : pixels.size() - 1);
             length += std::hypot(pixels.at(i).at(0).get<double>() - from.at(0).get<double>(),
@@ -106,26 +106,37 @@ TEST_F(RenderLines, JsonIsWhatTheReadmeSays) {
     expectSuccess(draw("teapot.glb", "teapot.json", {"--hidden", "solid"}));
     EXPECT_THAT(folder_.names(), ElementsAre("teapot.json"));
     const json all = lines("teapot.json");
-    EXPECT_THAT(keysOf(all),
-                UnorderedElementsAre("format", "version", "units", "size", "camera", "bounds", "settings", "lines"));
+    EXPECT_THAT(keysOf(all), UnorderedElementsAre("format", "version", "units", "size", "camera", "bounds", "source",
+                                                  "objects", "tolerance", "settings", "lines"));
     EXPECT_EQ(all.at("format"), "inkedge lines");
-    EXPECT_EQ(all.at("version"), 1);
+    EXPECT_EQ(all.at("version"), 2);
     EXPECT_EQ(all.at("size"), json({64, 48}));
     EXPECT_EQ(all.at("settings").at("hidden"), "solid");
     ASSERT_GT(all.at("lines").size(), 10U);
     std::set<bool> visible;
     std::set<int> objects;
+    std::set<int> ids;
     for (const json& line : all.at("lines")) {
         ASSERT_THAT(keysOf(line),
-                    UnorderedElementsAre("type", "visible", "closed", "object", "patch", "places", "points"));
+                    UnorderedElementsAre("id", "type", "visible", "closed", "object", "patch", "pixels", "positions"));
         visible.insert(line.at("visible").get<bool>());
         objects.insert(line.at("object").get<int>());
+        ids.insert(line.at("id").get<int>());
         EXPECT_GE(line.at("patch"), 1);
-        ASSERT_EQ(line.at("places").size(), line.at("points").size());
-        ASSERT_GE(line.at("places").size(), 2U);
+        ASSERT_EQ(line.at("pixels").size(), line.at("positions").size());
+        ASSERT_GE(line.at("pixels").size(), 2U);
     }
     EXPECT_EQ(visible, (std::set<bool>{false, true}));
     EXPECT_EQ(objects, (std::set<int>{1, 2, 3, 4})) << "its four nodes";
+    EXPECT_EQ(ids.size(), all.at("lines").size());
+    EXPECT_EQ(all.at("source").at("name"), "teapot.glb");
+    EXPECT_EQ(all.at("source").at("unit"), "metre");
+    EXPECT_EQ(all.at("source").at("triangles"), 5340);
+    EXPECT_EQ(all.at("source").at("contour_finder"), "every");
+    std::set<std::string> names;
+    for (const json& object : all.at("objects")) names.insert(object.at("name").get<std::string>());
+    EXPECT_EQ(names, (std::set<std::string>{"body", "handle", "lid", "spout"}));
+    EXPECT_EQ(all.at("tolerance"), 0.25);
 }
 
 TEST_F(RenderLines, JsonPixelsArePointsAsItsCameraSeesThem) {
@@ -133,13 +144,13 @@ TEST_F(RenderLines, JsonPixelsArePointsAsItsCameraSeesThem) {
         expectSuccess(draw("teapot.glb", "teapot.json", view));
         const json all = lines("teapot.json");
         for (const json& line : all.at("lines")) {
-            for (std::size_t i = 0; i < line.at("places").size(); ++i) {
-                const json& point = line.at("points").at(i);
+            for (std::size_t i = 0; i < line.at("pixels").size(); ++i) {
+                const json& point = line.at("positions").at(i);
                 const auto eye = multiplied(all.at("camera").at("view"), {point.at(0), point.at(1), point.at(2), 1.0});
                 const auto clip = multiplied(all.at("camera").at("projection"), eye);
                 // Places are rounded to 0.001 pixel, points to a millionth of a model that is some 60 pixels wide.
-                ASSERT_NEAR((clip[0] / clip[3] + 1.0) / 2.0 * 64, line.at("places").at(i).at(0).get<double>(), 0.001);
-                ASSERT_NEAR((1.0 - clip[1] / clip[3]) / 2.0 * 48, line.at("places").at(i).at(1).get<double>(), 0.001);
+                ASSERT_NEAR((clip[0] / clip[3] + 1.0) / 2.0 * 64, line.at("pixels").at(i).at(0).get<double>(), 0.001);
+                ASSERT_NEAR((1.0 - clip[1] / clip[3]) / 2.0 * 48, line.at("pixels").at(i).at(1).get<double>(), 0.001);
             }
         }
     }
@@ -152,7 +163,7 @@ TEST_F(RenderLines, HiddenOnesOfACubeAreItsThreeEdgesBehind) {
     const json& eye = all.at("camera").at("eye");
     std::map<std::size_t, double> lengths;  // by axis
     for (const json& line : all.at("lines")) {
-        const json& points = line.at("points");
+        const json& points = line.at("positions");
         for (std::size_t i = 1; i < points.size() && !line.at("visible"); ++i) {
             int along = -1;
             for (std::size_t axis = 0; axis < 3; ++axis) {

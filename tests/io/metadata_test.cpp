@@ -73,8 +73,15 @@ TEST(MetadataJson, saysOfLinesWhatItSaysOfAPicture) {
     Maps maps = smallMaps();
     maps.backend.backend = "osmesa";
     maps.times = {{"draw", 1.5}};
-    const Lines lines{{}, maps.picture.size, maps.camera, maps.backend, maps.times};
-    EXPECT_EQ(metadataJson(triangle(), lines, {}), metadataJson(triangle(), maps, {}));
+    Lines lines;
+    lines.size = maps.picture.size;
+    lines.camera = maps.camera;
+    lines.bounds = triangle().bounds();
+    lines.source.triangles = triangle().triangleCount();
+    lines.source.warnings = triangle().warnings();
+    lines.backend = maps.backend;
+    lines.times = maps.times;
+    EXPECT_EQ(metadataJson(lines, {}), metadataJson(triangle(), maps, {}));
 }
 
 }  // namespace

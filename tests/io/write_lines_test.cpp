@@ -45,6 +45,7 @@ Lines linesOf(std::vector<Line> all, Size size = {200, 100}) {
     lines.lines = std::move(all);
     lines.size = size;
     lines.camera = frameCamera(scene(), {}, size);
+    lines.bounds = scene().bounds();
     return lines;
 }
 
@@ -64,7 +65,7 @@ Settings settingsOf(const std::vector<std::pair<std::string, std::string>>& valu
     return settings;
 }
 
-std::string svg(const Lines& lines, const Settings& settings = {}) { return linesSvg(scene(), lines, settings); }
+std::string svg(const Lines& lines, const Settings& settings = {}) { return linesSvg(lines, settings); }
 
 std::string unescaped(std::string text) {
     for (const auto& [entity, character] : {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}}) {
@@ -149,8 +150,8 @@ TEST(LinesSvg, isAnEmptyDrawingWithoutLines) {
     EXPECT_THAT(text,
                 AllOf(HasSubstr(R"(viewBox="0 0 200 100")"), HasSubstr("fill=\"#ffffff\""), Not(HasSubstr("<g"))));
     EXPECT_THAT(svg(linesOf({}), settingsOf({{"background", "none"}})), Not(HasSubstr("<rect")));
-    expectError(Error::Kind::Usage, HasSubstr("at least one pixel"), [] { (void)linesSvg(scene(), {}, {}); });
-    expectError(Error::Kind::Usage, HasSubstr("at least one pixel"), [] { (void)linesJson(scene(), {}, {}); });
+    expectError(Error::Kind::Usage, HasSubstr("at least one pixel"), [] { (void)linesSvg({}, {}); });
+    expectError(Error::Kind::Usage, HasSubstr("at least one pixel"), [] { (void)linesJson({}, {}); });
 }
 
 TEST(LinesSvg, refuseABrushWhichNeedsPixels) {
@@ -178,7 +179,7 @@ TEST(LinesSvg, escapesWhatXmlDoesNotTake) {
     const std::string title = "a<b>&\"c'\x01\xFF\xEF\xBF\xBF.svg";
     Settings settings;
     settings.load.animation = "<&\">]]>";
-    const std::string text = linesSvg(scene(), linesOf({}), settings, title);
+    const std::string text = linesSvg(linesOf({}), settings, title);
     expectWellFormed(text);
     EXPECT_EQ(between(text, "<title>", "</title>"), "a&lt;b&gt;&amp;\"c' \xEF\xBF\xBD\xEF\xBF\xBD.svg");
     const json metadata = json::parse(unescaped(between(text, "<metadata>", "</metadata>")));
@@ -206,7 +207,7 @@ TEST(LinesJson, holdsTheLinesAsTheyAre) {
     line.object = 3;
     line.patch = 17;
     const Lines lines = linesOf({line, hidden(lineThrough({{1, 2}, {3, 4}}))});
-    const json all = json::parse(linesJson(scene(), lines, settingsOf({{"hidden", "solid"}})));
+    const json all = json::parse(linesJson(lines, settingsOf({{"hidden", "solid"}})));
     EXPECT_EQ(all.at("size"), json({200, 100}));
     EXPECT_EQ(all.at("camera").at("projection").size(), 4U);
     EXPECT_EQ(all.at("settings").at("hidden"), "solid");
@@ -217,28 +218,28 @@ TEST(LinesJson, holdsTheLinesAsTheyAre) {
     EXPECT_EQ(first.at("closed"), true);
     EXPECT_EQ(first.at("object"), 3);
     EXPECT_EQ(first.at("patch"), 17);
-    ASSERT_EQ(first.at("places").size(), 3U);
-    EXPECT_EQ(first.at("places").at(0), json({10.123, 20}));
-    EXPECT_EQ(first.at("places").at(1), json({500, -30})) << "not cut";
-    EXPECT_EQ(first.at("points").at(2), json({2, 40, 60}));
+    ASSERT_EQ(first.at("pixels").size(), 3U);
+    EXPECT_EQ(first.at("pixels").at(0), json({10.123, 20}));
+    EXPECT_EQ(first.at("pixels").at(1), json({500, -30})) << "not cut";
+    EXPECT_EQ(first.at("positions").at(2), json({2, 40, 60}));
     EXPECT_EQ(all.at("lines").at(1).at("visible"), false);
-    EXPECT_EQ(json::parse(linesJson(scene(), lines, {})).at("lines").size(), 1U) << "hidden lines are not wanted";
-    EXPECT_EQ(json::parse(linesJson(scene(), linesOf({}), {})).at("lines").size(), 0U);
+    EXPECT_EQ(json::parse(linesJson(lines, {})).at("lines").size(), 1U) << "hidden lines are not wanted";
+    EXPECT_EQ(json::parse(linesJson(linesOf({}), {})).at("lines").size(), 0U);
 }
 
 TEST(WriteLines, choosesTheFormatByTheExtension) {
     const TemporaryFolder folder;
     const Lines lines = linesOf({lineThrough({{1, 1}, {9, 9}})});
-    writeLines(scene(), lines, {}, folder / "a & b.SVG");
+    writeLines(lines, {}, folder / "a & b.SVG");
     EXPECT_THAT(contents(folder / "a & b.SVG"), HasSubstr("<title>a &amp; b.SVG</title>"));
-    writeLines(scene(), lines, {}, folder / "a.json");
+    writeLines(lines, {}, folder / "a.json");
     EXPECT_TRUE(json::accept(contents(folder / "a.json")));
     EXPECT_TRUE(holdsLines("x/y.svg"));
     EXPECT_FALSE(holdsLines("x/y.png"));
     expectError(Error::Kind::Usage, HasSubstr("expected a file name that ends in .svg or .json, found '.dxf'"),
-                [&] { writeLines(scene(), lines, {}, folder / "a.dxf"); });
+                [&] { writeLines(lines, {}, folder / "a.dxf"); });
     expectError(Error::Kind::Output, HasSubstr("cannot be written"),
-                [&] { writeLines(scene(), lines, {}, folder / "missing" / "a.svg"); });
+                [&] { writeLines(lines, {}, folder / "missing" / "a.svg"); });
     EXPECT_EQ(folder.names().size(), 2U);
 }
 

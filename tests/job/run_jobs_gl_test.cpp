@@ -61,7 +61,7 @@ TEST_P(RunJobs, writeWhatARendererDraws) {
     Renderer renderer{settings.backend};
     (void)writeMaps(renderer.render(scene, camera, settings), {}, folder_ / "expected.png");
     EXPECT_EQ(contents(folder_ / "001.png"), contents(folder_ / "expected.png"));
-    writeLines(scene, renderer.lines(scene, camera, settings), settings, folder_ / "001.svg.expected.svg");
+    writeLines(renderer.lines(scene, camera, settings), settings, folder_ / "001.svg.expected.svg");
     EXPECT_EQ(contents(folder_ / "001.svg").size() + std::string_view{".svg.expected"}.size(),
               contents(folder_ / "001.svg.expected.svg").size());  // the title is the file's name
 }

@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
         settings.detector.detector = inkedge::Detector::Planes;
         settings.lines.from = inkedge::LinesFrom::Image;  // needs no Embree
         const inkedge::Lines lines = renderer.lines(scene, camera, settings);
-        inkedge::writeLines(scene, lines, settings, argv[4]);
+        inkedge::writeLines(lines, settings, argv[4]);
         std::printf("%zu lines\n", lines.lines.size());
         if (lines.lines.empty()) return 1;
         return hasLines(maps.picture) ? 0 : 1;

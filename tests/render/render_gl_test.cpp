@@ -1,6 +1,8 @@
 // Renderer::lines() as a library's user calls it.
 #include <inkedge/load_scene.h>
+#include <inkedge/read_lines.h>
 #include <inkedge/renderer.h>
+#include <inkedge/write.h>
 
 #include <algorithm>
 #include <set>
@@ -90,6 +92,35 @@ TEST_P(RendererLines, sayWhatFoundThem) {
         }
         EXPECT_EQ(seen, (std::set{LineType::Outline, LineType::Crease}));
         EXPECT_EQ(hidden, settings.lines.from != LinesFrom::Image) << "the planes detector sees no hidden lines";
+    }
+}
+
+TEST_P(RendererLines, areCompleteAndHaveTheSameIdsEachTime) {
+    const Scene scene = loadScene(INKEDGE_SOURCE_DIR "/assets/teapot.glb");
+    for (const Settings& settings : everyWay()) {
+        const Lines found = linesOf(renderer(), scene, settings);
+        const bool image = settings.lines.from == LinesFrom::Image;
+        EXPECT_EQ(found.bounds.centre, scene.bounds().centre);
+        EXPECT_EQ(found.bounds.radius, scene.bounds().radius);
+        EXPECT_EQ(found.source.name, "teapot.glb");
+        EXPECT_EQ(found.source.format, "glTF 2.0");
+        EXPECT_EQ(found.source.unit, LengthUnit::Metre);
+        EXPECT_EQ(found.source.triangles, scene.triangleCount());
+        EXPECT_EQ(found.source.space, image ? LinesFrom::Image : LinesFrom::Object);
+        EXPECT_EQ(found.objects.size(), 4U);
+        for (const Line& line : found.lines)
+            EXPECT_EQ(found.objects.at(line.object), scene.instances().at(line.object - 1).name);
+
+        std::set<std::uint32_t> ids;
+        for (const Line& line : found.lines) ids.insert(line.id);
+        EXPECT_EQ(ids.size(), found.lines.size());
+        EXPECT_FALSE(ids.contains(0));
+        (void)renderer().lines(scene, frameCamera(scene, {.azimuthAngle = 77.0}, size), settings);
+        const Lines again = linesOf(renderer(), scene, settings);
+        expectSame(again, found);
+        for (std::size_t i = 0; i < found.lines.size(); ++i) EXPECT_EQ(again.lines[i].id, found.lines[i].id);
+        EXPECT_EQ(linesJson(again, settings), linesJson(found, settings));
+        EXPECT_EQ(linesJson(linesFromJson(linesJson(found, settings)), settings), linesJson(found, settings));
     }
 }
 

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
+#include "settings/names.h"
 #include "settings/rows.h"
 
 namespace inkedge::settings {
 namespace {
 
-constexpr std::array<std::string_view, 4> detectorNames{"planes", "classic", "saito-takahashi", "none"};
 constexpr std::array<std::string_view, 2> kernelNames{"sobel", "farid"};
 constexpr std::array<std::string_view, 2> depthMapNames{"linear", "window"};
 constexpr std::array<std::string_view, 2> lightsNames{"single", "two-pass"};

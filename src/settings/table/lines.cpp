@@ -1,4 +1,5 @@
 #include "settings/constraints.h"
+#include "settings/names.h"
 #include "settings/rows.h"
 
 namespace inkedge::settings {
@@ -7,7 +8,6 @@ namespace {
 using Names = std::string_view;
 constexpr std::array linesFromNames{Names{"auto"}, Names{"image"}, Names{"object"}};
 constexpr std::array contourNames{Names{"auto"}, Names{"mesh"}, Names{"smooth"}};
-constexpr std::array contourFinderNames{Names{"every"}, Names{"random"}, Names{"gauss"}};
 constexpr std::array hiddenNames{Names{"none"}, Names{"dashed"}, Names{"solid"}};
 constexpr std::array strokeWidthNames{Names{"constant"}, Names{"depth"}, Names{"curvature"}};
 

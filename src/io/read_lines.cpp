@@ -1,0 +1,174 @@
+#include <inkedge/read_lines.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <inkedge/error.h>
+
+#include "base/message.h"
+#include "base/read_file.h"
+#include "io/json_object.h"
+#include "io/lines_json.h"
+#include "io/parse_json.h"
+#include "settings/names.h"
+
+namespace inkedge {
+namespace {
+
+using Json = io::ParsedJson;
+using io::JsonObject;
+using io::refuseValue;
+using load::refuse;
+
+constexpr std::uint64_t largestFile = std::uint64_t{1} << 30U;   // bytes
+constexpr std::uint64_t maxTriangles = std::uint64_t{1} << 53U;  // as many as a double counts
+constexpr std::size_t maxValues = std::size_t{1} << 23U;         // of one line, and of all that is no line
+constexpr std::size_t maxDepth = 16;                             // lists and objects in each other; 5 are written
+
+Size readSize(const JsonObject& all) {
+    const auto size = all.vector<glm::dvec2>("size");
+    constexpr int max = PictureSettings::maxSide;
+    for (int k = 0; k < 2; ++k) {
+        if (size[k] < 1.0 || size[k] > max || size[k] != std::floor(size[k]))
+            refuse(fmt::format("size: expected two whole numbers from 1 to {}, found {}", max, size[k]));
+    }
+    return {static_cast<int>(size.x), static_cast<int>(size.y)};
+}
+
+glm::dmat4 readMatrix(const JsonObject& json, std::string_view key) {
+    const Json& rows = json.list(key);
+    if (rows.size() != 4) refuseValue(json.path(key), "four rows", &rows);
+    glm::dmat4 matrix;
+    for (int row = 0; row < 4; ++row) {
+        const auto values = io::vectorOf<glm::dvec4>(rows[static_cast<std::size_t>(row)], json.path(key));
+        for (int column = 0; column < 4; ++column) matrix[column][row] = values[column];
+    }
+    return matrix;
+}
+
+// What follows from these, as projection and eye do, is not read.
+Camera readCamera(const JsonObject& json, Size size) {
+    Camera camera;
+    camera.view = readMatrix(json, "view");
+    camera.near = json.number("near");
+    camera.far = json.number("far");
+    if (json.at("orthographic_height") != nullptr) {
+        camera.orthographicHeight = json.number("orthographic_height");
+        if (!camera.orthographic())
+            refuseValue(json.path("orthographic_height"), "a number over 0", json.at("orthographic_height"));
+    } else {
+        camera.viewAngle = json.number("view_angle");
+        if (!(camera.viewAngle > 0.0 && camera.viewAngle < 180.0))
+            refuseValue(json.path("view_angle"), "a number over 0 and under 180", json.at("view_angle"));
+    }
+    if (!io::isFinite(camera, size))
+        refuse(json.path("view") +
+               ": expected a view and a projection that are finite, as the view's inverse is, "
+               "found none");
+    return camera;
+}
+
+LinesSource readSource(const JsonObject& json) {
+    LinesSource source;
+    source.name = json.text("name");
+    source.format = json.text("format");
+    source.unit = static_cast<LengthUnit>(json.choice("unit", io::lengthUnitNames));
+    source.triangles = json.whole("triangles", maxTriangles);
+    for (const Json& warning : json.list("warnings")) {
+        if (!warning.is_string()) refuseValue(json.path("warnings"), "texts", &warning);
+        source.warnings.push_back(warning.get<std::string>());
+    }
+    if (json.choice("space", io::spaceNames) == 0) {
+        source.finder = static_cast<ContourFinder>(json.choice("contour_finder", settings::contourFinderNames));
+    } else {
+        source.space = LinesFrom::Image;
+        source.detector = static_cast<Detector>(json.choice("detector", settings::detectorNames));
+    }
+    return source;
+}
+
+std::map<std::uint32_t, std::string> readObjects(const Json& list) {
+    std::map<std::uint32_t, std::string> objects;
+    for (const Json& entry : list) {
+        const JsonObject json{&entry, fmt::format("objects[{}]", objects.size())};
+        const std::uint32_t object = json.whole32("object");
+        if (!objects.emplace(object, json.text("name")).second)
+            refuse(fmt::format("{}: expected each number once, found {} again", json.path("object"), object));
+    }
+    return objects;
+}
+
+Line readLine(const JsonObject& json) {
+    Line line;
+    line.id = json.whole32("id");
+    line.type = static_cast<LineType>(1U << json.choice("type", settings::lineTypeNames));
+    line.visible = json.flag("visible");
+    line.closed = json.flag("closed");
+    line.object = json.whole32("object");
+    line.patch = json.whole32("patch");
+    const Json& pixels = json.list("pixels");
+    const Json& positions = json.list("positions");
+    if (pixels.size() < 2) refuseValue(json.path("pixels"), "a list of two or more", &pixels);
+    if (positions.size() != pixels.size())
+        refuseValue(json.path("positions"), fmt::format("a list of {}, as pixels is", pixels.size()), &positions);
+    line.points.reserve(pixels.size());
+    const std::array paths{json.path("pixels"), json.path("positions")};
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        line.points.push_back(
+            {io::vectorOf<glm::dvec2>(pixels[i], paths[0]), io::vectorOf<glm::dvec3>(positions[i], paths[1])});
+    return line;
+}
+
+// @param whole  whether all of the file has been read, and not only what stands before its lines
+void expectOurFormat(const Json& json, bool whole) {
+    const auto expectValue = [&](const char* key, const Json& expected, std::string_view remedy) {
+        const auto found = json.find(key);
+        if (found == json.end() ? whole : *found != expected)
+            refuseValue(key, fmt::format("{}{}", expected.dump(), remedy), found == json.end() ? nullptr : &*found);
+    };
+    expectValue("format", io::linesFormat, "");
+    expectValue("version", io::linesVersion, "; find the lines again");
+}
+
+}  // namespace
+
+Lines linesFromJson(std::string_view text) {
+    Lines lines;
+    const auto take = [&](const Json& line, const Json& before) {
+        if (lines.lines.empty()) expectOurFormat(before, false);
+        lines.lines.push_back(readLine({&line, fmt::format("lines[{}]", lines.lines.size())}));
+    };
+    const Json json = io::parseJson(text, {"lines", take}, {maxDepth, maxValues});
+    const JsonObject all{&json, ""};
+    expectOurFormat(json, true);
+    (void)all.list("lines");
+    lines.size = readSize(all);
+    lines.camera = readCamera(all.object("camera"), lines.size);
+    const JsonObject bounds = all.object("bounds");
+    lines.bounds = {bounds.vector<glm::dvec3>("centre"), bounds.notNegative("radius")};
+    lines.source = readSource(all.object("source"));
+    lines.objects = readObjects(all.list("objects"));
+    lines.tolerance = all.notNegative("tolerance");
+    return lines;
+}
+
+Lines readLines(const std::filesystem::path& file) {
+    return load::within(load::printable(file.string()), [&] {
+        std::error_code failure;
+        if (const std::uint64_t size = std::filesystem::file_size(file, failure); !failure && size > largestFile)
+            refuse(fmt::format("expected a file of at most {} bytes, found {}", largestFile, size));
+        std::uint64_t bytesLeft = largestFile;
+        const load::Bytes bytes = load::readBytes(file, bytesLeft);
+        return linesFromJson(load::textOf(bytes));
+    });
+}
+
+}  // namespace inkedge
