@@ -32,8 +32,8 @@ public:
     /// @throws      what make throws: what was made before is dropped then
     template <class Make>
     const Made& of(const std::filesystem::path& file, Make&& make) {
-        const FileStamp stamp =
-            stampOf(file);  // before it is read, so that what is written meanwhile is read next time
+        // Before the file is read, so that what is written meanwhile is read next time.
+        const FileStamp stamp = stampOf(file);
         const auto known = kept_.find(file);
         if (known != kept_.end() && known->second.stamp == stamp) return known->second.made;
         if (known != kept_.end()) kept_.erase(known);

@@ -50,11 +50,7 @@ const lines::ObjectLines& Kept::objectLines(const Scene& scene) {
 
 const Brush* Kept::brush(const std::filesystem::path& file, const LoadLimits& limits) {
     if (file.empty()) return nullptr;
-    if (!brush_ || file != brushFile_) {
-        brush_ = readBrush(file, limits);
-        brushFile_ = file;
-    }
-    return &*brush_;
+    return &brushes_.of(file, [&] { return readBrush(file, limits); });
 }
 
 }  // namespace inkedge

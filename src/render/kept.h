@@ -12,6 +12,7 @@
 #include <inkedge/settings.h>
 #include <inkedge/stage_time.h>
 
+#include "base/kept_files.h"
 #include "gl/context.h"
 #include "gl/function_inputs.h"
 #include "gl/gpu.h"
@@ -61,8 +62,7 @@ private:
     BackendSettings settings_;
     std::optional<Graphics> graphics_;
     std::unique_ptr<lines::ObjectLines> objectLines_;
-    std::optional<Brush> brush_;
-    std::filesystem::path brushFile_;
+    KeptFiles<Brush> brushes_;
 };
 
 }  // namespace inkedge

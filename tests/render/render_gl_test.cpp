@@ -115,7 +115,9 @@ TEST_P(RendererLines, areCompleteAndHaveTheSameIdsEachTime) {
         for (const Line& line : found.lines) ids.insert(line.id);
         EXPECT_EQ(ids.size(), found.lines.size());
         EXPECT_FALSE(ids.contains(0));
-        (void)renderer().lines(scene, frameCamera(scene, {.azimuthAngle = 77.0}, size), settings);
+        CameraSettings turned;
+        turned.azimuthAngle = 77.0;
+        (void)renderer().lines(scene, frameCamera(scene, turned, size), settings);
         const Lines again = linesOf(renderer(), scene, settings);
         expectSame(again, found);
         for (std::size_t i = 0; i < found.lines.size(); ++i) EXPECT_EQ(again.lines[i].id, found.lines[i].id);
