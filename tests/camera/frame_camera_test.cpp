@@ -2,83 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <gmock/gmock.h>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
-#include <inkedge/error.h>
-
-#include "base/expect_error.h"
+#include "camera/framed_scenes.h"
 #include "scenes.h"
 
 namespace inkedge {
 namespace {
 
-using testing::StrEq;
-
-constexpr Size square{100, 100};
-constexpr double frameShare = 0.92;  // what a framed model fills of the picture's tighter side
-
-// Matrices of doubles with entries of order 1: a few roundings of 1e-16 each.
-constexpr double exact = 1e-12;
-// After division by a depth, and vertices that went through float.
-constexpr double nearlyExact = 1e-9;
-
-// Nothing symmetric: the picture's centre, the bounds' centre and the origin all differ.
-Scene skewScene(double scale = 1.0) {
-    const auto grow = scenes::scaling(glm::dvec3{scale});
-    return scenes::sceneOf(
-        {{scenes::box({4, 1, 2}), grow * scenes::translation({3, 1, -2})},
-         {scenes::cube(0.5), grow * scenes::translation({0, 3, 1}) * scenes::rotation(40, {1, 2, 3})}});
-}
-
-glm::dvec3 position(const Camera& camera) { return glm::dvec3{glm::inverse(camera.view)[3]}; }
-glm::dvec3 worldAxis(const Camera& camera, int axis) { return glm::transpose(glm::dmat3{camera.view})[axis]; }
-glm::dvec3 forward(const Camera& camera) { return -worldAxis(camera, 2); }
-double depthOf(const Camera& camera, glm::dvec3 point) { return -(camera.view * glm::dvec4{point, 1.0}).z; }
-
-void expectNear(glm::dvec3 found, glm::dvec3 expected, double tolerance = exact) {
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i], expected[i], tolerance) << "component " << i;
-}
-
-struct Frame {
-    glm::dvec2 low{std::numeric_limits<double>::infinity()};
-    glm::dvec2 high{-std::numeric_limits<double>::infinity()};
-};
-
-// What the model covers, in normalised device coordinates.
-Frame covered(const Scene& scene, const Camera& camera, Size size) {
-    Frame frame;
-    for (const glm::dvec3& p : scenes::drawnVertices(scene)) {
-        const glm::dvec2 ndc{scenes::project(camera, size, p)};
-        frame.low = glm::min(frame.low, ndc);
-        frame.high = glm::max(frame.high, ndc);
-    }
-    return frame;
-}
-
-void expectFramed(const Scene& scene, const Camera& camera, Size size) {
-    const Frame frame = covered(scene, camera, size);
-    const double widest = std::max({-frame.low.x, -frame.low.y, frame.high.x, frame.high.y});
-    EXPECT_NEAR(widest, frameShare, nearlyExact) << "the model fills the frame and no more";
-    for (int axis = 0; axis < 2; ++axis) {
-        if (std::max(-frame.low[axis], frame.high[axis]) < frameShare - nearlyExact) continue;
-        EXPECT_NEAR(frame.low[axis], -frame.high[axis], nearlyExact) << "equal margins on the tighter side";
-    }
-}
-
-void expectVerticesBetweenNearAndFar(const Scene& scene, const Camera& camera) {
-    for (const glm::dvec3& p : scenes::drawnVertices(scene)) {
-        EXPECT_GT(depthOf(camera, p), camera.near);
-        EXPECT_LT(depthOf(camera, p), camera.far);
-    }
-}
-
-void expectRefusal(const CameraSettings& wish, const std::string& message) {
-    expectError(Error::Kind::Usage, StrEq(message), [&] { (void)frameCamera(skewScene(), wish, square); });
-}
+using namespace framed_scenes;
 
 TEST(FrameCamera, framesTheWholeModelByDefault) {
     for (const Size size : {square, Size{300, 100}, Size{100, 300}, Size{1, 1}}) {
@@ -300,15 +235,6 @@ TEST(FrameCamera, zoomMagnifiesAboutThePicturesCentre) {
     }
 }
 
-Scene sceneWithCameras() {
-    Scene::Data data;
-    data.meshes.push_back(scenes::cube());
-    data.instances.push_back({"cube", 0, glm::dmat4{1.0}});
-    data.cameras.push_back({"ahead", scenes::translation({0, 0, 9}), 50.0, 0.0});
-    data.cameras.push_back({"side", scenes::translation({7, 0, 0}) * scenes::rotation(90, {0, 1, 0}), 35.0, 4.0});
-    return Scene{data};
-}
-
 TEST(FrameCamera, takesTheFilesCamera) {
     CameraSettings wish;
     wish.index = 0;
@@ -326,16 +252,6 @@ TEST(FrameCamera, takesTheFilesCamera) {
     EXPECT_EQ(side.orthographicHeight, 4.0);
     wish.zoomFactor = 2.0;
     EXPECT_EQ(frameCamera(sceneWithCameras(), wish, square).orthographicHeight, 2.0);
-}
-
-TEST(FrameCamera, refusesACameraThatTheFileDoesNotHave) {
-    CameraSettings wish;
-    wish.index = 2;
-    expectError(Error::Kind::Usage, StrEq("camera-index: expected a camera of the file, 0 to below 2, found 2"),
-                [&] { (void)frameCamera(sceneWithCameras(), wish, square); });
-    wish.index = -1;
-    expectError(Error::Kind::Usage, StrEq("camera-index: expected a whole number from 0, found '-1'"),
-                [&] { (void)frameCamera(sceneWithCameras(), wish, square); });
 }
 
 TEST(FrameCamera, fitsNearAndFarToTheBoundingSphere) {
@@ -409,74 +325,6 @@ TEST(FrameCamera, staysFiniteForASceneWithoutExtent) {
         EXPECT_TRUE(std::isfinite(glm::determinant(camera.projection(square))));
         EXPECT_LT(camera.near, camera.far);
     }
-}
-
-TEST(FrameCamera, refusesTwoWaysToSayOneThing) {
-    const glm::dvec3 v{1, 2, 3};
-    CameraSettings wish;
-    wish.azimuthAngle = 10.0;
-    wish.direction = v;
-    expectRefusal(wish, "camera-direction: expected it without an azimuth or elevation angle, found both");
-    wish = {};
-    wish.elevationAngle = 10.0;
-    wish.direction = v;
-    expectRefusal(wish, "camera-direction: expected it without an azimuth or elevation angle, found both");
-    wish = {};
-    wish.elevationAngle = 10.0;
-    wish.position = v;
-    expectRefusal(wish, "camera-position: expected it without an azimuth or elevation angle, found both");
-    wish = {};
-    wish.position = v;
-    wish.direction = v;
-    wish.focalPoint = v;
-    expectRefusal(wish,
-                  "camera-direction: expected it without both camera-position and camera-focal-point, found both");
-    for (int which = 0; which < 6; ++which) {
-        wish = {};
-        wish.index = 0;
-        if (which == 0) wish.position = v;
-        if (which == 1) wish.focalPoint = v;
-        if (which == 2) wish.direction = v;
-        if (which == 3) wish.viewUp = v;
-        if (which == 4) wish.azimuthAngle = 1.0;
-        if (which == 5) wish.elevationAngle = 1.0;
-        expectRefusal(wish, "camera-index: expected it without another camera position or direction, found both");
-    }
-}
-
-TEST(FrameCamera, refusesACameraInsideOut) {
-    CameraSettings wish;
-    wish.position = glm::dvec3{1, 2, 3};
-    wish.focalPoint = glm::dvec3{1, 2, 3};
-    expectRefusal(wish, "camera-position: expected a place other than the focal point, found both at 1,2,3");
-    wish = {};
-    wish.direction = glm::dvec3{0.0};
-    expectRefusal(wish, "camera-direction: expected a direction, found 0,0,0");
-    wish.position = glm::dvec3{1, 2, 3};
-    expectRefusal(wish, "camera-direction: expected a direction, found 0,0,0");
-    wish = {};
-    wish.viewUp = glm::dvec3{0.0};
-    expectRefusal(wish, "camera-view-up: expected a direction, found 0,0,0");
-    wish = {};
-    wish.direction = glm::dvec3{0, 0, -2};
-    wish.viewUp = glm::dvec3{0, 0, 3};
-    expectRefusal(wish, "camera-view-up: expected a direction across the view direction 0,0,-1, found one along it");
-}
-
-TEST(FrameCamera, refusesNumbersOutOfRange) {
-    CameraSettings wish;
-    wish.viewAngle = 0.0;
-    expectRefusal(wish, "camera-view-angle: expected degrees over 0 and under 180, found '0'");
-    wish.viewAngle = 180.0;
-    expectRefusal(wish, "camera-view-angle: expected degrees over 0 and under 180, found '180'");
-    wish = {};
-    wish.zoomFactor = 0.0;
-    expectRefusal(wish, "camera-zoom-factor: expected a number over 0, found '0'");
-    wish.zoomFactor = -2.0;
-    expectRefusal(wish, "camera-zoom-factor: expected a number over 0, found '-2'");
-    wish = {};
-    wish.orthographicHeight = -1.0;
-    expectRefusal(wish, "camera-orthographic: expected a number from 0 to 1.7976931348623157e+308, found '-1'");
 }
 
 TEST(Projection, mapsNearAndFarToTheEndsOfClipSpace) {

@@ -1,18 +1,18 @@
-// Faults from outside: full disks, closed streams, signals, too little memory or time. The right exit code, a line that
-// says what to do, and files that are whole or not there. The table of faults is in tests/README.md.
+// Faults from outside: full disks, closed streams, signals. The right exit code, a line that says what to do, and files
+// that are whole or not there. The table of faults is in tests/README.md.
+#include <thread>
+
 #include <linux/capability.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-#include <cstdio>
-#include <thread>
-
-#include "cli/command.h"
 #include "cli/decode_png.h"
+#include "cli/faults.h"
 
 namespace {
 
+using namespace faults;
 using testing::AllOf;
 using testing::AnyOf;
 using testing::Contains;
@@ -20,70 +20,6 @@ using testing::Eq;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
-
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool addressSpaceCanBeLimited = false;
-#else
-constexpr bool addressSpaceCanBeLimited = true;
-#endif
-
-class Faults : public Command {
-protected:
-    using Prepare = std::function<void()>;
-
-    Outcome runWith(const Prepare& prepare, const Arguments& arguments) const {
-        return Running{INKEDGE_COMMAND, arguments, folder_.path(), {}, prepare}.finish();
-    }
-
-    void expectNothingLeft() const { EXPECT_THAT(folder_.names(), IsEmpty()) << "a failure must leave nothing behind"; }
-
-    /// A wavy sheet of 2 x side x side triangles.
-    std::string bigModel(std::uint32_t side) const {
-        std::string vertices;
-        std::string indices;
-        const auto append = [](std::string& bytes, const auto& values) {
-            bytes.append(reinterpret_cast<const char*>(values.data()), sizeof values);
-        };
-        for (std::uint32_t j = 0; j <= side; ++j) {
-            for (std::uint32_t i = 0; i <= side; ++i) {
-                const auto x = static_cast<float>(i) / static_cast<float>(side);
-                const auto z = static_cast<float>(j) / static_cast<float>(side);
-                append(vertices, std::array{x, 0.1F * std::sin(20.0F * x) * std::cos(17.0F * z), z});
-                if (i == side || j == side) continue;
-                const std::uint32_t a = j * (side + 1) + i;
-                append(indices, std::array{a, a + side + 1, a + 1, a + 1, a + side + 1, a + side + 2});
-            }
-        }
-        put(models_ / "big.bin", vertices + indices);
-        using nlohmann::json;
-        const json model{
-            {"asset", {{"version", "2.0"}}},
-            {"scene", 0},
-            {"scenes", {{{"nodes", {0}}}}},
-            {"nodes", {{{"mesh", 0}}}},
-            {"meshes", {{{"primitives", {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}}}}}}},
-            {"buffers", {{{"uri", "big.bin"}, {"byteLength", vertices.size() + indices.size()}}}},
-            {"bufferViews",
-             {{{"buffer", 0}, {"byteLength", vertices.size()}},
-              {{"buffer", 0}, {"byteOffset", vertices.size()}, {"byteLength", indices.size()}}}},
-            {"accessors",
-             {{{"bufferView", 0},
-               {"componentType", 5126},
-               {"type", "VEC3"},
-               {"count", vertices.size() / 12},
-               {"min", {0.0, -0.1, 0.0}},
-               {"max", {1.0, 0.1, 1.0}}},
-              {{"bufferView", 1}, {"componentType", 5125}, {"type", "SCALAR"}, {"count", indices.size() / 4}}}}};
-        return file("big.gltf", model.dump());
-    }
-};
-
-void giveDevice(int stream, const char* device) { ::dup2(::open(device, O_WRONLY | O_CLOEXEC), stream); }
-
-void limit(__rlimit_resource resource, rlim_t bytes) {
-    const rlimit limits{bytes, bytes};
-    ::setrlimit(resource, &limits);
-}
 
 // --- stdout and stderr ---
 
@@ -365,101 +301,6 @@ TEST_F(AnyMoment, SigintLeavesWholeFilesOnly) { interruptOften(SIGINT); }
 TEST_F(AnyMoment, SigtermLeavesWholeFilesOnly) { interruptOften(SIGTERM); }
 
 TEST_F(AnyMoment, SigkillLeavesNoFileInPart) { interruptOften(SIGKILL); }
-
-// --- time ---
-
-class Timeout : public Faults {};
-
-TEST_F(Timeout, EndsTheWorkOnABigModel) {
-    const std::string model = bigModel(700);
-    expectFailure(
-        run({"render", model, "-o", "a.png", "--metadata", "a.json", "--maps", everyMap(), "--timeout", "0.1"}), 1,
-        HasSubstr(model + ": expected the work to end within 0.1 s, found it still going"));
-    expectNothingLeft();
-}
-
-TEST_F(Timeout, DoesNotMeetWorkThatEndsBefore) {
-    expectSuccess(run({"render", roof(), "-o", "a.png", "--size", "16x16", "--timeout", "100"}));
-}
-
-TEST_F(Timeout, WorksWhereTheCallerBlocksTheAlarm) {
-    const auto block = [] {
-        sigset_t alarm;
-        ::sigemptyset(&alarm);
-        ::sigaddset(&alarm, SIGALRM);
-        ::sigprocmask(SIG_BLOCK, &alarm, nullptr);
-    };
-    EXPECT_EQ(runWith(block, {"render", bigModel(700), "-o", "a.png", "--timeout", "1e-9"}).exitCode, 1);
-    expectNothingLeft();
-}
-
-TEST_F(Timeout, RefusesATimeThatIsNone) {
-    for (const char* time : {"0", "-1", "nan", "inf", "5s", "1e9"}) {
-        expectFailure(run({"render", roof(), "-o", "a.png", std::string{"--timeout="} + time}), 2,
-                      HasSubstr(std::string{"--timeout: expected a number over 0"}));
-    }
-    expectNothingLeft();
-}
-
-// --- memory ---
-
-class Memory : public Faults {
-protected:
-    void SetUp() override {
-        if (!addressSpaceCanBeLimited) GTEST_SKIP() << "the address sanitizer needs the address space here";
-    }
-    static Prepare megabytes(rlim_t count) {
-        return [count] {
-            limit(RLIMIT_AS, count << 20U);
-            limit(RLIMIT_CORE, 0);
-        };
-    }
-};
-
-// The model has 18 MB; its scene needs ten times that.
-TEST_F(Memory, TooLittleForTheModel) {
-    const std::string model = bigModel(700);
-    for (const rlim_t count : std::initializer_list<rlim_t>{40, 60, 80, 100}) {
-        const Outcome outcome = runWith(megabytes(count), {"render", model, "-o", "a.png", "--size", "64x64"});
-        EXPECT_THAT(outcome.exitCode, AnyOf(Eq(1), Eq(3))) << count << " MB";
-        expectFailure(outcome, outcome.exitCode, HasSubstr("memory"));
-        expectNothingLeft();
-    }
-}
-
-// Drivers may crash when they get no memory; the line and the folder are ours even then.
-TEST_F(Memory, TooLittleForSomeStage) {
-    const std::string model = bigModel(300);
-    for (rlim_t count = 100; count < 800; count += 100) {
-        const Outcome outcome = runWith(megabytes(count), {"render", model, "-o", "a.png", "--size", "500x500"});
-        if (outcome.exitCode == 0) {
-            EXPECT_EQ(decodePng(contents(folder_ / "a.png")).width, 500U);
-            std::filesystem::remove(folder_ / "a.png");
-        } else {
-            EXPECT_THAT(outcome.error,
-                        AllOf(HasSubstr("inkedge: error: "), HasSubstr("expected "), HasSubstr("found ")))
-                << count << " MB";
-        }
-        expectNothingLeft();
-    }
-}
-
-TEST_F(Memory, TooLittleForAPicture) {
-    for (const char* backend : {"egl", "osmesa"}) {
-        const auto about = nlohmann::json::parse(run({"doctor", "--json"}).out);
-        const bool software = std::ranges::any_of(about["backends"], [&](const auto& each) {
-            return each["backend"] == backend && each["works"] && each["software"];
-        });
-        if (!software) {
-            std::printf("[  SKIPPED ] Memory.TooLittleForAPicture: no %s in software here\n", backend);
-            continue;
-        }
-        expectFailure(runWith(megabytes(1500), {"render", roof(), "-o", "a.png", "--size", "8192x8192", "--tile-size",
-                                                "8192", "--backend", backend}),
-                      1, HasSubstr("expected graphics memory for a picture of 8192 x 8192 pixels, found too little; "));
-        expectNothingLeft();
-    }
-}
 
 // --- drivers ---
 

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <inkedge/load_scene.h>
+
 #include "lines/object_lines.h"
 #include "scene/prepared.h"
 #include "scenes.h"

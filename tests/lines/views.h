@@ -35,6 +35,8 @@ inline Camera orthographic(glm::dvec3 eye, double height, glm::dvec3 at = glm::d
     return camera;
 }
 
+inline constexpr std::array bothContours{Contour::Mesh, Contour::Smooth};
+
 struct LineOptions {
     Size size{400, 300};
     Contour contour = Contour::Auto;

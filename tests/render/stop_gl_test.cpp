@@ -6,6 +6,8 @@
 #include <stop_token>
 #include <thread>
 
+#include <inkedge/load_scene.h>
+
 #include "base/expect_error.h"
 #include "base/stop.h"
 #include "gl/gl_test.h"

@@ -1,7 +1,6 @@
 #include <inkedge/setting_table.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -14,87 +13,16 @@
 #include <inkedge/error.h>
 
 #include "base/expect_error.h"
+#include "settings/setting_samples.h"
 
 namespace inkedge {
 namespace {
 
-using testing::Each;
+using namespace setting_samples;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Not;
 using testing::StrEq;
-
-std::vector<std::string> split(std::string_view text, char separator) {
-    std::vector<std::string> parts{""};
-    for (const char c : text) {
-        if (c == separator)
-            parts.emplace_back();
-        else
-            parts.back() += c;
-    }
-    return parts;
-}
-
-bool isChoice(const SettingDescription& row) { return row.range() == "one of these"; }
-bool isCount(const SettingDescription& row) { return std::holds_alternative<Count>(row.constraint); }
-
-// Texts that a row must take, in the form in which it gives them back, worked out from what the manual says it takes.
-std::vector<std::string> samples(const SettingDescription& row) {
-    if (isChoice(row)) return split(row.values(), '|');
-    if (row.values() == "MAP,...") return {"depth", "edges,depth-edges", "depth,normal,depth-edges,normal-edges,edges"};
-    if (row.name == "page-size") return {"210mmx297mm", "12.5mmx40mm"};
-    if (row.values() == "WIDTHxHEIGHT") return {"1x1", "320x200"};
-    if (row.values() == "COLOR") return {"#000000", "#12ab9f", "#ffffff"};
-    if (row.values() == "COLOR|none") return {"none", "#12ab9f"};
-    if (row.values() == "X,Y,Z") return {"1,2,3", "-1.5,0.25,1e-300"};
-    if (row.values() == "DEG") return {"12.5", "89.75"};
-    if (row.values() == "HEIGHT" || row.values() == "FACTOR" || row.values() == "T") return {"0.25", "2", "1000"};
-    if (row.name == "dpi") return {"72", "300.5"};
-    if (row.values() == "PX" && row.group == "lines") return {"0", "0.25", "2.5"};
-    if (row.group == "style" && row.values() == "X") return {"0.25", "1"};
-    if (row.group == "style" && row.values() == "PX") return {"1", "1.5"};
-    if (row.group == "style" && row.values() == "N") return {"1", "7"};
-    if (row.group == "detector" && (row.values() == "PX" || row.values() == "X")) return {"0.25", "2.5"};
-    if (row.values() == "PX") return {"0.5", "2.25", "0.35mm"};
-    if (row.values() == "TYPE,...") return {"none", "crease", "outline,object"};
-    if (row.values() == "TYPE:width=W,color=C;...") return {"crease:width=1", "outline:width=0.5mm,color=#123456"};
-    if (row.values() == "NAME|N") return {"Run", "2"};
-    if (row.values() == "FILE") return {"charcoal.png", "/brushes/dry one.png"};
-    if (row.values() == "SAMPLES") return {"256", "1000"};
-    if (row.values() == "SECONDS") return {"0", "2.5"};
-    if (row.group == "limits") return {"1", "123456"};
-    if (row.range() == "0 to 6") return {"0", "6"};
-    if (row.values() == "N|u:N,v:N") return {"8", "u:4,v:12"};
-    if (row.name == "function") return {"depth", "height:levels=4;normal:kernel=farid"};
-    if (row.values() == "N") return {"0", "7"};
-    ADD_FAILURE() << "--" << row.name << " takes " << row.values() << ", for which this test knows no samples";
-    return {};
-}
-
-void expectRefusal(std::string_view name, std::string_view text, const std::string& message) {
-    Settings settings;
-    expectError(Error::Kind::Usage, StrEq(message), [&] { set(settings, name, text, "--flag"); });
-}
-
-std::string got(std::string_view name, const Settings& settings) {
-    return std::ranges::find(settingTable(), name, &SettingDescription::name)->get(settings);
-}
-
-template <class Action>
-bool throwsError(Action action) {
-    try {
-        action();
-    } catch (const Error&) {
-        return true;
-    }
-    return false;
-}
-
-Settings with(std::string_view name, std::string_view text) {
-    Settings settings;
-    set(settings, name, text, "test");
-    return settings;
-}
 
 TEST(SettingTable, namesEachSettingOnce) {
     std::set<std::string_view> names;
@@ -375,141 +303,6 @@ TEST(SettingTable, holdsTextsToTheLimitsOfTheirConstraints) {
         }
     }
     EXPECT_GT(held, 40);
-}
-
-TEST(Validate, takesTheDefaultsAndEverySample) {
-    EXPECT_NO_THROW(validate(Settings{}));
-    for (const SettingDescription& row : settingTable()) {
-        for (const std::string& sample : samples(row)) EXPECT_NO_THROW(validate(with(row.name, sample))) << row.name;
-    }
-}
-
-void expectInvalid(const std::string& message, void (*spoil)(Settings&)) {
-    Settings settings;
-    spoil(settings);
-    expectError(Error::Kind::Usage, StrEq(message), [&] { validate(settings); });
-    expectError(Error::Kind::Usage, StrEq(message), [&] { validate(static_cast<const RenderSettings&>(settings)); });
-}
-
-TEST(Validate, refusesValuesWithTheWordsOfTheCommandLine) {
-    expectInvalid("sumi-width: expected a number from 1 to 32, found '-5'",
-                  [](Settings& s) { s.style.sumiWidth = -5; });
-    expectInvalid("line-width: expected a number from 0.5 to 32, found '-3'",
-                  [](Settings& s) { s.picture.lineWidth.value = -3; });
-    expectInvalid("line-width: expected a number over 0, found '0mm'", [](Settings& s) {
-        s.picture.lineWidth = {0.0, true};
-    });
-    expectInvalid("isolines: expected a whole number from 0 to 1000, found 'u:-4,v:5000'", [](Settings& s) {
-        s.lines.isolines = {-4, 5000};
-    });
-    expectInvalid("size: expected 1x1 to 32768x32768 pixels, found '0x5'", [](Settings& s) {
-        s.picture.size = {0, 5};
-    });
-    expectInvalid("supersampling: expected 1, 2 or 4, found '3'", [](Settings& s) { s.picture.supersampling = 3; });
-    expectInvalid("dpi: expected a number, found 'nan'",
-                  [](Settings& s) { s.picture.dpi = std::numeric_limits<double>::quiet_NaN(); });
-    expectInvalid("fit-curves: expected 0 or a number from 0.01 to 100, found '0.001'",
-                  [](Settings& s) { s.lines.fitCurves = 0.001; });
-    expectInvalid("style: expected one of ink, hatch, sumi, pencil, found '9'",
-                  [](Settings& s) { s.style.style = static_cast<Style>(9); });
-    expectInvalid("line-style: expected a number from 0.5 to 32, found 'crease:width=99'",
-                  [](Settings& s) { s.picture.pens[3].width = PictureLength{99.0}; });
-}
-
-TEST(Validate, refusesFunctionsThatNoRowAllows) {
-    expectInvalid(
-        "function: expected one of depth, normal, texture, base-color, environment, volume, curvature, uv, "
-        "height, custom, found 'nonsense'",
-        [](Settings& s) { s.detector.functions.emplace_back().name = "nonsense"; });
-    expectInvalid("function: height: expected 3 options, found 0",
-                  [](Settings& s) { s.detector.functions.emplace_back().name = "height"; });
-    Settings settings;
-    settings.detector.functions = {surfaceFunction("texture")};
-    settings.detector.functions[0].file = "a,b;c.png";
-    EXPECT_NO_THROW(validate(settings));
-}
-
-TEST(Validate, holdsEachPartToItsOwnRows) {
-    LoadSettings load;
-    load.subdivide = 7;
-    expectError(Error::Kind::Usage, StrEq("subdivide: expected a whole number from 0 to 6, found '7'"),
-                [&] { validate(load); });
-    CameraSettings camera;
-    camera.zoomFactor = 0.0;
-    expectError(Error::Kind::Usage, StrEq("camera-zoom-factor: expected a number over 0, found '0'"),
-                [&] { validate(camera); });
-    BackendSettings backend;
-    backend.device = -1;
-    expectError(Error::Kind::Usage, StrEq("device: expected a whole number from 0, found '-1'"),
-                [&] { validate(backend); });
-}
-
-TEST(Presets, haveNamesOfTheirOwnAndOneLineOfHelp) {
-    std::set<std::string_view> names;
-    for (const Preset& preset : presets()) {
-        EXPECT_TRUE(names.insert(preset.name).second) << preset.name;
-        EXPECT_THAT(preset.help, Not(IsEmpty()));
-        EXPECT_THAT(preset.values, Not(IsEmpty()));
-    }
-    EXPECT_THAT(names, testing::IsSupersetOf({"paper", "blueprint", "overlay"}));
-}
-
-TEST(Presets, setWhatTheySay) {
-    for (const Preset& preset : presets()) {
-        Settings settings;
-        for (const auto& [name, text] : preset.values) {
-            ASSERT_NO_THROW(set(settings, name, text, preset.name)) << preset.name << ": " << name;
-        }
-        for (const auto& [name, text] : preset.values) EXPECT_EQ(got(name, settings), text) << preset.name;
-    }
-}
-
-TEST(Presets, paperIsTheClassicDetectorWithTheKernelsOfEquation8) {
-    Settings settings;
-    const auto paper = std::ranges::find(presets(), "paper", &Preset::name);
-    for (const auto& [name, text] : paper->values) set(settings, name, text, "paper");
-    EXPECT_EQ(settings.detector.detector, Detector::Classic);
-    EXPECT_EQ(settings.detector.kernel, Kernel::Farid);
-}
-
-TEST(Thresholds, areThoseGiven) {
-    DetectorSettings detector;
-    for (const Kernel kernel : {Kernel::Sobel, Kernel::Farid}) {
-        detector.kernel = kernel;
-        detector.depthThreshold = 0.0F;
-        detector.normalThreshold = 7.0F;
-        EXPECT_EQ(thresholds(detector).depth, 0.0F);
-        EXPECT_EQ(thresholds(detector).normal, 7.0F);
-    }
-}
-
-TEST(Thresholds, meanTheSameStepUnderBothKernels) {
-    DetectorSettings sobel;
-    sobel.kernel = Kernel::Sobel;
-    DetectorSettings farid;
-    farid.kernel = Kernel::Farid;
-    // A step of 1 has magnitude 4 under Sobel and 0.108385 + 0.280349 under Farid (whose smoothing sums to 0.999999).
-    constexpr float ratio = 0.388734F / 4.0F;
-    EXPECT_FLOAT_EQ(thresholds(farid).depth, thresholds(sobel).depth * ratio);
-    EXPECT_FLOAT_EQ(thresholds(farid).normal, thresholds(sobel).normal * ratio);
-}
-
-// "0.1 (sobel), 0.00972 (farid)"
-TEST(Thresholds, areThoseThatTheManualStates) {
-    const auto stated = [](std::string_view name, Kernel kernel) {
-        const auto row = std::ranges::find(settingTable(), name, &SettingDescription::name);
-        const std::string text = split(row->defaultValue(), ',').at(kernel == Kernel::Sobel ? 0 : 1);
-        EXPECT_NE(text.find(kernel == Kernel::Sobel ? "(sobel)" : "(farid)"), std::string::npos) << text;
-        return std::stof(text);
-    };
-    for (const Kernel kernel : {Kernel::Sobel, Kernel::Farid}) {
-        DetectorSettings detector;
-        detector.kernel = kernel;
-        const Thresholds inForce = thresholds(detector);
-        // The manual rounds to three digits: half a unit of the third is at most 0.5 %.
-        EXPECT_NEAR(stated("depth-threshold", kernel) / inForce.depth, 1.0, 0.005);
-        EXPECT_NEAR(stated("normal-threshold", kernel) / inForce.normal, 1.0, 0.005);
-    }
 }
 
 TEST(Name, ofEveryMapIsItsNameInTheTable) {
