@@ -9,7 +9,7 @@ import re
 import sys
 
 # Data, which all may see.
-PLAIN = ["bounds", "edge_kinds", "error", "export", "image", "lines", "maps", "stage_time", "version"]
+PLAIN = ["bounds", "edge_kinds", "error", "export", "image", "line_types", "lines", "maps", "stage_time", "version"]
 OWNERS = {  # of the other public headers
     "base": ["write_file"],
     "images": ["encode_png"],

@@ -88,4 +88,12 @@ std::vector<Stroke> strokesOf(const Lines& lines, const PictureSettings& picture
     return strokes;
 }
 
+std::vector<Stroke> strokesOf(std::span<const TracedPiece> pieces) {
+    std::vector<Stroke> strokes;
+    strokes.reserve(pieces.size());
+    for (const TracedPiece& piece : pieces)
+        strokes.push_back({piece.ends[0], piece.ends[1], static_cast<std::uint8_t>(bitIndex(piece.type))});
+    return strokes;
+}
+
 }  // namespace inkedge

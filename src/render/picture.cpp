@@ -39,7 +39,7 @@ Maps drawPicture(const Scene& scene, const Camera& camera, const RenderSettings&
         const Frame frame = graphics->frame(scene, camera, settings.picture);
         clock.finish("upload");
         tiles = drawTiles(frame, graphics->inputs(), settings, plan, clock);
-        if (plan.lines == LineSource::Planes) strokes = std::move(tiles.traced.strokes);
+        if (plan.lines == LineSource::Planes) strokes = strokesOf(tiles.pieces);
     }
 
     // The lines are painted as strokes, and the other ink over them. The classic detector's are pixels already.

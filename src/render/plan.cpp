@@ -73,7 +73,6 @@ Plan planOfImageLines() {
     plan.lines = LineSource::Planes;
     plan.planes = true;
     plan.tracesLines = true;
-    plan.strokeSurfaces = TraceSurfaces::Keep;
     return plan;
 }
 

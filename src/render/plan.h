@@ -35,7 +35,6 @@ struct Plan {
     // What is found in it.
     bool tracesLines = false;  ///< lines between planes: Maps::types, Maps::ids, strokes
     TraceIds ids = TraceIds::Drop;
-    TraceSurfaces strokeSurfaces = TraceSurfaces::Drop;
     bool detectsEdges = false;  ///< edges of the depth map and of the normal map
     Magnitudes magnitudes = Magnitudes::Drop;
 

@@ -33,7 +33,7 @@ public:
         const Tile& pixels = tile.pixels.tile;
         Maps maps;
         const Geometry geometry = drawGeometry(tile);
-        if (geometry.planes && triangles_) traceTile(tile.samples, *geometry.planes, maps, all.traced);
+        if (geometry.planes && triangles_) traceTile(tile.samples, *geometry.planes, maps, all.pieces);
         if (geometry.surface) readTile(tile.pixels, *geometry.surface, maps);
         keep(ink(tile, geometry), pixels, all.ink);
         keep(std::move(maps), pixels, all.maps);
@@ -59,7 +59,7 @@ private:
     }
 
     // The lines between planes, and their types and ids.
-    void traceTile(const Frame& frame, const PlaneBuffers& buffers, Maps& maps, TracedLines& all) {
+    void traceTile(const Frame& frame, const PlaneBuffers& buffers, Maps& maps, std::vector<TracedPiece>& pieces) {
         const PictureSettings& picture = settings_.picture;
         const gl::Api& api = frame.gpu.api;
         LineBuffers lines;
@@ -72,9 +72,8 @@ private:
         lines.triangles = gl::readIntegers(api, buffers.triangles, regions);
         clock_.finish("read-back");
         TracedLines traced = traceLines(std::move(lines), frame.scene, *triangles_, frame.camera, frame.unit,
-                                        drawnTypes(picture), picture.supersampling, plan_.ids, plan_.strokeSurfaces);
-        all.strokes.insert(all.strokes.end(), traced.strokes.begin(), traced.strokes.end());
-        all.surfaces.insert(all.surfaces.end(), traced.surfaces.begin(), traced.surfaces.end());
+                                        drawnTypes(picture), picture.supersampling, plan_.ids);
+        pieces.insert(pieces.end(), traced.pieces.begin(), traced.pieces.end());
         if (plan_.lineMask) maps.edges = mask(traced.types, picture.lines);
         if (plan_.types) maps.types = std::move(traced.types);
         maps.ids = std::move(traced.ids);

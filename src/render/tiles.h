@@ -14,9 +14,9 @@ namespace inkedge {
 
 /// What is found in the pixels of a picture.
 struct Tiles {
-    Maps maps;                ///< those of the plan; the picture, if its lines are those of the classic detector
-    TracedLines traced;       ///< lines between planes: only strokes and their surfaces
-    Image<std::uint8_t> ink;  ///< how much of each pixel is covered besides lines, 0 to 255; empty: nothing
+    Maps maps;  ///< those of the plan; the picture, if its lines are those of the classic detector
+    std::vector<TracedPiece> pieces;  ///< of lines between planes
+    Image<std::uint8_t> ink;          ///< how much of each pixel is covered besides lines, 0 to 255; empty: nothing
 };
 
 /// Draws the scene tile by tile. Strokes reach over the borders of tiles: they are painted when all are there.

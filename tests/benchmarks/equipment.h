@@ -18,6 +18,7 @@
 #include "gl/read_back.h"
 #include "gl/upload.h"
 #include "ink/paint_strokes.h"
+#include "ink/strokes_of.h"
 #include "meshes.h"
 #include "passes/detect_edges.h"
 #include "passes/detect_lines.h"
@@ -137,7 +138,7 @@ public:
         const Frame shown = frame(usualModel, size);
         const ScreenTriangles triangles{shown.scene, shown.upload.firstTriangles(), shown.camera, size};
         return traceLines(std::move(lines), shown.scene, triangles, shown.camera, shown.unit,
-                          drawnTypes(pictureSettings(size)), 1, TraceIds::Drop, TraceSurfaces::Drop);
+                          drawnTypes(pictureSettings(size)), 1, TraceIds::Drop);
     }
 
     Image<std::uint8_t> findLines(const PlaneBuffers& planes, Size size) {
@@ -157,7 +158,7 @@ private:
         lines.planes = gl::readFloats(api(), planes.planes, 4, regions);
         lines.triangles = gl::readIntegers(api(), planes.triangles, regions);
         TracedLines traced = trace(lines, size);
-        Image<std::uint8_t> picture = paintStrokes(traced.strokes, pictureSettings(size));
+        Image<std::uint8_t> picture = paintStrokes(strokesOf(traced.pieces), pictureSettings(size));
         return {std::move(planes), std::move(surface), std::move(edges),
                 std::move(lines),  std::move(traced),  std::move(picture)};
     }

@@ -21,6 +21,7 @@
 #include "gl/read_back.h"
 #include "gl/upload.h"
 #include "ink/paint_strokes.h"
+#include "ink/strokes_of.h"
 #include "meshes.h"
 #include "passes/composite.h"
 #include "passes/detect_edges.h"
@@ -208,14 +209,16 @@ void addPlanesDetector(Equipment& equipment, Size size) {
             state.PauseTiming();
             LineBuffers lines = buffers.lines;
             state.ResumeTiming();
-            benchmark::DoNotOptimize(equipment.trace(std::move(lines), size).strokes.data());
+            benchmark::DoNotOptimize(equipment.trace(std::move(lines), size).pieces.data());
         }
-        state.counters["strokes"] = static_cast<double>(buffers.traced.strokes.size());
+        state.counters["strokes"] = static_cast<double>(buffers.traced.pieces.size());
     });
     add("paint/" + nameOf(size), [&equipment, size](benchmark::State& state) {
         const Buffers& buffers = equipment.buffers(size);
         const PictureSettings picture = Equipment::pictureSettings(size);
-        repeat(state, [&] { benchmark::DoNotOptimize(paintStrokes(buffers.traced.strokes, picture).pixels.data()); });
+        repeat(state, [&] {
+            benchmark::DoNotOptimize(paintStrokes(strokesOf(buffers.traced.pieces), picture).pixels.data());
+        });
     });
 }
 

@@ -169,12 +169,11 @@ TEST(PlanOf, aPencilDrawsOverWhatLiesOnNothing) {
     EXPECT_EQ(plan.paper, Paper::Transparent);
 }
 
-TEST(PlanOfImageLines, isOfStrokesAndWhereTheyLie) {
+TEST(PlanOfImageLines, isOfTracedLinesAlone) {
     const Plan plan = planOfImageLines();
     EXPECT_EQ(plan.lines, LineSource::Planes);
     EXPECT_EQ(drawn(plan), "planes");
     EXPECT_TRUE(plan.tracesLines);
-    EXPECT_EQ(plan.strokeSurfaces, TraceSurfaces::Keep);
     EXPECT_EQ(plan.ids, TraceIds::Drop);
     EXPECT_FALSE(plan.types || plan.lineMask || plan.inkMask || plan.detectsEdges);
     EXPECT_EQ(plan.style->style, Style::Ink);

@@ -1,14 +1,21 @@
-#include "lines/join_pieces.h"
+#include "trace/join_pieces.h"
 
 #include <array>
 #include <bit>
 
 #include "lines/bridge_gaps.h"
 #include "lines/chains.h"
+#include "lines/segment.h"
 #include "scene/prepared.h"
 
-namespace inkedge::lines {
+namespace inkedge {
 namespace {
+
+using lines::Chain;
+using lines::Key;
+using lines::Screen;
+using lines::ScreenSegment;
+using lines::Segment;
 
 Key pixelKey(glm::vec2 pixel) {
     return (Key{std::bit_cast<std::uint32_t>(pixel.x)} << 32U) | std::bit_cast<std::uint32_t>(pixel.y);
@@ -24,16 +31,16 @@ public:
             Segment& segment = segments_.emplace_back();
             ScreenSegment& projected = projected_.emplace_back();
             for (std::size_t k = 0; k < 2; ++k) {
-                segment.keys[k] = pixelKey(piece.pixels[k]);
-                projected.ends[k] = {glm::dvec2{piece.pixels[k]}, piece.inverseDepth[k]};
+                segment.keys[k] = pixelKey(piece.ends[k]);
+                projected.ends[k] = {glm::dvec2{piece.ends[k]}, double{piece.inverseDepths[k]}};
                 projected.world[k] = screen.worldAt(projected.ends[k]);
             }
         }
     }
 
     std::vector<Line> join() {
-        for (const Chain& chain : chainSegments(segments_, projected_)) addChain(chain);
-        return bridgeGaps(std::move(lines_), screen_, scene_.bounds().centre);
+        for (const Chain& chain : lines::chainSegments(segments_, projected_)) addChain(chain);
+        return lines::bridgeGaps(std::move(lines_), screen_, scene_.bounds().centre);
     }
 
 private:
@@ -83,4 +90,4 @@ std::vector<Line> joinPieces(std::span<const TracedPiece> pieces, const Scene& s
     return PieceJoiner{pieces, scene, screen}.join();
 }
 
-}  // namespace inkedge::lines
+}  // namespace inkedge

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include <inkedge/camera.h>
+#include <inkedge/image.h>
+#include <inkedge/line_types.h>
+
+#include "scene/scene_face.h"
+#include "trace/line_buffers.h"
+#include "trace/screen_triangles.h"
+
+namespace inkedge {
+
+/// A line across the step between two neighbouring samples.
+struct StepCrossing {
+    glm::vec2 position;         ///< samples of the whole picture
+    LineTypes types;            ///< empty: there is no line
+    float inverseDepth = 0.0F;  ///< as TracedPiece has it
+    SceneFace face;             ///< the nearer one
+};
+
+/// The crossings of one row of samples with their neighbours to the right and below.
+struct CrossingRow {
+    explicit CrossingRow(int width) : right(static_cast<std::size_t>(width)), down(static_cast<std::size_t>(width)) {}
+
+    /// Most samples have no crossings: only those that have are cleared.
+    void clear() {
+        for (const int column : columns) right[static_cast<std::size_t>(column)].types = {};
+        for (const int column : columns) down[static_cast<std::size_t>(column)].types = {};
+        columns.clear();
+    }
+
+    std::vector<StepCrossing> right;
+    std::vector<StepCrossing> down;
+    std::vector<int> columns;  ///< of samples with crossings, ascending
+};
+
+/// Finds out where a line crosses the step between two neighbouring samples, and what it is.
+class CrossingTracer {
+public:
+    /// @param triangles  as the camera projects them onto the whole picture's samples
+    /// All three must outlive it.
+    CrossingTracer(const LineBuffers&, const ScreenTriangles& triangles, const Camera&);
+
+    /// @param y  in the tile
+    void traceRow(int y, CrossingRow&);
+
+    /// Maps::types at the nearer sample of each crossing traced so far.
+    [[nodiscard]] Image<std::uint16_t> takeTypes() { return std::move(types_); }
+
+private:
+    // The coordinates of a sample in its tile.
+    struct Sample {
+        int x;
+        int y;
+    };
+    using End = ScreenTriangles::End;
+    using Walk = ScreenTriangles::Walk;
+
+    [[nodiscard]] bool isBackground(Sample) const;
+    [[nodiscard]] SceneFace triangle(Sample) const;
+    [[nodiscard]] glm::dvec2 centre(Sample) const;  // in the whole picture
+    [[nodiscard]] Walk walk(Sample from, Sample to) const;
+    [[nodiscard]] std::optional<double> layerBorder(Sample from, Sample to) const;
+    [[nodiscard]] ScreenTriangles::Plane plane(Sample) const;
+    [[nodiscard]] bool isNearer(Sample q, Sample p) const;
+    [[nodiscard]] std::optional<double> planesMeet(Sample p, Sample q) const;
+    [[nodiscard]] double positionAlong(Sample near, Sample far, unsigned marks, const Walk&) const;
+    [[nodiscard]] StepCrossing crossing(Sample p, Sample q, unsigned marks);
+    [[nodiscard]] float inverseDepthAt(Sample, glm::dvec2 offset) const;
+    [[nodiscard]] bool goesOnSmoothly(const Walk&, Sample far) const;
+    [[nodiscard]] LineTypes classify(Sample near, Sample far, unsigned marks,
+                                     const std::optional<ScreenTriangles::Exit>&) const;
+
+    const LineBuffers& buffers_;
+    const ScreenTriangles& triangles_;
+    bool orthographic_;
+    double focalLength_;
+    Rectangle columns_;
+    Image<std::uint16_t> types_;
+};
+
+}  // namespace inkedge
