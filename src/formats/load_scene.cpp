@@ -12,6 +12,7 @@
 #include <inkedge/error.h>
 #include <inkedge/setting_table.h>
 
+#include "base/file_extension.h"
 #include "base/message.h"
 #include "base/read_file.h"
 #include "formats/reader.h"
@@ -21,13 +22,6 @@ namespace load {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lowerCaseExtension(const fs::path& file) {
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
-    return extension;
-}
 
 std::string allExtensions() {
     std::vector<std::string_view> all;

@@ -12,6 +12,7 @@
 
 #include "base/message.h"
 #include "mesh/polygon_triangles.h"
+#include "mesh/twice_area.h"
 
 namespace inkedge {
 namespace {
@@ -291,10 +292,6 @@ Polygon withinCell(Polygon polygon) {
     return polygon;
 }
 
-double doubleArea(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 }  // namespace
 
 struct CutOut::State {
@@ -336,7 +333,7 @@ std::vector<CutOut::Piece> CutOut::cut(const std::array<glm::dvec2, 3>& corners)
             refuse(fmt::format("expected texture coordinates near the picture, found ({}, {})", corners[i].x,
                                corners[i].y));
     }
-    const double area = doubleArea(inTexels[0], inTexels[1], inTexels[2]);
+    const double area = twiceArea(inTexels[0], inTexels[1], inTexels[2]);
     constexpr double thinnest = 1e-4;  // square texels
     if (std::abs(area) < thinnest) {
         if (!state_->isOpaque((inTexels[0] + inTexels[1] + inTexels[2]) / 3.0)) return {};
@@ -360,8 +357,8 @@ std::vector<CutOut::Piece> CutOut::cut(const std::array<glm::dvec2, 3>& corners)
             if (part.size() < 3) continue;
             const auto weights = [&](const glm::dvec2& point) {
                 const glm::dvec2 p = point + origin;
-                const glm::dvec2 w{doubleArea(p, inTexels[1], inTexels[2]) / area,
-                                   doubleArea(inTexels[0], p, inTexels[2]) / area};
+                const glm::dvec2 w{twiceArea(p, inTexels[1], inTexels[2]) / area,
+                                   twiceArea(inTexels[0], p, inTexels[2]) / area};
                 return glm::clamp(glm::dvec3{w, 1.0 - w.x - w.y}, 0.0, 1.0);
             };
             const std::vector<PolygonTriangle> triangles =

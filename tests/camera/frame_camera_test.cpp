@@ -28,11 +28,11 @@ TEST(FrameCamera, framesTheWholeModelFromEverySideAndAngle) {
     for (const double azimuth : {-170.0, -45.0, 0.0, 90.0, 200.0}) {
         for (const double elevation : {-90.0, -30.0, 0.0, 60.0, 90.0}) {
             for (const double viewAngle : {1.0, 35.0, 60.0}) {
-                CameraSettings wish;
-                wish.azimuthAngle = azimuth;
-                wish.elevationAngle = elevation;
-                wish.viewAngle = viewAngle;
-                const Camera camera = frameCamera(scene, wish, {160, 90});
+                CameraSettings wanted;
+                wanted.azimuthAngle = azimuth;
+                wanted.elevationAngle = elevation;
+                wanted.viewAngle = viewAngle;
+                const Camera camera = frameCamera(scene, wanted, {160, 90});
                 expectFramed(scene, camera, {160, 90});
                 expectVerticesBetweenNearAndFar(scene, camera);
             }
@@ -47,10 +47,10 @@ TEST(FrameCamera, keepsClearOfASpikeSharperThanTheViewAngle) {
     spike.indices = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
     const Scene scene = scenes::sceneOf(spike);
     for (const double viewAngle : {35.0, 120.0}) {
-        CameraSettings wish;
-        wish.direction = glm::dvec3{0, -1, 0};
-        wish.viewAngle = viewAngle;
-        const Camera camera = frameCamera(scene, wish, square);
+        CameraSettings wanted;
+        wanted.direction = glm::dvec3{0, -1, 0};
+        wanted.viewAngle = viewAngle;
+        const Camera camera = frameCamera(scene, wanted, square);
         EXPECT_NEAR(depthOf(camera, {0, 10, 0}), 0.1 * scene.bounds().radius, nearlyExact);
         expectVerticesBetweenNearAndFar(scene, camera);
         const Frame frame = covered(scene, camera, square);
@@ -72,10 +72,10 @@ TEST(FrameCamera, looksFromTheThreeQuarterViewByDefault) {
 }
 
 TEST(FrameCamera, viewIsARightHandedRotationWithAShift) {
-    CameraSettings wish;
-    wish.position = glm::dvec3{3, 4, 5};
-    wish.viewUp = glm::dvec3{1, 2, 0};
-    for (const CameraSettings& each : {CameraSettings{}, wish}) {
+    CameraSettings wanted;
+    wanted.position = glm::dvec3{3, 4, 5};
+    wanted.viewUp = glm::dvec3{1, 2, 0};
+    for (const CameraSettings& each : {CameraSettings{}, wanted}) {
         const glm::dmat4 view = frameCamera(skewScene(), each, square).view;
         const glm::dmat3 turn{view};
         EXPECT_NEAR(glm::determinant(turn), 1.0, exact);
@@ -86,10 +86,10 @@ TEST(FrameCamera, viewIsARightHandedRotationWithAShift) {
 }
 
 TEST(FrameCamera, standsWhereItIsToldAndLooksAtTheFocalPoint) {
-    CameraSettings wish;
-    wish.position = glm::dvec3{10, 2, 7};
-    wish.focalPoint = glm::dvec3{3, 1, -2};
-    const Camera camera = frameCamera(skewScene(), wish, square);
+    CameraSettings wanted;
+    wanted.position = glm::dvec3{10, 2, 7};
+    wanted.focalPoint = glm::dvec3{3, 1, -2};
+    const Camera camera = frameCamera(skewScene(), wanted, square);
     expectNear(position(camera), {10, 2, 7});
     const glm::dvec3 ndc = scenes::project(camera, square, {3, 1, -2});
     EXPECT_NEAR(ndc.x, 0.0, exact);
@@ -99,36 +99,36 @@ TEST(FrameCamera, standsWhereItIsToldAndLooksAtTheFocalPoint) {
 
 TEST(FrameCamera, looksAtTheModelsCentreFromAPositionAlone) {
     const Scene scene = skewScene();
-    CameraSettings wish;
-    wish.position = glm::dvec3{10, 2, 7};
-    const Camera camera = frameCamera(scene, wish, square);
+    CameraSettings wanted;
+    wanted.position = glm::dvec3{10, 2, 7};
+    const Camera camera = frameCamera(scene, wanted, square);
     expectNear(position(camera), {10, 2, 7});
     expectNear(forward(camera), glm::normalize(scene.bounds().centre - glm::dvec3{10, 2, 7}));
 }
 
 TEST(FrameCamera, looksAlongADirectionFromAPosition) {
-    CameraSettings wish;
-    wish.position = glm::dvec3{10, 2, 7};
-    wish.direction = glm::dvec3{-2, 0, -2};
-    const Camera camera = frameCamera(skewScene(), wish, square);
+    CameraSettings wanted;
+    wanted.position = glm::dvec3{10, 2, 7};
+    wanted.direction = glm::dvec3{-2, 0, -2};
+    const Camera camera = frameCamera(skewScene(), wanted, square);
     expectNear(position(camera), {10, 2, 7});
     expectNear(forward(camera), glm::dvec3{-1, 0, -1} * std::sqrt(0.5));
 }
 
 TEST(FrameCamera, framesAlongADirectionOfAnyLength) {
     for (const double length : {1e-6, 1.0, 1e6}) {
-        CameraSettings wish;
-        wish.direction = length * glm::dvec3{0, -0.6, 0.8};
-        const Camera camera = frameCamera(skewScene(), wish, square);
+        CameraSettings wanted;
+        wanted.direction = length * glm::dvec3{0, -0.6, 0.8};
+        const Camera camera = frameCamera(skewScene(), wanted, square);
         expectNear(forward(camera), {0, -0.6, 0.8});
         expectFramed(skewScene(), camera, square);
     }
 }
 
 TEST(FrameCamera, centresAFocalPointWithoutAPosition) {
-    CameraSettings wish;
-    wish.focalPoint = glm::dvec3{1, 1, -2};
-    const Camera camera = frameCamera(skewScene(), wish, square);
+    CameraSettings wanted;
+    wanted.focalPoint = glm::dvec3{1, 1, -2};
+    const Camera camera = frameCamera(skewScene(), wanted, square);
     const glm::dvec3 ndc = scenes::project(camera, square, {1, 1, -2});
     EXPECT_NEAR(ndc.x, 0.0, exact);
     EXPECT_NEAR(ndc.y, 0.0, exact);
@@ -136,10 +136,10 @@ TEST(FrameCamera, centresAFocalPointWithoutAPosition) {
 }
 
 TEST(FrameCamera, turnsTheGivenUpUpwards) {
-    CameraSettings wish;
-    wish.direction = glm::dvec3{0, 0, -1};
-    wish.viewUp = glm::dvec3{5, 5, 3};  // need not be across the view direction, nor of unit length
-    const Camera camera = frameCamera(skewScene(), wish, square);
+    CameraSettings wanted;
+    wanted.direction = glm::dvec3{0, 0, -1};
+    wanted.viewUp = glm::dvec3{5, 5, 3};  // need not be across the view direction, nor of unit length
+    const Camera camera = frameCamera(skewScene(), wanted, square);
     expectNear(worldAxis(camera, 1), glm::dvec3{1, 1, 0} * std::sqrt(0.5));
     expectNear(worldAxis(camera, 0), glm::dvec3{1, -1, 0} * std::sqrt(0.5));
     expectFramed(skewScene(), camera, square);
@@ -147,10 +147,10 @@ TEST(FrameCamera, turnsTheGivenUpUpwards) {
 
 TEST(FrameCamera, takesAzimuthFromTheFrontTowardsPlusX) {
     const auto from = [](double azimuth, double elevation) {
-        CameraSettings wish;
-        wish.azimuthAngle = azimuth;
-        wish.elevationAngle = elevation;
-        return -forward(frameCamera(skewScene(), wish, square));
+        CameraSettings wanted;
+        wanted.azimuthAngle = azimuth;
+        wanted.elevationAngle = elevation;
+        return -forward(frameCamera(skewScene(), wanted, square));
     };
     expectNear(from(0, 0), {0, 0, 1});
     expectNear(from(90, 0), {1, 0, 0});
@@ -188,9 +188,9 @@ TEST(FrameCamera, looksStraightDownAndUpWithoutBeingToldWhatIsUp) {
 }
 
 TEST(FrameCamera, orthographicHeightIsThePicturesHeight) {
-    CameraSettings wish;
-    wish.orthographicHeight = 8.0;
-    const Camera camera = frameCamera(skewScene(), wish, {200, 100});
+    CameraSettings wanted;
+    wanted.orthographicHeight = 8.0;
+    const Camera camera = frameCamera(skewScene(), wanted, {200, 100});
     ASSERT_TRUE(camera.orthographic());
     EXPECT_EQ(camera.orthographicHeight, 8.0);
     const glm::dvec3 any = skewScene().bounds().centre;
@@ -207,9 +207,9 @@ TEST(FrameCamera, orthographicHeightIsThePicturesHeight) {
 
 TEST(FrameCamera, orthographicHeightZeroFramesTheModel) {
     for (const Size size : {square, Size{300, 100}, Size{100, 300}}) {
-        CameraSettings wish;
-        wish.orthographicHeight = 0.0;
-        const Camera camera = frameCamera(skewScene(), wish, size);
+        CameraSettings wanted;
+        wanted.orthographicHeight = 0.0;
+        const Camera camera = frameCamera(skewScene(), wanted, size);
         ASSERT_TRUE(camera.orthographic());
         expectFramed(skewScene(), camera, size);
         expectVerticesBetweenNearAndFar(skewScene(), camera);
@@ -219,11 +219,11 @@ TEST(FrameCamera, orthographicHeightZeroFramesTheModel) {
 TEST(FrameCamera, zoomMagnifiesAboutThePicturesCentre) {
     for (const std::optional<double> height : {std::optional<double>{}, std::optional{0.0}, std::optional{8.0}}) {
         for (const double zoom : {0.25, 3.0}) {
-            CameraSettings wish;
-            wish.orthographicHeight = height;
-            const Camera plain = frameCamera(skewScene(), wish, square);
-            wish.zoomFactor = zoom;
-            const Camera zoomed = frameCamera(skewScene(), wish, square);
+            CameraSettings wanted;
+            wanted.orthographicHeight = height;
+            const Camera plain = frameCamera(skewScene(), wanted, square);
+            wanted.zoomFactor = zoom;
+            const Camera zoomed = frameCamera(skewScene(), wanted, square);
             EXPECT_EQ(zoomed.view, plain.view);
             for (const glm::dvec3& p : scenes::drawnVertices(skewScene())) {
                 const glm::dvec3 before = scenes::project(plain, square, p);
@@ -236,30 +236,30 @@ TEST(FrameCamera, zoomMagnifiesAboutThePicturesCentre) {
 }
 
 TEST(FrameCamera, takesTheFilesCamera) {
-    CameraSettings wish;
-    wish.index = 0;
-    const Camera ahead = frameCamera(sceneWithCameras(), wish, square);
+    CameraSettings wanted;
+    wanted.index = 0;
+    const Camera ahead = frameCamera(sceneWithCameras(), wanted, square);
     expectNear(position(ahead), {0, 0, 9});
     expectNear(forward(ahead), {0, 0, -1});
     EXPECT_NEAR(ahead.viewAngle, 50.0, exact);
     EXPECT_FALSE(ahead.orthographic());
     expectVerticesBetweenNearAndFar(sceneWithCameras(), ahead);
 
-    wish.index = 1;
-    const Camera side = frameCamera(sceneWithCameras(), wish, square);
+    wanted.index = 1;
+    const Camera side = frameCamera(sceneWithCameras(), wanted, square);
     expectNear(position(side), {7, 0, 0});
     expectNear(forward(side), {-1, 0, 0});
     EXPECT_EQ(side.orthographicHeight, 4.0);
-    wish.zoomFactor = 2.0;
-    EXPECT_EQ(frameCamera(sceneWithCameras(), wish, square).orthographicHeight, 2.0);
+    wanted.zoomFactor = 2.0;
+    EXPECT_EQ(frameCamera(sceneWithCameras(), wanted, square).orthographicHeight, 2.0);
 }
 
 TEST(FrameCamera, fitsNearAndFarToTheBoundingSphere) {
     const Scene scene = skewScene();
     for (const std::optional<double> height : {std::optional<double>{}, std::optional{0.0}}) {
-        CameraSettings wish;
-        wish.orthographicHeight = height;
-        const Camera camera = frameCamera(scene, wish, square);
+        CameraSettings wanted;
+        wanted.orthographicHeight = height;
+        const Camera camera = frameCamera(scene, wanted, square);
         const double centre = depthOf(camera, scene.bounds().centre);
         // A margin of one part in a thousand of the radius keeps the outermost vertex off both planes.
         EXPECT_NEAR(camera.near, centre - 1.001 * scene.bounds().radius, nearlyExact);
@@ -285,16 +285,16 @@ TEST(FrameCamera, meansTheSameForAWatchAndForACity) {
 
 TEST(FrameCamera, keepsAPositiveNearPlaneInsideTheModel) {
     const Scene scene = skewScene();
-    CameraSettings wish;
-    wish.position = scene.bounds().centre + glm::dvec3{0.1, 0, 0};
-    wish.direction = glm::dvec3{1, 0, 0};
-    const Camera camera = frameCamera(scene, wish, square);
+    CameraSettings wanted;
+    wanted.position = scene.bounds().centre + glm::dvec3{0.1, 0, 0};
+    wanted.direction = glm::dvec3{1, 0, 0};
+    const Camera camera = frameCamera(scene, wanted, square);
     EXPECT_GT(camera.near, 0.0);
     EXPECT_LE(camera.near, 1e-3 * scene.bounds().radius) << "what is close to the camera is not cut off";
     for (const glm::dvec3& p : scenes::drawnVertices(scene)) EXPECT_LT(depthOf(camera, p), camera.far);
 
-    wish.orthographicHeight = 3.0;
-    const Camera flat = frameCamera(scene, wish, square);
+    wanted.orthographicHeight = 3.0;
+    const Camera flat = frameCamera(scene, wanted, square);
     EXPECT_EQ(flat.near, 0.0) << "an orthographic camera sees from where it stands";
     EXPECT_GT(flat.far, 0.0);
 }
@@ -302,11 +302,11 @@ TEST(FrameCamera, keepsAPositiveNearPlaneInsideTheModel) {
 TEST(FrameCamera, staysUsableWithEverythingBehindIt) {
     for (const std::optional<double> height : {std::optional<double>{}, std::optional{3.0}}) {
         for (const double distance : {10.0, 1e6}) {
-            CameraSettings wish;
-            wish.position = glm::dvec3{0, 0, distance};
-            wish.direction = glm::dvec3{0, 0, 1};
-            wish.orthographicHeight = height;
-            const Camera camera = frameCamera(skewScene(), wish, square);
+            CameraSettings wanted;
+            wanted.position = glm::dvec3{0, 0, distance};
+            wanted.direction = glm::dvec3{0, 0, 1};
+            wanted.orthographicHeight = height;
+            const Camera camera = frameCamera(skewScene(), wanted, square);
             EXPECT_LT(camera.near, camera.far);
             EXPECT_GE(camera.near, 0.0);
             EXPECT_TRUE(camera.near > 0.0 || camera.orthographic());
@@ -318,9 +318,9 @@ TEST(FrameCamera, staysUsableWithEverythingBehindIt) {
 TEST(FrameCamera, staysFiniteForASceneWithoutExtent) {
     Mesh point = scenes::quad({1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {1, 2, 3});
     for (const std::optional<double> height : {std::optional<double>{}, std::optional{0.0}}) {
-        CameraSettings wish;
-        wish.orthographicHeight = height;
-        const Camera camera = frameCamera(scenes::sceneOf(point), wish, square);
+        CameraSettings wanted;
+        wanted.orthographicHeight = height;
+        const Camera camera = frameCamera(scenes::sceneOf(point), wanted, square);
         EXPECT_TRUE(std::isfinite(glm::determinant(camera.view)));
         EXPECT_TRUE(std::isfinite(glm::determinant(camera.projection(square))));
         EXPECT_LT(camera.near, camera.far);

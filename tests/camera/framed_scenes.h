@@ -72,8 +72,8 @@ inline void expectVerticesBetweenNearAndFar(const Scene& scene, const Camera& ca
     }
 }
 
-inline void expectRefusal(const CameraSettings& wish, const std::string& message) {
-    expectError(Error::Kind::Usage, testing::StrEq(message), [&] { (void)frameCamera(skewScene(), wish, square); });
+inline void expectRefusal(const CameraSettings& wanted, const std::string& message) {
+    expectError(Error::Kind::Usage, testing::StrEq(message), [&] { (void)frameCamera(skewScene(), wanted, square); });
 }
 
 inline Scene sceneWithCameras() {

@@ -5,6 +5,8 @@
 
 #include <glm/common.hpp>
 
+#include "mesh/twice_area.h"
+
 namespace inkedge::load {
 
 void CornerTree::build(std::span<const glm::dvec2> points, std::vector<std::uint32_t> chosen) {

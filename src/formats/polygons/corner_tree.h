@@ -8,11 +8,6 @@
 
 namespace inkedge::load {
 
-/// Twice the area of a triangle, over 0 if it runs anticlockwise (x to the right, y up).
-[[nodiscard]] inline double twiceArea(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) noexcept {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 /// A tree over points in the plane that finds a point in a triangle. Points can be removed.
 class CornerTree {
 public:

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/message.h"
+#include "mesh/twice_area.h"
 
 namespace inkedge::load {
 namespace {

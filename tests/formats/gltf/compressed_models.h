@@ -55,7 +55,7 @@ struct Model {
     Json json = {{"asset", {{"version", "2.0"}}}, {"nodes", {{{"mesh", 0}}}}};
     Bytes bytes;
 
-    Json place(const Bytes& data) {
+    Json slice(const Bytes& data) {
         bytes.resize((bytes.size() + 3) / 4 * 4);
         const std::size_t offset = bytes.size();
         bytes.insert(bytes.end(), data.begin(), data.end());
@@ -161,7 +161,7 @@ inline Bytes encodeIndices(const Grid& grid) {
 // A bufferView of buffer 1, which has no data.
 inline std::size_t compressedView(Model& model, const Bytes& data, const std::string& mode, std::size_t count,
                                   std::size_t stride, const std::string& filter = {}) {
-    Json extension = model.place(data);
+    Json extension = model.slice(data);
     extension.update({{"mode", mode}, {"count", count}, {"byteStride", stride}});
     if (!filter.empty()) extension["filter"] = filter;
     return model.add("bufferViews",

@@ -55,7 +55,7 @@ Bytes encodeDraco(const Grid& grid, const DracoChoice& choice) {
 Model dracoModel(const Grid& grid, const DracoChoice& choice = {}) {
     Model model;
     model.json["extensionsRequired"] = {draco};
-    const std::size_t view = model.add("bufferViews", model.place(encodeDraco(grid, choice)));
+    const std::size_t view = model.add("bufferViews", model.slice(encodeDraco(grid, choice)));
     const auto bare = [&](int component, std::size_t count, const char* type) {
         return model.add("accessors", {{"componentType", component}, {"count", count}, {"type", type}});
     };
@@ -106,7 +106,7 @@ TEST(LoadDraco, prefersCompressedDataToPlainData) {
     Model model = dracoModel(Grid{5}, {draco::MESH_SEQUENTIAL_ENCODING, 0});
     model.json.erase("extensionsRequired");
     const std::vector<float> zeros(75);
-    model.json["accessors"][0]["bufferView"] = model.add("bufferViews", model.place(bytesOfAll(zeros)));
+    model.json["accessors"][0]["bufferView"] = model.add("bufferViews", model.slice(bytesOfAll(zeros)));
     EXPECT_EQ(trianglesOf(loaded(model)), trianglesOf(Grid{5}));
 }
 

@@ -230,11 +230,11 @@ std::vector<Fault> faults() {
     };
     const auto sparse = [](int count, std::uint8_t index, int offset) {
         return [=](Model& model) {
-            const int places = model.bufferView<std::uint8_t>({index});
+            const int indexView = model.bufferView<std::uint8_t>({index});
             const int values = model.bufferView<float>({0, 0, 0});
             model.json["accessors"][0]["sparse"] = {
                 {"count", count},
-                {"indices", {{"bufferView", places}, {"componentType", 5121}, {"byteOffset", offset}}},
+                {"indices", {{"bufferView", indexView}, {"componentType", 5121}, {"byteOffset", offset}}},
                 {"values", {{"bufferView", values}}}};
         };
     };

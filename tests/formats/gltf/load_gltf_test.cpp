@@ -33,7 +33,7 @@ using LoadGltf = GltfFileTest;
 
 // ---- containers
 
-TEST_F(LoadGltf, tellsGlbFromGltfByContent) {
+TEST_F(LoadGltf, distinguishesGlbFromGltfByContent) {
     for (const char* name : {"a.gltf", "a.glb", "a.data"}) {
         expectNear(worldCorners(loadGltf({write(name, triangle().gltf())})), triangleCorners);
         expectNear(worldCorners(loadGltf({write(name, triangle().glb())})), triangleCorners);
@@ -220,15 +220,15 @@ TEST_F(LoadGltf, readsInterleavedAttributes) {
     EXPECT_THAT(data.meshes.at(0).normals, ElementsAre(glm::vec3{0, 0, 1}, glm::vec3{0, 1, 0}, glm::vec3{1, 0, 0}));
 }
 
-TEST_F(LoadGltf, putsSparseValuesInPlace) {
+TEST_F(LoadGltf, putsSparseValuesWhereTheyBelong) {
     for (const bool overData : {true, false}) {
         Model model;
-        const int places = model.bufferView<std::uint8_t>({1, 2});
+        const int indices = model.bufferView<std::uint8_t>({1, 2});
         const int values = model.bufferView<float>({5, 0, 0, 0, 5, 0});
         Json accessor{{"componentType", 5126}, {"count", 3}, {"type", "VEC3"}};
         if (overData) accessor["bufferView"] = model.bufferView<float>({-1, 0, 0, 9, 9, 9, 9, 9, 9});
         accessor["sparse"] = {{"count", 2},
-                              {"indices", {{"bufferView", places}, {"componentType", 5121}}},
+                              {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
                               {"values", {{"bufferView", values}}}};
         model.root({{"mesh", model.mesh(positions(model.add("accessors", accessor)))}});
         expectNear(worldCorners(load(model)), {{overData ? -1 : 0, 0, 0}, {5, 0, 0}, {0, 5, 0}});
