@@ -35,8 +35,8 @@ enum class ContextTime {
 /// Mesa serves both EGL and OSMesa, and the caller's context is of the other of the two, no context is current.
 ///
 /// A call may be stopped from another thread by its token, which is looked at between tiles, stages and pieces of what
-/// works without OpenGL. The call then throws Error (Kind::Stopped), and the renderer is as usable as before. What OpenGL
-/// draws of one tile is waited for: a smaller PictureSettings::tileSize stops sooner.
+/// works without OpenGL. The call then throws Error (Kind::Stopped), and the renderer is as usable as before. What
+/// OpenGL draws of one tile is waited for: a smaller PictureSettings::tileSize stops sooner.
 class INKEDGE_API Renderer {
 public:
     /// @throws Error  (Kind::Context) if no context can be had; the message says why for each backend tried;

@@ -52,8 +52,8 @@ std::optional<double> CrossingTracer::layerBorder(Sample from, Sample to) const 
     return triangles_.layerBorder(static_cast<std::uint32_t>(std::abs(difference)), centre(from), centre(to));
 }
 
-// The plane of a sample's triangle. Planes that were drawn are rounded differently in each tile; this one is the same in
-// all tiles.
+// The plane of a sample's triangle. Planes that were drawn are rounded differently in each tile; this one is the same
+// in all tiles.
 ScreenTriangles::Plane CrossingTracer::plane(Sample s) const { return triangles_.plane(triangle(s), centre(s)); }
 
 bool CrossingTracer::isNearer(Sample q, Sample p) const {
@@ -107,8 +107,8 @@ StepCrossing CrossingTracer::crossing(Sample p, Sample q, unsigned marks) {
     return {glm::vec2{from + offset}, types, inverseDepthAt(near, offset), triangle(near)};
 }
 
-// The inverse depth of the surface that a sample sees, extended to the line. Beyond the sample itself faces seen edge-on
-// say little of it.
+// The inverse depth of the surface that a sample sees, extended to the line. Beyond the sample itself faces seen
+// edge-on say little of it.
 float CrossingTracer::inverseDepthAt(Sample s, glm::dvec2 offset) const {
     constexpr double maxChange = 0.1;
     const ScreenTriangles::Plane seen = plane(s);
