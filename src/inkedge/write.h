@@ -47,8 +47,8 @@ INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<
 /// settings.lines.simplify, less Lines::tolerance, or .fitCurves. Its coordinates are pixels of lines.size; its width
 /// and height are the page's, or pixels, or millimetres where a width or settings.picture.dpi says so. One group a type
 /// and visibility, what covers last, with the classes "inkedge", the type's name, and "visible" or "hidden"; in it one
-/// path an object, whose data-object is Line::object. Where widths vary a path is the filled outline of its strokes, all
-/// straight. Metadata holds a JSON object: camera, size, bounds, settings.
+/// path an object, whose data-object is Line::object. Where widths vary a path is the filled outline of its strokes,
+/// all straight. Metadata holds a JSON object: camera, size, bounds, settings.
 /// @param title  UTF-8; what is not becomes U+FFFD
 /// @throws Error  (Kind::Usage) if lines.size has no pixel, or settings.lines.brush is given: it needs pixels
 [[nodiscard]] INKEDGE_API std::string linesSvg(const Lines&, const Settings&, std::string_view title = "Line drawing");
