@@ -34,11 +34,11 @@ namespace inkedge {
 /// Writes the picture and the named maps; every file appears whole or not at all. 8-bit files are for looking: depth as
 /// grey from near (black) to far (white), normals as (n + 1) / 2, edges black on white, types and ids as colours
 /// (encodePng(maps.types) keeps the types' bits). EXR holds the maps in layers depth.Z (scene units), normal.X/Y/Z,
-/// depth-edges.Y, normal-edges.Y, edges.Y, types.bits and ids.patch/across/object/material, beside the picture's Y or
-/// R, G, B, A (linear light, alpha premultiplied). Its header has inkedge:near, inkedge:far, inkedge:view and
-/// inkedge:projection.
+/// depth-edges.Y, normal-edges.Y, edges.Y, types.V (the bits) and, for the ids, patch.V, across.V, object.V and
+/// material.V, beside the picture's R, G, B and, of four channels, A (linear light, premultiplied). All are floats,
+/// which hold ids up to 16777216 exactly. The header has inkedge:near, inkedge:far, inkedge:view and inkedge:projection.
 /// @return        the files written, as outputFiles() gives them
-/// @throws Error  (Kind::Output) if one cannot be written; none is left half-written
+/// @throws Error  (Kind::Output) if one cannot be written, or an EXR's ids are larger; none is left half-written
 INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<const Map> maps,
                                                          const std::filesystem::path& output);
 

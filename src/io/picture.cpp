@@ -58,14 +58,14 @@ std::vector<std::uint8_t> encodePicture(const Image<std::uint8_t>& picture, cons
 
 Image<float> linearPicture(const Image<std::uint8_t>& picture) {
     const std::array<float, 256>& lights = linearLights();
-    Image<float> linear{picture.size, picture.channels};
-    std::transform(picture.pixels.begin(), picture.pixels.end(), linear.pixels.begin(),
-                   [&](std::uint8_t value) { return lights[value]; });
-    if (picture.channels != 4) return linear;
-    for (std::size_t i = 0; i < linear.pixels.size(); i += 4) {
-        const float alpha = static_cast<float>(picture.pixels[i + 3]) / 255.0F;
-        for (std::size_t c = 0; c < 3; ++c) linear.pixels[i + c] *= alpha;
-        linear.pixels[i + 3] = alpha;
+    const bool grey = picture.channels == 1;
+    Image<float> linear{picture.size, grey ? 3 : picture.channels};
+    for (int y = 0; y < picture.size.height; ++y) {
+        for (int x = 0; x < picture.size.width; ++x) {
+            const float alpha = picture.channels == 4 ? static_cast<float>(picture.at(x, y, 3)) / 255.0F : 1.0F;
+            for (int c = 0; c < 3; ++c) linear.at(x, y, c) = alpha * lights[picture.at(x, y, grey ? 0 : c)];
+            if (picture.channels == 4) linear.at(x, y, 3) = alpha;
+        }
     }
     return linear;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include <inkedge/image.h>
@@ -14,7 +15,8 @@ namespace inkedge::io {
 /// @throws Error  (Kind::Usage) if the extension is none of ours; (Kind::Output) if the picture cannot be encoded
 std::vector<std::uint8_t> encodePicture(const Image<std::uint8_t>&, const std::filesystem::path& target);
 
-/// An sRGB picture as linear light, 0..1, premultiplied if it has alpha.
+/// An sRGB picture of 1, 3 or 4 channels as linear light, 0..1: R, G, B, and A of four, by which they are multiplied.
+/// Grey is three channels, too: readers of OpenEXR show a lone Y wrongly or in another shape, or not at all.
 Image<float> linearPicture(const Image<std::uint8_t>&);
 
 /// The names of channels: "Y", or "R", "G", "B" and, of four channels, "A".

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string_view>
 
 #include <inkedge/error.h>
@@ -134,6 +135,8 @@ Image<std::uint8_t> mapPicture(const Maps& maps, Map map) {
     return edgePicture(maps.edges);
 }
 
+/// A layer of an EXR. The names of its channels end in one letter: Blender drops other layers. Ids are floats: beside
+/// floats OpenImageIO reads integers as shares of the largest one, unless it is told not to.
 io::Layer mapLayer(const Maps& maps, Map map) {
     using io::SampleType;
     switch (map) {
@@ -146,9 +149,9 @@ io::Layer mapLayer(const Maps& maps, Map map) {
         case Map::NormalEdges:
             return {&maps.normalEdges, {"normal-edges.Y"}, SampleType::Half};
         case Map::Types:
-            return {&maps.types, {"types.bits"}, SampleType::Float};
+            return {&maps.types, {"types.V"}, SampleType::Float};
         case Map::Ids:
-            return {&maps.ids, {"ids.patch", "ids.across", "ids.object", "ids.material"}, SampleType::Float};
+            return {&maps.ids, {"patch.V", "across.V", "object.V", "material.V"}, SampleType::Float};
         case Map::Edges:
             break;
     }
@@ -170,8 +173,22 @@ std::vector<io::HeaderEntry> cameraEntries(const Camera& camera, Size size) {
             {"inkedge:projection", rowMajor(camera.projection(size))}};
 }
 
+void expectExactIds(const Image<std::uint32_t>& ids, const fs::path& target) {
+    constexpr std::uint32_t largest = 1U << std::numeric_limits<float>::digits;  // with all below it exact as a float
+    const auto found = std::max_element(ids.pixels.begin(), ids.pixels.end());
+    if (found == ids.pixels.end() || *found <= largest) return;
+    constexpr std::array names{"patch", "patch", "node", "material"};
+    throw Error{
+        Error::Kind::Output,
+        fmt::format("{}: map ids: expected numbers up to {}, which the floats of an EXR hold exactly, found {} "
+                    "{}; leave ids out of the maps, or load a part of the model",
+                    target.string(), largest, names[static_cast<std::size_t>(found - ids.pixels.begin()) % 4], *found)};
+}
+
 std::vector<std::uint8_t> encodeLayers(const Maps& maps, std::span<const Map> wanted, const fs::path& target) {
-    expectMemory(maps.picture.size, sizeof(float) * static_cast<std::uint64_t>(maps.picture.channels));
+    if (std::find(wanted.begin(), wanted.end(), Map::Ids) != wanted.end()) expectExactIds(maps.ids, target);
+    const int channels = std::max(maps.picture.channels, 3);
+    expectMemory(maps.picture.size, sizeof(float) * static_cast<std::uint64_t>(channels));
     const Image<float> picture = io::linearPicture(maps.picture);
     std::vector<io::Layer> layers{{&picture, io::channelNames(picture.channels), io::SampleType::Half}};
     for (const Map map : wanted) layers.push_back(mapLayer(maps, map));

@@ -74,15 +74,16 @@ TEST_F(Render, PutsEveryLayerIntoOneExr) {
     EXPECT_THAT(folder_.names(), ElementsAre("roof.exr"));
     const std::string header = contents(folder_ / "roof.exr").substr(0, 4096);
     EXPECT_THAT(header, StartsWith("\x76\x2f\x31\x01"));
-    for (const char* channel : {"Y", "depth.Z", "normal.X", "normal.Y", "normal.Z", "depth-edges.Y", "normal-edges.Y",
-                                "edges.Y", "types.bits", "ids.object", "ids.patch", "ids.across", "ids.material"}) {
+    for (const char* channel :
+         {"R", "G", "B", "depth.Z", "normal.X", "normal.Y", "normal.Z", "depth-edges.Y", "normal-edges.Y", "edges.Y",
+          "types.V", "object.V", "patch.V", "across.V", "material.V"}) {
         EXPECT_NE(header.find(std::string{'\0'} + channel + '\0'), std::string::npos) << channel;
     }
     for (const char* entry : {"inkedge:near", "inkedge:far", "inkedge:view", "inkedge:projection"}) {
         EXPECT_NE(header.find(std::string{entry} + '\0'), std::string::npos) << entry;
     }
     const json comparison = json::parse(run({"compare", "roof.exr", "roof.exr", "--json"}).out);
-    EXPECT_EQ(comparison["channels"], 13);
+    EXPECT_EQ(comparison["channels"], 15);
     EXPECT_EQ(comparison["width"], 48);
     EXPECT_EQ(comparison["height"], 32);
 }

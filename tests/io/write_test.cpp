@@ -115,9 +115,9 @@ TEST(WriteMaps, namesTheLayersOfAnExr) {
     writeMaps(smallMaps(), allMaps, folder / "a.exr");
     const DecodedFile file = decodeFile(folder / "a.exr");
     EXPECT_THAT(file.spec.channelnames,
-                testing::UnorderedElementsAre("Y", "depth.Z", "normal.X", "normal.Y", "normal.Z", "depth-edges.Y",
-                                              "normal-edges.Y", "edges.Y"));
-    EXPECT_EQ(file.spec.channelnames.front(), "Y");
+                testing::UnorderedElementsAre("R", "G", "B", "depth.Z", "normal.X", "normal.Y", "normal.Z",
+                                              "depth-edges.Y", "normal-edges.Y", "edges.Y"));
+    EXPECT_EQ(file.spec.channelnames.front(), "R");
     for (const char* const exact : {"depth.Z", "normal.X", "normal.Y", "normal.Z"}) {
         EXPECT_EQ(file.spec.channelformat(file.spec.channelindex(exact)), OIIO::TypeFloat) << exact;
     }
@@ -127,7 +127,7 @@ TEST(WriteMaps, keepsFloatMapsExactlyInAnExr) {
     const TemporaryFolder folder;
     writeMaps(smallMaps(), allMaps, folder / "a.exr");
     const DecodedFile file = decodeFile(folder / "a.exr");
-    EXPECT_THAT(file.channel("Y"), ElementsAre(0.0F, 1.0F));
+    for (const char* const grey : {"R", "G", "B"}) EXPECT_THAT(file.channel(grey), ElementsAre(0.0F, 1.0F)) << grey;
     EXPECT_THAT(file.channel("depth.Z"), ElementsAre(2.5F, 4.0F));
     EXPECT_THAT(file.channel("normal.X"), ElementsAre(0.6F, 0.0F));
     EXPECT_THAT(file.channel("normal.Y"), ElementsAre(-0.8F, 0.0F));
@@ -143,7 +143,42 @@ TEST(WriteMaps, keepsEveryBitOfTypesInAnExr) {
     maps.types = Image<std::uint16_t>{maps.picture.size, 1};
     maps.types.pixels = {0x8001, 0xFFFF};
     writeMaps(maps, std::array{Map::Types}, folder / "a.exr");
-    EXPECT_THAT(decodeFile(folder / "a.exr").channel("types.bits"), ElementsAre(32769.0F, 65535.0F));
+    EXPECT_THAT(decodeFile(folder / "a.exr").channel("types.V"), ElementsAre(32769.0F, 65535.0F));
+}
+
+TEST(WriteMaps, namesEveryChannelOfAnExrByOneLetterAtItsEnd) {
+    const TemporaryFolder folder;
+    Maps maps = smallMaps();
+    maps.types = Image<std::uint16_t>{maps.picture.size, 1};
+    maps.ids = Image<std::uint32_t>{maps.picture.size, 4};
+    std::vector<Map> all{allMaps.begin(), allMaps.end()};
+    all.insert(all.end(), {Map::Types, Map::Ids});
+    writeMaps(maps, all, folder / "a.exr");
+    for (const std::string& channel : decodeFile(folder / "a.exr").spec.channelnames) {
+        EXPECT_THAT(channel, testing::MatchesRegex("[RGB]|[a-z-]+\\.[XYZV]"));
+    }
+}
+
+TEST(WriteMaps, keepsIdsExactlyInAnExrAndRefusesThoseThatFloatsDoNotHold) {
+    const TemporaryFolder folder;
+    Maps maps = smallMaps();
+    maps.ids = Image<std::uint32_t>{maps.picture.size, 4};
+    maps.ids.pixels = {16777216, 16777215, 3, 1, 7, 0, 16777213, 2};
+    writeMaps(maps, std::array{Map::Ids}, folder / "a.exr");
+    const DecodedFile file = decodeFile(folder / "a.exr");
+    EXPECT_THAT(file.channel("patch.V"), ElementsAre(16777216.0F, 7.0F));
+    EXPECT_THAT(file.channel("across.V"), ElementsAre(16777215.0F, 0.0F));
+    EXPECT_THAT(file.channel("object.V"), ElementsAre(3.0F, 16777213.0F));
+    EXPECT_THAT(file.channel("material.V"), ElementsAre(1.0F, 2.0F));
+
+    maps.ids.at(1, 0, 2) = 16777217;  // the first that is none as a float
+    expectError(Error::Kind::Output,
+                HasSubstr("b.exr: map ids: expected numbers up to 16777216, which the floats of an EXR hold exactly, "
+                          "found node 16777217; "),
+                [&] { writeMaps(maps, std::array{Map::Ids}, folder / "b.exr"); });
+    writeMaps(maps, {}, folder / "c.exr");  // has no ids
+    writeMaps(maps, std::array{Map::Ids}, folder / "d.png");
+    EXPECT_THAT(folder.names(), ElementsAre("a.exr", "c.exr", "d.ids.png", "d.png"));
 }
 
 TEST(WriteMaps, writesTypesAsTheColourOfTheFirst) {
@@ -168,7 +203,7 @@ TEST(WriteMaps, keepsRowsOfATallExrInOrder) {
 TEST(WriteMaps, putsOnlyTheMapsAskedForIntoAnExr) {
     const TemporaryFolder folder;
     writeMaps(smallMaps(), std::array{Map::Edges, Map::Edges}, folder / "a.exr");
-    EXPECT_THAT(decodeFile(folder / "a.exr").spec.channelnames, ElementsAre("Y", "edges.Y"));
+    EXPECT_THAT(decodeFile(folder / "a.exr").spec.channelnames, ElementsAre("R", "G", "B", "edges.Y"));
 }
 
 TEST(WriteMaps, putsTheCameraIntoAnExrsHeaderRowByRow) {
