@@ -54,7 +54,7 @@ struct DecodedPicture {
 
 struct Differences {
     std::uint64_t pixelsOverLevel = 0;
-    double maximum = 0.0;  ///< infinite if one picture is NaN where the other is a number
+    double maximum = 0.0;
     int maximumX = 0;
     int maximumY = 0;
     double mean = 0.0;
@@ -73,7 +73,8 @@ struct ImageFormats {
     /// A JPEG picture in memory.
     DecodedPicture (*decodeJpeg)(std::span<const std::uint8_t> bytes, std::uint64_t maxPixels);
 
-    /// The differences of two pictures of one size and channel count.
+    /// The differences of two pictures of one size and channel count. Where a value is no number or infinite, the other
+    /// picture has the same.
     Differences (*compare)(const Image<float>& a, const Image<float>& b, double level);
 };
 

@@ -9,7 +9,7 @@
 namespace inkedge {
 
 /// When two pictures count as the same. A pixel's difference is its largest over the channels; values run from 0 to 1
-/// in 8-bit pictures and are taken as they are in float ones.
+/// in 8-bit pictures and are taken as they are in float ones. NaN is as NaN, and differs from every number by infinity.
 struct Tolerance {
     double level = 0.0;  ///< differences up to this are not counted
     double share = 0.0;  ///< the share of pixels, 0..1, that may lie over the level
@@ -25,7 +25,7 @@ struct Comparison {
     double maximum = 0.0;  ///< largest difference, and where it is
     int maximumX = 0;
     int maximumY = 0;
-    double mean = 0.0;  ///< mean difference over pixels and channels
+    double mean = 0.0;  ///< mean difference over pixels and channels, without pixels whose difference is infinite
     bool same = false;  ///< within the tolerance
 };
 

@@ -65,7 +65,7 @@ void expectSameShape(const fs::path& a, const Image<float>& left, const fs::path
                 fmt::format("{}: expected {}, as {} has, found {}", b.string(), shape(left), a.string(), shape(right))};
 }
 
-/// The largest difference over the channels of a pixel; infinite if one value is NaN where the other is a number.
+/// The largest difference over the channels of a pixel; infinite if one value is NaN or an infinity and the other not.
 float pixelDifference(const Image<float>& a, const Image<float>& b, int x, int y) {
     float largest = 0.0F;
     for (int c = 0; c < a.channels; ++c) {
@@ -97,6 +97,37 @@ Image<std::uint8_t> differencePicture(const Image<float>& a, const Image<float>&
     return picture;
 }
 
+/// Takes the pixels whose difference is infinite out of both pictures, by making them alike: OpenImageIO takes one for
+/// the largest difference of the pictures, but counts it in no pixel.
+io::Differences takeOutInfiniteDifferences(Image<float>& a, Image<float>& b) {
+    io::Differences taken;
+    for (int y = 0; y < a.size.height; ++y) {
+        for (int x = 0; x < a.size.width; ++x) {
+            if (std::isfinite(pixelDifference(a, b, x, y))) continue;
+            if (taken.pixelsOverLevel++ == 0) {
+                taken.maximum = INFINITY;
+                taken.maximumX = x;
+                taken.maximumY = y;
+            }
+            for (int c = 0; c < a.channels; ++c) a.at(x, y, c) = b.at(x, y, c) = 0.0F;
+        }
+    }
+    return taken;
+}
+
+/// The differences of two pictures, which are changed.
+io::Differences measure(Image<float>& a, Image<float>& b, double level) {
+    const io::Differences infinite = takeOutInfiniteDifferences(a, b);
+    io::Differences all = io::imageFormats(Error::Kind::Input).compare(a, b, level);
+    all.pixelsOverLevel += infinite.pixelsOverLevel;
+    if (infinite.pixelsOverLevel > 0) {
+        all.maximum = infinite.maximum;
+        all.maximumX = infinite.maximumX;
+        all.maximumY = infinite.maximumY;
+    }
+    return all;
+}
+
 Comparison judge(const io::Differences& found, const Image<float>& image, const Tolerance& tolerance, double rounding) {
     Comparison result{.size = image.size,
                       .channels = image.channels,
@@ -117,21 +148,20 @@ Comparison judge(const io::Differences& found, const Image<float>& image, const 
 Comparison compare(const fs::path& a, const fs::path& b, const Tolerance& tolerance,
                    const std::optional<fs::path>& difference) {
     if (difference) (void)io::pictureFormat(*difference);  // refuse a wrong name before the work
-    const io::ReadPicture left = read(a);
-    const io::ReadPicture right = read(b);
+    io::ReadPicture left = read(a);
+    io::ReadPicture right = read(b);
     expectSameShape(a, left.image, b, right.image);
 
     const double rounding = left.integers && right.integers ? integerRounding : 0.0;
-    const io::Differences found =
-        io::imageFormats(Error::Kind::Input).compare(left.image, right.image, tolerance.level + rounding);
+    std::vector<std::uint8_t> picture;
+    if (difference) picture = io::encodePicture(differencePicture(left.image, right.image), *difference);
+    const io::Differences found = measure(left.image, right.image, tolerance.level + rounding);
     if (!found.failure.empty()) {
         throw Error{Error::Kind::Runtime,
                     fmt::format("{}: expected it to be comparable to {}, found: {}; use a smaller picture", b.string(),
                                 a.string(), found.failure)};
     }
-    if (difference) {
-        writeFile(*difference, io::encodePicture(differencePicture(left.image, right.image), *difference));
-    }
+    if (difference) writeFile(*difference, picture);
     return judge(found, left.image, tolerance, rounding);
 }
 

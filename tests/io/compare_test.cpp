@@ -197,6 +197,35 @@ TEST_F(Compare, neverTakesANumberForNone) {
     EXPECT_TRUE(compare(b, b, {}).same);
 }
 
+TEST_F(Compare, countsEveryPixelThatIsNoNumberInOneOfThePictures) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    Image<float> depth{{8, 8}, 1, 1.0F};
+    depth.at(0, 0) = nan;  // these are in both
+    depth.at(1, 0) = infinity;
+    const fs::path a = save("a.exr", depth);
+    depth.at(3, 1) = nan;
+    depth.at(5, 2) = infinity;
+    depth.at(6, 2) = 1.5F;
+    const fs::path b = save("b.exr", depth);
+    for (const Comparison& result : {compare(a, b, {}), compare(b, a, {})}) {
+        EXPECT_EQ(result.pixelsOverLevel, 3U);
+        EXPECT_EQ(result.shareOverLevel, 3.0 / 64.0);
+        EXPECT_EQ(result.maximum, infinity);
+        EXPECT_EQ(result.maximumX, 3);
+        EXPECT_EQ(result.maximumY, 1);
+        EXPECT_EQ(result.mean, 0.5 / 64.0);
+        EXPECT_FALSE(result.same);
+    }
+}
+
+TEST_F(Compare, takesInfinitiesOfOtherSignsForDifferent) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const fs::path a = save("a.exr", Image<float>{{2, 1}, 1, infinity});
+    EXPECT_TRUE(compare(a, a, {}).same);
+    EXPECT_EQ(compare(a, save("b.exr", Image<float>{{2, 1}, 1, -infinity}), {}).pixelsOverLevel, 2U);
+}
+
 TEST_F(Compare, seesAFileThatWasWrittenAnew) {
     const fs::path a = save("a.png", Image<std::uint8_t>{{2, 1}, 1});
     const fs::path b = save("b.png", Image<std::uint8_t>{{2, 1}, 1});
