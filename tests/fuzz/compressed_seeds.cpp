@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/gltf/encode_exponential.h"
+#include "formats/gltf/encode_vertices.h"
 #include "fuzz/promise.h"
 
 namespace {
@@ -99,13 +100,18 @@ void writeDraco(const std::filesystem::path& file, int method, int bits) {
     writeGlb(file, json, {buffer.data(), buffer.data() + buffer.size()});
 }
 
-// Positions and indices, each in a view of its own; the filter is that of the positions.
-void writeMeshopt(const std::filesystem::path& file, const std::string& mode, const std::string& filter) {
+// Positions and indices, each in a view of its own; the filter is that of the positions. The positions are in version 1
+// of the codec if channel modes are given.
+void writeMeshopt(const std::filesystem::path& file, const std::string& mode, const std::string& filter,
+                  const char* extension = "EXT_meshopt_compression", const Bytes& channelModes = {}) {
     const Grid grid;
     std::vector<float> filtered = grid.positions;
     if (filter == "EXPONENTIAL") encodeExponential(filtered.data(), vertexCount, 12, 15, grid.positions.data());
     Bytes vertices(meshopt_encodeVertexBufferBound(vertexCount, 12));
     vertices.resize(meshopt_encodeVertexBuffer(vertices.data(), vertices.size(), filtered.data(), vertexCount, 12));
+    if (!channelModes.empty())
+        vertices = inkedge::vertex_codec::encode(reinterpret_cast<const std::uint8_t*>(filtered.data()), vertexCount,
+                                                 12, channelModes);
     const bool triangles = mode == "TRIANGLES";
     const std::size_t count = grid.indices.size();
     Bytes indices(triangles ? meshopt_encodeIndexBufferBound(count, vertexCount)
@@ -113,7 +119,6 @@ void writeMeshopt(const std::filesystem::path& file, const std::string& mode, co
     indices.resize(triangles ? meshopt_encodeIndexBuffer(indices.data(), indices.size(), grid.indices.data(), count)
                              : meshopt_encodeIndexSequence(indices.data(), indices.size(), grid.indices.data(), count));
 
-    constexpr const char* extension = "EXT_meshopt_compression";
     const auto view = [&](std::size_t offset, std::size_t length, std::size_t elements, std::size_t stride,
                           const std::string& viewMode, const std::string& viewFilter) -> Json {
         const Json compressed{{"buffer", 0},          {"byteOffset", offset}, {"byteLength", length},
@@ -126,6 +131,13 @@ void writeMeshopt(const std::filesystem::path& file, const std::string& mode, co
     for (std::size_t i = 0; i < 2; ++i) json["accessors"][i]["bufferView"] = i;
     json["bufferViews"] = Json::array({view(0, vertices.size(), vertexCount, 12, "ATTRIBUTES", filter),
                                        view(vertices.size(), indices.size(), count, 4, mode, "NONE")});
+    if (!channelModes.empty()) {  // colors, which nothing uses
+        const Bytes colors = inkedge::vertex_codec::encode(reinterpret_cast<const std::uint8_t*>(filtered.data()),
+                                                           vertexCount, 4, {channelModes[0]});
+        json["bufferViews"].push_back(
+            view(vertices.size() + indices.size(), colors.size(), vertexCount, 4, "ATTRIBUTES", "COLOR"));
+        indices.insert(indices.end(), colors.begin(), colors.end());
+    }
     const Json fallback{{"byteLength", 4096}, {"extensions", {{extension, {{"fallback", true}}}}}};
     json["buffers"] = Json::array({{{"byteLength", vertices.size() + indices.size()}}, fallback});
     json["meshes"] = meshes({{"attributes", {{"POSITION", 0}}}, {"indices", 1}});
@@ -151,5 +163,9 @@ int main(int argc, char** argv) {
     writeMeshopt(folder / "meshopt_triangles.glb", "TRIANGLES", "NONE");
     writeMeshopt(folder / "meshopt_indices.glb", "INDICES", "NONE");
     writeMeshopt(folder / "meshopt_exponential.glb", "TRIANGLES", "EXPONENTIAL");
+    constexpr const char* khr = "KHR_meshopt_compression";
+    writeMeshopt(folder / "meshopt_bytes.glb", "TRIANGLES", "NONE", khr, {0, 0, 0});
+    writeMeshopt(folder / "meshopt_pairs.glb", "INDICES", "EXPONENTIAL", khr, {1, 1, 1});
+    writeMeshopt(folder / "meshopt_turned.glb", "TRIANGLES", "NONE", khr, {2, 0x42, 0});
     return 0;
 }

@@ -1,5 +1,7 @@
 #include "formats/gltf/compression.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <optional>
@@ -25,11 +27,21 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr const char* meshopt = "EXT_meshopt_compression";
+// Both say the same in the same words; KHR has a further filter and version of its codec, which EXT's writers use, too.
+constexpr std::array<const char*, 2> meshopts{"KHR_meshopt_compression", "EXT_meshopt_compression"};
 constexpr const char* draco = "KHR_draco_mesh_compression";
 
 const Module& moduleOf(std::string_view extension) {
     return extension == draco ? static_cast<const Module&>(dracoModule) : meshoptModule;
+}
+
+bool readsMeshopt() { return readsCompression(meshopts.front()); }
+
+// The extension of these that a bufferView or a buffer has; null: none.
+const char* meshoptOf(const Json& object) {
+    const auto found =
+        std::ranges::find_if(meshopts, [&](const char* name) { return !extension(object, name).is_null(); });
+    return found == meshopts.end() ? nullptr : *found;
 }
 
 // ---- the work
@@ -48,17 +60,17 @@ public:
     }
 
 private:
-    // ---- EXT_meshopt_compression
+    // ---- KHR_meshopt_compression and EXT_meshopt_compression
 
     void readMeshopt(Json& view) {
-        const Json& compressed = extension(view, meshopt);
-        if (compressed.is_null() || !readsCompression(meshopt)) {
+        const char* const name = meshoptOf(view);
+        if (name == nullptr || !readsMeshopt()) {
             if (liesInFallback(view)) refuse("expected data of its own, found a buffer that stands in for some");
             return;
         }
-        Bytes bytes = within(meshopt, [&] { return decoded(compressed); });
+        Bytes bytes = within(name, [&] { return decoded(extension(view, name)); });
         if (const std::uint64_t length = number(view, "byteLength"); length != bytes.size())
-            refuse(fmt::format("expected a byteLength of {} as {} gives, found {}", bytes.size(), meshopt, length));
+            refuse(fmt::format("expected a byteLength of {} as {} gives, found {}", bytes.size(), name, length));
         view["buffer"] = addBuffer(std::move(bytes));
         view.erase("byteOffset");
         view.erase("extensions");
@@ -210,7 +222,9 @@ private:
 
 }  // namespace
 
-bool isCompression(std::string_view extension) noexcept { return extension == draco || extension == meshopt; }
+bool isCompression(std::string_view extension) noexcept {
+    return extension == draco || std::ranges::count(meshopts, extension) == 1;
+}
 
 bool readsCompression(std::string_view extension) {
     return isCompression(extension) && failureToOpen(moduleOf(extension)).empty();
@@ -220,9 +234,23 @@ std::string whyUnread(std::string_view extension) {
     return fmt::format("which this build does not read: {}", failureToOpen(moduleOf(extension)));
 }
 
+void markFallbacks(Json& document, bool hasBinaryChunk) {
+    const std::size_t views = sizeOf(member(document, "bufferViews"));
+    for (std::size_t i = 0; i < views; ++i) {
+        const Json& view = document["bufferViews"][i];
+        const Json& index = member(view, "buffer");
+        if (meshoptOf(view) == nullptr || !index.is_number_unsigned()) continue;
+        if (index >= sizeOf(member(document, "buffers")) || (index == 0 && hasBinaryChunk)) continue;
+        Json& buffer = document["buffers"][index.get<std::size_t>()];
+        if (buffer.is_object() && !buffer.contains("uri"))
+            buffer["extensions"] = {{meshopts.front(), {{"fallback", true}}}};
+    }
+}
+
 bool isFallback(const Json& buffer) {
-    return member(extension(buffer, meshopt), "fallback") == true &&
-           (readsCompression(meshopt) || !buffer.contains("uri"));
+    const char* const name = meshoptOf(buffer);
+    return name != nullptr && member(extension(buffer, name), "fallback") == true &&
+           (readsMeshopt() || !buffer.contains("uri"));
 }
 
 void decompress(Json& document, std::vector<Bytes>& buffers, std::uint64_t maxBytes) {

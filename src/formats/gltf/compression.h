@@ -9,7 +9,8 @@
 
 namespace inkedge::gltf {
 
-/// Whether an extension compresses geometry: EXT_meshopt_compression or KHR_draco_mesh_compression.
+/// Whether an extension compresses geometry: KHR_meshopt_compression, EXT_meshopt_compression or
+/// KHR_draco_mesh_compression.
 [[nodiscard]] bool isCompression(std::string_view extension) noexcept;
 
 /// Whether an extension compresses geometry and its module can be opened.
@@ -18,7 +19,12 @@ namespace inkedge::gltf {
 /// What a message says after the name of such an extension that is not read: "which this build does not read", and why.
 [[nodiscard]] std::string whyUnread(std::string_view extension);
 
-/// Whether a buffer only stands for data that EXT_meshopt_compression has compressed. Such a buffer need not be read.
+/// Marks the buffers without a uri that compressed bufferViews refer to as those that isFallback() finds: writers need
+/// not mark them.
+/// @param hasBinaryChunk  whether buffer 0 is that of a .glb
+void markFallbacks(nlohmann::json& document, bool hasBinaryChunk);
+
+/// Whether a buffer only stands for data that meshopt has compressed. Such a buffer need not be read.
 [[nodiscard]] bool isFallback(const nlohmann::json& buffer);
 
 /// Replaces compressed data by plain data, in further buffers, bufferViews and accessors, and removes the extensions

@@ -223,9 +223,8 @@ Bytes bufferBytes(const ModelInput& input, const Json& buffer, std::optional<Byt
 
 // One byte for a buffer that nothing reads, as no buffer may be empty.
 Bytes standIn(Json& buffer, std::size_t number) {
-    if (!readsCompression("EXT_meshopt_compression"))
-        refuse("it stands in for data compressed with EXT_meshopt_compression, " +
-               whyUnread("EXT_meshopt_compression"));
+    constexpr std::string_view extension = "KHR_meshopt_compression";
+    if (!readsCompression(extension)) refuse("it stands in for data compressed with meshopt, " + whyUnread(extension));
     buffer["uri"] = std::to_string(number);
     buffer["byteLength"] = 1;
     return {0};
@@ -295,6 +294,7 @@ File readFile(const ModelInput& input, const LoadLimits& limits) {
     for (const char* read : {"images", "materials", "samplers", "textures"}) document.erase(read);
     std::optional<Bytes> binaryChunk;
     if (!chunks.binary.empty()) binaryChunk = std::move(bytes).keepOnly(chunks.binary);
+    markFallbacks(document, binaryChunk.has_value());
     file.buffers = takeBuffers(input, document, std::move(binaryChunk), file.bytesLeft);
     decompress(document, file.buffers, limits.decompressedSize);
     file.json = document.dump();

@@ -138,7 +138,7 @@ inline std::vector<std::vector<double>> trianglesOf(const Scene::Data& data) {
     return trianglesOf(positions, mesh.indices);
 }
 
-// ---- EXT_meshopt_compression
+// ---- meshopt, as EXT_meshopt_compression
 
 inline Bytes encodeVertices(const void* data, std::size_t count, std::size_t stride) {
     Bytes bytes(meshopt_encodeVertexBufferBound(count, stride));
@@ -185,6 +185,15 @@ inline Model meshoptModel(const Grid& grid, const std::string& mode = "TRIANGLES
         {"attributes", {{"POSITION", accessor(model, vertices, 5126, grid.vertexCount(), "VEC3")}}},
         {"indices", accessor(model, indices, indexSize == 4 ? 5125 : 5123, grid.indices.size(), "SCALAR")}};
     model.add("meshes", {{"primitives", {primitive}}});
+    return model;
+}
+
+// The same with another extension for meshopt's.
+inline Model renamed(Model model, const std::string& extension) {
+    std::string text = model.json.dump();
+    for (std::size_t at = text.find(meshopt); at != std::string::npos; at = text.find(meshopt, at + 1))
+        text.replace(at, std::strlen(meshopt), extension);
+    model.json = Json::parse(text);
     return model;
 }
 

@@ -1,0 +1,113 @@
+#include "formats/gltf/vertex_codec.h"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include <gmock/gmock.h>
+
+#include <inkedge/error.h>
+
+#include "formats/gltf/encode_vertices.h"
+
+namespace inkedge::gltf {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+std::string refusalOf(const Bytes& data, std::size_t count, std::size_t stride) {
+    try {
+        static_cast<void>(decodeVertices(data, count, stride));
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), Error::Kind::Input);
+        return error.what();
+    }
+    return {};
+}
+
+// Elements of 16 bytes: a number whose bits spread, two that climb and fall, four bytes of their own, a float.
+Bytes elements(std::size_t count) {
+    Bytes bytes;
+    const auto put = [&](auto number) {
+        const auto* const start = reinterpret_cast<const std::uint8_t*>(&number);
+        bytes.insert(bytes.end(), start, start + sizeof number);
+    };
+    for (std::uint32_t i = 0; i < count; ++i) {
+        put(i * 0x01000003U);
+        put(static_cast<std::uint16_t>(900 * i));
+        put(static_cast<std::uint16_t>(65000 - 700 * i));
+        put(std::uint8_t{7});
+        put(static_cast<std::uint8_t>(i * i * 89 + i * 57));
+        put(static_cast<std::uint8_t>(i % 11 == 5 ? 200 : 0));
+        put(static_cast<std::uint8_t>(i / 2));
+        put(std::ldexp(i % 2 == 1 ? 1.5F : -1.5F, static_cast<int>(i * 7 % 5)));
+    }
+    return bytes;
+}
+
+// 35 of them as meshoptimizer 1.3.0 writes them: every control mode and channel mode, the last one turned by a bit.
+constexpr auto written = std::to_array<std::uint8_t>({
+    0xa1, 0x69, 0x75, 0x4e, 0x69, 0x0a, 0x06, 0x66, 0x66, 0x66, 0x66, 0x66, 0x66, 0x66, 0x66, 0x66, 0x66, 0x66,
+    0x66, 0x66, 0x66, 0x66, 0x07, 0x00, 0x06, 0x06, 0x06, 0x15, 0x2a, 0xaa, 0xaa, 0xaa, 0xaa, 0xaa, 0xaa, 0xaa,
+    0xa8, 0x00, 0x00, 0x00, 0x0a, 0x08, 0x88, 0x88, 0x88, 0x88, 0x88, 0x88, 0x88, 0x88, 0x88, 0x88, 0x88, 0x88,
+    0x88, 0x88, 0x88, 0x07, 0x00, 0x08, 0x08, 0x08, 0x0a, 0x07, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77,
+    0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x07, 0x00, 0x07, 0x07, 0x07, 0x00, 0x77, 0x77, 0x77, 0x77, 0x77,
+    0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77,
+    0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x77, 0x0a, 0x05, 0x55, 0x55, 0x55, 0x55, 0x55,
+    0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x07, 0x00, 0x05, 0x05, 0x05, 0x00, 0xdb, 0x88,
+    0x13, 0xaf, 0xb4, 0x18, 0x83, 0xe0, 0x44, 0x57, 0xf3, 0x70, 0x2b, 0xc7, 0x9c, 0x00, 0x9b, 0xc8, 0x2c, 0x6f,
+    0xf4, 0x58, 0x43, 0xdf, 0x84, 0x17, 0xb3, 0xb0, 0x14, 0x87, 0xdc, 0x40, 0x5b, 0xf7, 0x05, 0x60, 0x00, 0x6f,
+    0x70, 0x03, 0x18, 0x6f, 0x70, 0x6f, 0x70, 0x15, 0x08, 0x88, 0x88, 0x88, 0x88, 0x88, 0x88, 0x88, 0x88, 0x00,
+    0x00, 0x00, 0x15, 0x15, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x54, 0x00, 0x00, 0x00, 0x15, 0x3b, 0xbe,
+    0xef, 0xbb, 0xfe, 0x03, 0xfd, 0xfe, 0x03, 0xfd, 0xfe, 0x03, 0xfd, 0xee, 0xfb, 0xbe, 0xef, 0xfe, 0x03, 0xfd,
+    0xfe, 0x03, 0xfd, 0xfe, 0x03, 0xfd, 0xfe, 0xb8, 0x00, 0x00, 0x00, 0x03, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00,
+    0x00, 0x00, 0x00, 0x00, 0xe8, 0xfd, 0x07, 0x00, 0x00, 0x00, 0x00, 0x00, 0xc0, 0xbf, 0x00, 0x01, 0x00, 0x12,
+});
+
+TEST(VertexCodec, readsWhatItsOwnLibraryWrites) { EXPECT_EQ(decodeVertices(written, 35, 16), elements(35)); }
+
+TEST(VertexCodec, readsEveryModeInBlocksOfAnyLength) {
+    for (const std::size_t count : {1U, 15U, 16U, 17U, 100U, 256U, 257U, 700U}) {
+        const Bytes plain = elements(count);
+        for (const unsigned control : {0U, 1U, 2U, 3U, 4U})
+            for (const std::uint8_t mode : Bytes{0x00, 0x01, 0x02, 0x12, 0x82, 0xf2})
+                EXPECT_EQ(
+                    decodeVertices(vertex_codec::encode(plain.data(), count, 16, Bytes(4, mode), control), count, 16),
+                    plain)
+                    << count << " elements, control " << control << ", channel mode " << int{mode};
+    }
+}
+
+TEST(VertexCodec, readsEveryStride) {
+    const Bytes plain = elements(16 * 90);
+    for (std::size_t stride = 4; stride <= 256; stride += 4) {
+        const Bytes data = vertex_codec::encode(plain.data(), 90, stride, Bytes(stride / 4, 1));
+        EXPECT_EQ(decodeVertices(data, 90, stride),
+                  (Bytes{plain.begin(), plain.begin() + 90 * static_cast<long>(stride)}))
+            << stride;
+    }
+}
+
+TEST(VertexCodec, refusesDataThatEndEarlyOrLate) {
+    for (std::size_t size = 0; size < written.size(); ++size)
+        EXPECT_THAT(refusalOf({written.begin(), written.begin() + static_cast<long>(size)}, 35, 16),
+                    testing::StartsWith("expected "))
+            << size;
+    Bytes longer{written.begin(), written.end()};
+    longer.insert(longer.end() - 24, std::uint8_t{0});
+    EXPECT_EQ(refusalOf(longer, 35, 16), "expected vertex data to end with 35 elements, found 1 bytes more");
+    EXPECT_THAT(refusalOf({written.begin(), written.end()}, 36, 16), testing::StartsWith("expected "));
+    EXPECT_EQ(refusalOf(Bytes(24, 0xa1), 1, 4), "expected at least 25 bytes of vertex data, found 24");
+}
+
+TEST(VertexCodec, refusesChannelModesThatTheFormatDoesNotHave) {
+    for (const std::uint8_t mode : Bytes{0x03, 0x0f, 0x10, 0x21}) {
+        Bytes other{written.begin(), written.end()};
+        other.back() = mode;
+        EXPECT_THAT(refusalOf(other, 35, 16), testing::StartsWith("expected channel modes 0, 1 and 2, found 0x"))
+            << int{mode};
+    }
+}
+
+}  // namespace
+}  // namespace inkedge::gltf
