@@ -2,7 +2,8 @@
 """Holds what each room of src/ includes to what its CMakeLists.txt says that it sees: tests/rooms_test.py SRC.
 
 A room sees itself, the rooms after USES, and the third-party libraries after LIBRARIES. A public header belongs to the
-room that defines what it declares, but for plain data. No room may see itself by way of others.
+room that defines what it declares, but for plain data. No room may see itself by way of others. What a room's headers
+declare is in the room's namespace; its sources may also define what public headers declare.
 """
 import pathlib
 import re
@@ -41,6 +42,7 @@ SEEN_BY = {  # has no target to name
     "KHR/": ("gl",),
     "glad/": ("gl",),
 }
+DEFINE_PUBLIC = ("prepared.h",)  # the PreparedScene that a public header declares
 GENERATED = ("glad", "shader_texts")  # they stand after USES
 
 
@@ -98,6 +100,19 @@ def faults_of(folder, rooms, all_rooms):
                 yield f"{where}: expected {room} among what {name} uses, found {header} without"
 
 
+def strangers(folder):
+    """Namespaces that are not the room's own."""
+    for file in sorted(folder.rglob("*")):
+        if file.suffix not in (".h", ".cpp"):
+            continue
+        room = file.parent.name if file.parent.parent.name == "formats" else folder.name
+        public = file.suffix == ".cpp" or file.name in DEFINE_PUBLIC
+        for line, text in enumerate(file.read_text().splitlines(), 1):
+            found = re.match(r"namespace inkedge((?:::\w+)*) \{", text)
+            if found and found.group(1) != f"::{room}" and not (public and not found.group(1)):
+                yield f"src/{file.relative_to(folder.parent)}:{line}: expected namespace inkedge::{room}, found {text}"
+
+
 def cycles(rooms):
     def seen_from(room, path):
         for used in sorted(rooms[room][0]):
@@ -135,6 +150,8 @@ def main(source):
     for folder in checked:
         faults += faults_of(folder, rooms, rooms.keys())
         faults += unused(folder, rooms)
+    for folder in folders:
+        faults += strangers(folder)
     faults += cycles(rooms)
     print("\n".join(faults))
     if len(rooms) < 10:

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace inkedge {
+namespace inkedge::base {
 
 /// A file name's extension with its dot, ASCII letters in lower case: ".png"; empty if there is none.
 [[nodiscard]] inline std::string lowerCaseExtension(const std::filesystem::path& file) {
@@ -13,4 +13,4 @@ namespace inkedge {
     return extension;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::base

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-namespace inkedge {
+namespace inkedge::base {
 
 /// Distinguishes the contents of a file without reading it: when it was last written, and its size in bytes.
 struct FileStamp {
@@ -48,4 +48,4 @@ private:
     std::map<std::filesystem::path, Kept> kept_;
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::base

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace inkedge::load {
+namespace inkedge::base {
 
 void refuse(const std::string& message) { throw Error{Error::Kind::Input, message}; }
 
@@ -27,4 +27,4 @@ std::string label(std::string_view kind, std::size_t index, std::string_view nam
     return name.empty() ? fmt::format("{} {}", kind, index) : fmt::format("{} {} {}", kind, index, quote(name));
 }
 
-}  // namespace inkedge::load
+}  // namespace inkedge::base

@@ -6,7 +6,7 @@
 
 #include <inkedge/error.h>
 
-namespace inkedge::load {
+namespace inkedge::base {
 
 /// @throws Error  (Kind::Input) always, with this message
 [[noreturn]] void refuse(const std::string& message);
@@ -30,4 +30,4 @@ auto within(const std::string& where, Action&& action) -> decltype(action()) {
     }
 }
 
-}  // namespace inkedge::load
+}  // namespace inkedge::base

@@ -13,7 +13,7 @@
 #include <sched.h>
 #endif
 
-namespace inkedge {
+namespace inkedge::base {
 namespace {
 
 constexpr std::size_t maxThreads = 8;  // with more, memory is the limit
@@ -95,4 +95,4 @@ void onEach(std::size_t count, const std::function<void(std::size_t i)>& work) {
     if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::base

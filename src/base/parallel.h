@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace inkedge {
+namespace inkedge::base {
 
 /// How many cores this process may use, which may be fewer than the machine has; 1 at least.
 [[nodiscard]] std::size_t usableCores();
@@ -22,4 +22,4 @@ void inRanges(std::size_t count, const std::function<void(std::size_t begin, std
 /// @throws  what the first piece that failed has thrown; what stopIfAsked() throws, which is called before each
 void onEach(std::size_t count, const std::function<void(std::size_t i)>& work);
 
-}  // namespace inkedge
+}  // namespace inkedge::base

@@ -8,7 +8,7 @@
 
 #include "base/message.h"
 
-namespace inkedge::load {
+namespace inkedge::base {
 namespace {
 
 namespace fs = std::filesystem;
@@ -86,4 +86,4 @@ std::string_view kindOf(std::string_view content) noexcept {
     return binary ? "other data" : "other text";
 }
 
-}  // namespace inkedge::load
+}  // namespace inkedge::base

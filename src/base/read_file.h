@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace inkedge::load {
+namespace inkedge::base {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -27,4 +27,4 @@ void spend(std::uint64_t size, std::uint64_t& bytesLeft);
 /// What a file seems to be by its first bytes, in words: "a PNG picture", "other text".
 [[nodiscard]] std::string_view kindOf(std::string_view content) noexcept;
 
-}  // namespace inkedge::load
+}  // namespace inkedge::base

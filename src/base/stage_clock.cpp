@@ -5,7 +5,7 @@
 
 #include "base/stop.h"
 
-namespace inkedge {
+namespace inkedge::base {
 
 void StageClock::finish(std::string_view stage) {
     const double milliseconds = stage_.milliseconds();
@@ -16,4 +16,4 @@ void StageClock::finish(std::string_view stage) {
     stopIfAsked();
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::base

@@ -6,7 +6,7 @@
 
 #include <inkedge/stage_time.h>
 
-namespace inkedge {
+namespace inkedge::base {
 
 /// Wall time since it was made.
 class Stopwatch {
@@ -35,4 +35,4 @@ private:
     Stopwatch stage_;
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::base

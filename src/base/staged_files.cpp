@@ -18,7 +18,7 @@
 namespace fs = std::filesystem;
 
 namespace inkedge {
-namespace io {
+namespace base {
 namespace {
 
 /// Owns one file descriptor.
@@ -71,7 +71,7 @@ std::string explain(int error, const fs::path& target) {
 }
 
 [[noreturn]] void failToWrite(const fs::path& target, int error) {
-    io::failToWrite(target, std::string_view{explain(error, target)});
+    base::failToWrite(target, std::string_view{explain(error, target)});
 }
 
 std::string linkOf(const Descriptor& file) { return fmt::format("/proc/self/fd/{}", file.get()); }
@@ -165,10 +165,10 @@ void StagedFiles::commit() {
     }
 }
 
-}  // namespace io
+}  // namespace base
 
 void writeFile(const fs::path& target, std::span<const std::uint8_t> bytes) {
-    io::StagedFiles files;
+    base::StagedFiles files;
     files.add(target, bytes);
     files.commit();
 }

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace inkedge::io {
+namespace inkedge::base {
 
 /// How files are kept until they are whole.
 enum class Staging {
@@ -41,4 +41,4 @@ private:
 /// @throws Error  (Kind::Output) always: "TARGET: cannot be written: REASON"
 [[noreturn]] void failToWrite(const std::filesystem::path& target, std::string_view reason);
 
-}  // namespace inkedge::io
+}  // namespace inkedge::base

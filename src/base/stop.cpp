@@ -5,7 +5,7 @@
 
 #include <inkedge/error.h>
 
-namespace inkedge {
+namespace inkedge::base {
 namespace {
 
 thread_local const StopScope* innermost = nullptr;
@@ -37,4 +37,4 @@ std::unique_lock<std::timed_mutex> lockUnlessStopped(std::timed_mutex& mutex) {
     return lock;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::base

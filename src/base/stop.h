@@ -3,7 +3,7 @@
 #include <functional>
 #include <mutex>
 
-namespace inkedge {
+namespace inkedge::base {
 
 /// Lets work be stopped: until the scope ends, stopIfAsked() asks its question, on this thread and on those that
 /// inRanges() and onEach() start from it. Those of scopes around it are asked too.
@@ -35,4 +35,4 @@ void stopIfAsked();
 /// @throws Error  (Kind::Stopped) as stopIfAsked() does, while waiting
 [[nodiscard]] std::unique_lock<std::timed_mutex> lockUnlessStopped(std::timed_mutex&);
 
-}  // namespace inkedge
+}  // namespace inkedge::base

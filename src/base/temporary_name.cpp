@@ -13,7 +13,7 @@
 
 #include <inkedge/write_file.h>
 
-namespace inkedge::io {
+namespace inkedge::base {
 namespace {
 
 // A random name: no other process of any machine has it, so that the file can be removed before the name is used.
@@ -84,14 +84,10 @@ void removeNamed() noexcept {
     }
 }
 
-}  // namespace inkedge::io
-
-namespace inkedge {
-
 void removeTemporaryFiles() noexcept {
     const int before = errno;
-    io::removeNamed();
+    removeNamed();
     errno = before;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::base

@@ -4,14 +4,12 @@
 
 #include <inkedge/export.h>
 
-namespace inkedge {
+namespace inkedge::base {
 
 /// Removes the temporary files of every write under way in this process; those writes then fail. For the handler of a
 /// signal that ends the process: async-signal-safe, to be followed by _exit(). The command calls it in the shared
 /// library; other programs are not offered it.
 INKEDGE_API void removeTemporaryFiles() noexcept;
-
-namespace io {
 
 /// The name of a temporary file in a folder. No file has the name yet. removeTemporaryFiles() removes the file that
 /// gets it, and so does the destructor, unless the file was renamed.
@@ -37,5 +35,4 @@ private:
 /// What removeTemporaryFiles() does. Async-signal-safe.
 void removeNamed() noexcept;
 
-}  // namespace io
-}  // namespace inkedge
+}  // namespace inkedge::base

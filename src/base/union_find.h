@@ -4,7 +4,7 @@
 #include <numeric>
 #include <vector>
 
-namespace inkedge {
+namespace inkedge::base {
 
 /// Disjoint sets of 0..n-1. The root of a set is its smallest member.
 class UnionFind {
@@ -28,4 +28,4 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::base

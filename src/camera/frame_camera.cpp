@@ -104,7 +104,7 @@ void checkForContradictions(const CameraSettings& settings) {
 // How far the scene reaches from the centre line along an axis, for a frustum side of slope s (0: orthographic). Depth
 // is measured from the world's origin along forward. A point p is inside the side if axis . p - s * depth <= reach.
 double reach(const Scene& scene, glm::dvec3 axis, double slope, glm::dvec3 forward) {
-    return support(scene, axis - slope * forward);
+    return scene::support(scene, axis - slope * forward);
 }
 
 // Moves a camera that looks along the axes to where the model just fills the frame.
@@ -126,7 +126,7 @@ void frameAll(Camera& camera, const Scene& scene, const Axes& axes, Size size) {
     } else {
         // Both sides pass through the camera: the sum of their reaches is -2 slope * depth of the camera.
         const double fitting = std::max((right + left) / (2.0 * slopeX), (top + bottom) / (2.0 * slopeY));
-        const double clear = support(scene, -axes.forward) + clearance * bounds.radius;
+        const double clear = scene::support(scene, -axes.forward) + clearance * bounds.radius;
         const double behind = std::max(fitting, clear);
         camera.view = viewFrom(across - behind * axes.forward, axes);
     }

@@ -3,7 +3,7 @@
 #include <inkedge/camera.h>
 #include <inkedge/scene.h>
 
-namespace inkedge {
+namespace inkedge::camera {
 
 /// Whether the camera stands outside the scene and its near plane does not cut the scene. No back of a closed mesh is
 /// then seen.
@@ -12,4 +12,4 @@ namespace inkedge {
     return -(camera.view * glm::dvec4{bounds.centre, 1.0}).z - bounds.radius >= camera.near;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::camera

@@ -118,7 +118,7 @@ void printText(const std::string& model, const Scene& scene) {
 
 int inspect(const InspectArguments& arguments) {
     const LoadSettings settings = arguments.settings.resolve().load;
-    const Stopwatch watch;
+    const base::Stopwatch watch;
     const Scene scene = loadScene(arguments.model, settings);
     const double milliseconds = watch.milliseconds();
     arguments.json ? printJson(arguments.model, scene, milliseconds) : printText(arguments.model, scene);

@@ -7,7 +7,7 @@
 
 #include <glm/common.hpp>
 
-namespace inkedge {
+namespace inkedge::curves {
 namespace {
 
 bool isInside(glm::dvec2 p, glm::dvec2 low, glm::dvec2 high) {
@@ -84,4 +84,4 @@ std::vector<Line> clip(const Line& line, glm::dvec2 low, glm::dvec2 high) {
     return parts;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::curves

@@ -10,7 +10,7 @@
 
 #include "curves/simplify.h"
 
-namespace inkedge {
+namespace inkedge::curves {
 namespace {
 
 using glm::dvec2;
@@ -346,4 +346,4 @@ std::vector<Bezier> fitBeziers(const Line& line, double tolerance) {
     return curves;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::curves

@@ -7,7 +7,7 @@
 
 #include <inkedge/lines.h>
 
-namespace inkedge {
+namespace inkedge::curves {
 
 /// A cubic Bezier curve: its start, its two control points, its end.
 using Bezier = std::array<glm::dvec2, 4>;
@@ -26,4 +26,4 @@ using Bezier = std::array<glm::dvec2, 4>;
 /// The point of a curve at t, 0 to 1.
 [[nodiscard]] glm::dvec2 pointAt(const Bezier&, double t) noexcept;
 
-}  // namespace inkedge
+}  // namespace inkedge::curves

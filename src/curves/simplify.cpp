@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace inkedge {
+namespace inkedge::curves {
 namespace {
 
 // Points between two that are kept in any case. Without such points a line could take time in the square of its points.
@@ -78,4 +78,4 @@ Line simplify(const Line& line, double tolerance) {
     return result;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::curves

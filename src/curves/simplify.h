@@ -2,7 +2,7 @@
 
 #include <inkedge/lines.h>
 
-namespace inkedge {
+namespace inkedge::curves {
 
 /// A line through some of the points of another line: no point of the one is further than tolerance from the other.
 /// Points that are not finite are left out; a line of fewer than three other points keeps them.
@@ -11,4 +11,4 @@ namespace inkedge {
 /// Source: Douglas and Peucker 1973, distances to chords, not to their lines.
 [[nodiscard]] Line simplify(const Line&, double tolerance);
 
-}  // namespace inkedge
+}  // namespace inkedge::curves

@@ -18,7 +18,7 @@
 #include "formats/reader.h"
 
 namespace inkedge {
-namespace load {
+namespace formats {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,20 +46,21 @@ const Reader* byFirstBytes(std::string_view start) {
 }
 
 const Reader& readerOf(const ModelInput& input) {
-    const std::string extension = lowerCaseExtension(input.name);
+    const std::string extension = base::lowerCaseExtension(input.name);
     const Reader* const named = byExtension(extension);
-    const Bytes bytes = within(input.where(), [&] { return startOf(input, 512); });
-    const Reader* const known = byFirstBytes(textOf(bytes));
+    const base::Bytes bytes = base::within(input.where(), [&] { return startOf(input, 512); });
+    const Reader* const known = byFirstBytes(base::textOf(bytes));
     if (known != nullptr && (named == nullptr || known->firstBytesAreCertain)) return *known;
     if (named != nullptr) return *named;
-    refuse(fmt::format("{}: expected a model by its extension, {}, found {} with {}", input.where(), allExtensions(),
-                       kindOf(textOf(bytes)), extension.empty() ? "none" : printable(extension)));
+    base::refuse(fmt::format("{}: expected a model by its extension, {}, found {} with {}", input.where(),
+                             allExtensions(), base::kindOf(base::textOf(bytes)),
+                             extension.empty() ? "none" : base::printable(extension)));
 }
 
 Scene load(const ModelInput& input, const LoadSettings& settings) {
     validate(settings);
     Scene::Data data = readModel(input, settings);
-    return within(input.where(), [&] { return Scene{std::move(data), settings}; });
+    return base::within(input.where(), [&] { return Scene{std::move(data), settings}; });
 }
 
 }  // namespace
@@ -74,14 +75,14 @@ Scene::Data readModel(const ModelInput& input, const LoadSettings& settings) {
     return data;
 }
 
-}  // namespace load
+}  // namespace formats
 
 Scene loadScene(const std::filesystem::path& file, const LoadSettings& settings) {
-    return load::load({file}, settings);
+    return formats::load({file}, settings);
 }
 
 Scene loadScene(std::span<const std::uint8_t> bytes, const std::filesystem::path& name, const LoadSettings& settings) {
-    return load::load({name, bytes}, settings);
+    return formats::load({name, bytes}, settings);
 }
 
 }  // namespace inkedge

@@ -8,7 +8,7 @@
 
 #include "base/read_file.h"
 
-namespace inkedge::load {
+namespace inkedge::formats {
 
 /// A model to be read: a file, or bytes in memory, which have no folder that other files could lie in.
 struct ModelInput {
@@ -22,7 +22,7 @@ struct ModelInput {
 
 /// The first bytes, at most size.
 /// @throws Error  (Kind::Input) if there are none, or the file is missing, unreadable or no regular file
-[[nodiscard]] Bytes startOf(const ModelInput&, std::size_t size);
+[[nodiscard]] base::Bytes startOf(const ModelInput&, std::size_t size);
 
 /// All bytes of a model: its file, read whole, or those in memory, which are not copied and must outlive it.
 class Content {
@@ -33,11 +33,11 @@ public:
 
     [[nodiscard]] std::span<const std::uint8_t> bytes() const noexcept { return bytes_; }
     /// A part of bytes() by itself; of a file the rest is let go before.
-    [[nodiscard]] Bytes keepOnly(std::span<const std::uint8_t> part) &&;
+    [[nodiscard]] base::Bytes keepOnly(std::span<const std::uint8_t> part) &&;
 
 private:
-    Bytes read_;  // of a file
+    base::Bytes read_;  // of a file
     std::span<const std::uint8_t> bytes_;
 };
 
-}  // namespace inkedge::load
+}  // namespace inkedge::formats

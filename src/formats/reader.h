@@ -8,7 +8,7 @@
 
 #include "formats/model_input.h"
 
-namespace inkedge::load {
+namespace inkedge::formats {
 
 /// A format that models are read from.
 struct Reader {
@@ -31,4 +31,4 @@ struct Reader {
 /// @throws Error  (Kind::Input) as the reader, or if there is none; the message starts with ModelInput::where()
 [[nodiscard]] Scene::Data readModel(const ModelInput&, const LoadSettings&);
 
-}  // namespace inkedge::load
+}  // namespace inkedge::formats

@@ -6,7 +6,7 @@
 #include "formats/reader.h"
 
 namespace inkedge {
-namespace load {
+namespace formats {
 namespace {
 
 using namespace std::string_view_literals;
@@ -19,26 +19,28 @@ constexpr std::array stlStarts{"solid "sv, "solid\n"sv, "solid\r"sv};
 constexpr std::array plyExtensions{".ply"sv};
 constexpr std::array plyStarts{"ply\n"sv, "ply\r"sv};
 
-template <PolygonFormat format>
+template <polygons::PolygonFormat format>
 Scene::Data readPolygons(const ModelInput& input, const LoadSettings& settings) {
-    return loadPolygons(input, format, settings.limits,
-                        settings.textureCoordinates ? Coordinates::Read : Coordinates::Skip);
+    return polygons::loadPolygons(
+        input, format, settings.limits,
+        settings.textureCoordinates ? polygons::Coordinates::Read : polygons::Coordinates::Skip);
 }
 
 constexpr std::array table{
     Reader{.format = {"glTF 2.0", gltfExtensions},
-           .firstBytes = gltfStarts,
-           .firstBytesAreCertain = true,
-           .unit = LengthUnit::Metre,
-           .knowsSides = true,
-           .read = loadGltf},
-    Reader{.format = {name(PolygonFormat::Obj), objExtensions}, .read = readPolygons<PolygonFormat::Obj>},
-    Reader{.format = {name(PolygonFormat::Stl), stlExtensions},
-           .firstBytes = stlStarts,
-           .read = readPolygons<PolygonFormat::Stl>},
-    Reader{.format = {name(PolygonFormat::Ply), plyExtensions},
-           .firstBytes = plyStarts,
-           .read = readPolygons<PolygonFormat::Ply>},
+                    .firstBytes = gltfStarts,
+                    .firstBytesAreCertain = true,
+                    .unit = LengthUnit::Metre,
+                    .knowsSides = true,
+                    .read = gltf::loadGltf},
+    Reader{.format = {polygons::name(polygons::PolygonFormat::Obj), objExtensions},
+                    .read = readPolygons<polygons::PolygonFormat::Obj>},
+    Reader{.format = {polygons::name(polygons::PolygonFormat::Stl), stlExtensions},
+                    .firstBytes = stlStarts,
+                    .read = readPolygons<polygons::PolygonFormat::Stl>},
+    Reader{.format = {polygons::name(polygons::PolygonFormat::Ply), plyExtensions},
+                    .firstBytes = plyStarts,
+                    .read = readPolygons<polygons::PolygonFormat::Ply>},
 };
 
 constexpr auto formats = [] {
@@ -51,8 +53,8 @@ constexpr auto formats = [] {
 
 std::span<const Reader> readers() noexcept { return table; }
 
-}  // namespace load
+}  // namespace formats
 
-std::span<const ModelFormat> readableFormats() noexcept { return load::formats; }
+std::span<const ModelFormat> readableFormats() noexcept { return formats::formats; }
 
 }  // namespace inkedge

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-namespace inkedge::load {
+namespace inkedge::formats {
 
 [[nodiscard]] constexpr bool isBlank(char c) noexcept { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
@@ -35,4 +35,4 @@ template <class Number>
     return number;
 }
 
-}  // namespace inkedge::load
+}  // namespace inkedge::formats

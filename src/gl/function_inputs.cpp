@@ -126,9 +126,9 @@ TextureName uploadPicture(const Api& api, const Picture& picture) {
 
 void FunctionInputs::bindPicture(const std::string& file) {
     const TextureName& picture = pictures_.of(file, [&] {
-        const Picture read = load::within(load::printable(file), [&] {
+        const Picture read = base::within(base::printable(file), [&] {
             LoadLimits limits;
-            return decodePicture(load::readBytes(file, limits.fileSize), limits.imagePixels);
+            return images::decodePicture(base::readBytes(file, limits.fileSize), limits.imagePixels);
         });
         return uploadPicture(api_, read);
     });
@@ -149,7 +149,7 @@ FunctionInputs::Paint FunctionInputs::upload(const Scene& scene) const {
         if (material.picture) append(*material.picture, side, entry, texels);
     }
     if (texels.empty()) texels.push_back(0);
-    Paint paint{identityOf(scene), filled(api_, materialsOfTriangles(scene)), filled(api_, entries),
+    Paint paint{scene::identityOf(scene), filled(api_, materialsOfTriangles(scene)), filled(api_, entries),
                 filled(api_, texels)};
     checkErrors(api_, "the pictures of a scene's materials", "draw a smaller model or use --backend osmesa");
     return paint;
@@ -157,7 +157,7 @@ FunctionInputs::Paint FunctionInputs::upload(const Scene& scene) const {
 
 void FunctionInputs::bindPaint(const Scene& scene) {
     const auto held = paint_.scene.lock();
-    if (held == nullptr || held != identityOf(scene).lock()) paint_ = upload(scene);
+    if (held == nullptr || held != scene::identityOf(scene).lock()) paint_ = upload(scene);
     api_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, paint_.triangles.id());
     api_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, paint_.materials.id());
     api_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, paint_.texels.id());

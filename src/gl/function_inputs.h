@@ -34,7 +34,7 @@ private:
     [[nodiscard]] Paint upload(const Scene&) const;
 
     const Api& api_;
-    KeptFiles<TextureName> pictures_;
+    base::KeptFiles<TextureName> pictures_;
     Paint paint_;
 };
 

@@ -91,7 +91,7 @@ ProgramName build(const Api& api, const ProgramText& text) {
 // Reports the driver's first error in a user's text: "0:7(12): error: ..." or "0(7) : error ...". The text around the
 // user's has no errors, and drivers do not say which file an expression is in: every line is taken for the user's.
 [[noreturn]] void refuseFunction(const std::filesystem::path& file, std::string_view log) {
-    const std::string name = load::printable(file.string());
+    const std::string name = base::printable(file.string());
     for (std::size_t at = 0; at < log.size();) {
         const std::string_view line = log.substr(at, log.find('\n', at) - at);
         at += line.size() + 1;
@@ -101,11 +101,11 @@ ProgramName build(const Api& api, const ProgramText& text) {
         int number = 0;
         if (std::from_chars(&line[separator] + 1, line.data() + line.size(), number).ec != std::errc{}) continue;
         const std::size_t said = std::min(line.find(": ", error), line.size() - 2) + 2;
-        load::refuse(fmt::format("{}:{}: expected GLSL that the driver accepts, found: {}", name, number,
-                                 load::printable(line.substr(said))));
+        base::refuse(fmt::format("{}:{}: expected GLSL that the driver accepts, found: {}", name, number,
+                                 base::printable(line.substr(said))));
     }
-    load::refuse(fmt::format("{}: expected a function vec4 surface(Surface s), found: {}", name,
-                             load::printable(log.substr(0, log.find('\n')))));
+    base::refuse(fmt::format("{}: expected a function vec4 surface(Surface s), found: {}", name,
+                             base::printable(log.substr(0, log.find('\n')))));
 }
 
 }  // namespace
@@ -129,9 +129,9 @@ GLuint Programs::function(std::string_view name) {
 
 GLuint Programs::customFunction(const std::filesystem::path& file) {
     std::uint64_t maxBytes = 1'048'576;
-    const load::Bytes bytes =
-        load::within(load::printable(file.string()), [&] { return load::readBytes(file, maxBytes); });
-    const std::string text{load::textOf(bytes)};
+    const base::Bytes bytes =
+        base::within(base::printable(file.string()), [&] { return base::readBytes(file, maxBytes); });
+    const std::string text{base::textOf(bytes)};
     const auto known = customFunctions_.find(text);
     if (known != customFunctions_.end()) return known->second.id();
     const std::vector<StageText>& frame = functionTexts().front().stages;

@@ -28,9 +28,9 @@ Image<T> read(const Api& api, const Framebuffer& source, int channels, GLenum fo
 }
 
 template <class T>
-Samples<T> read(const Api& api, const Framebuffer& source, int channels, GLenum format, GLenum type,
-                std::span<const Rectangle> regions) {
-    Samples<T> samples{source.size(), channels};
+raster::Samples<T> read(const Api& api, const Framebuffer& source, int channels, GLenum format, GLenum type,
+                        std::span<const raster::Rectangle> regions) {
+    raster::Samples<T> samples{source.size(), channels};
     prepareReading(api, source);
     api.PixelStorei(GL_PACK_ROW_LENGTH, samples.size.width);
     for (const auto& [x, y, size] : regions) {
@@ -46,12 +46,14 @@ Image<float> readFloats(const Api& api, const Texture& texture, int channels) {
                        colorFormats[static_cast<std::size_t>(channels - 1)], GL_FLOAT);
 }
 
-Samples<float> readFloats(const Api& api, const Texture& texture, int channels, std::span<const Rectangle> regions) {
+raster::Samples<float> readFloats(const Api& api, const Texture& texture, int channels,
+                                  std::span<const raster::Rectangle> regions) {
     return read<float>(api, Framebuffer{api, {&texture}}, channels,
                        colorFormats[static_cast<std::size_t>(channels - 1)], GL_FLOAT, regions);
 }
 
-Samples<std::uint32_t> readIntegers(const Api& api, const Texture& texture, std::span<const Rectangle> regions) {
+raster::Samples<std::uint32_t> readIntegers(const Api& api, const Texture& texture,
+                                            std::span<const raster::Rectangle> regions) {
     return read<std::uint32_t>(api, Framebuffer{api, {&texture}}, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, regions);
 }
 

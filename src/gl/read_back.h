@@ -16,8 +16,10 @@ namespace inkedge::gl {
 /// The values of an R32UI texture.
 [[nodiscard]] Image<std::uint32_t> readIntegers(const Api&, const Texture&);
 /// The values of some rectangles of a texture; the others are not read.
-[[nodiscard]] Samples<float> readFloats(const Api&, const Texture&, int channels, std::span<const Rectangle>);
-[[nodiscard]] Samples<std::uint32_t> readIntegers(const Api&, const Texture&, std::span<const Rectangle>);
+[[nodiscard]] raster::Samples<float> readFloats(const Api&, const Texture&, int channels,
+                                                std::span<const raster::Rectangle>);
+[[nodiscard]] raster::Samples<std::uint32_t> readIntegers(const Api&, const Texture&,
+                                                          std::span<const raster::Rectangle>);
 /// An RGBA32UI texture as 16 bytes per texel, the low byte of the first component first (on little-endian hosts).
 [[nodiscard]] Image<std::uint8_t> readPacked(const Api&, const Texture&);
 /// The values of a texture with 8-bit channels.

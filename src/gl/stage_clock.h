@@ -21,7 +21,7 @@ public:
 
 private:
     const Api* api_;  // null: there is no OpenGL work to wait for
-    inkedge::StageClock clock_;
+    inkedge::base::StageClock clock_;
 };
 
 }  // namespace inkedge::gl

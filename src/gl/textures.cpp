@@ -12,7 +12,8 @@ Texture::~Texture() {
     if (name_.id() != 0) pool_->free_.push_back({std::move(name_), size_, format_, 0});
 }
 
-void writeBytes(const Api& api, const Image<std::uint8_t>& image, const Rectangle& part, const Texture& texture) {
+void writeBytes(const Api& api, const Image<std::uint8_t>& image, const raster::Rectangle& part,
+                const Texture& texture) {
     api.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     api.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     api.PixelStorei(GL_UNPACK_ROW_LENGTH, image.size.width);

@@ -36,7 +36,7 @@ private:
 
 /// Fills an RGBA8 texture with a part of an image. The part has the texture's size.
 /// @param image  4 channels
-void writeBytes(const Api&, const Image<std::uint8_t>& image, const Rectangle& part, const Texture&);
+void writeBytes(const Api&, const Image<std::uint8_t>& image, const raster::Rectangle& part, const Texture&);
 
 /// Textures that are allocated once and used again by later views of one size. The pool must outlive its textures.
 class TexturePool {

@@ -97,7 +97,7 @@ void appendExtras(const Mesh& mesh, std::size_t base, Geometry& geometry) {
 
 // Appends a mesh. A vertex that several patches share is repeated for each, so that every corner of a triangle names
 // its patch.
-void append(const Mesh& mesh, const MeshTopology& topology, Geometry& geometry) {
+void append(const Mesh& mesh, const mesh::MeshTopology& topology, Geometry& geometry) {
     constexpr GLuint unused = ~0U;
     const auto base = geometry.vertices.size();
     geometry.meshes.push_back({static_cast<GLuint>(mesh.indices.size()), 0,
@@ -138,9 +138,9 @@ std::vector<Item> itemsOf(const Scene& scene) {
     const std::vector<Instance>& instances = scene.instances();
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
         const auto total = static_cast<std::uint32_t>(scene.meshes()[instances[i].mesh].indices.size() / 3);
-        const std::uint32_t oneSided = oneSidedTriangles(scene, instances[i].mesh);
+        const std::uint32_t oneSided = scene::oneSidedTriangles(scene, instances[i].mesh);
         const bool mirrored = mirrors(instances[i]);
-        const bool hidesBacks = hidesItsBacks(scene, instances[i].mesh);
+        const bool hidesBacks = scene::hidesItsBacks(scene, instances[i].mesh);
         if (oneSided > 0) items.push_back({i, 0, oneSided, true, hidesBacks, mirrored});
         if (oneSided < total) items.push_back({i, oneSided, total - oneSided, false, hidesBacks, mirrored});
     }
@@ -154,9 +154,9 @@ std::vector<Item> itemsOf(const Scene& scene) {
 // @param index  of the item among all items
 void appendLayers(const Scene& scene, const Item& item, GLuint index, Geometry& geometry,
                   std::vector<DrawCommand>& commands) {
-    const PatchNumbers& patches = patchNumbersOf(scene);
+    const scene::PatchNumbers& patches = scene::patchNumbersOf(scene);
     const std::uint32_t meshNumber = scene.instances()[item.instance].mesh;
-    const MeshTopology& topology = topologyOf(scene, meshNumber);
+    const mesh::MeshTopology& topology = scene::topologyOf(scene, meshNumber);
     const DrawCommand& mesh = geometry.meshes[meshNumber];
     const auto first = static_cast<GLuint>(geometry.indices.size());
     for (std::uint32_t t = item.first; t < item.first + item.count; ++t) {
@@ -170,7 +170,7 @@ void appendLayers(const Scene& scene, const Item& item, GLuint index, Geometry& 
 }
 
 // Numbers of patches from 1, negative where layers overlap: draw_planes.vert looks at the sign.
-std::vector<float> signedPatchNumbers(const PatchNumbers& patches) {
+std::vector<float> signedPatchNumbers(const scene::PatchNumbers& patches) {
     std::vector<float> numbers(patches.number.size());
     for (std::size_t p = 0; p < numbers.size(); ++p) {
         numbers[p] = static_cast<float>(patches.number[p]) * (patches.layered[p] ? -1.0F : 1.0F);
@@ -180,14 +180,15 @@ std::vector<float> signedPatchNumbers(const PatchNumbers& patches) {
 
 }  // namespace
 
-UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, scene_{identityOf(scene)} {
+UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, scene_{scene::identityOf(scene)} {
     Geometry geometry;
     std::size_t vertexCount = 0;
     std::size_t indexCount = 0;
     for (const Mesh& mesh : scene.meshes()) vertexCount += mesh.positions.size(), indexCount += mesh.indices.size();
     geometry.vertices.reserve(vertexCount);
     geometry.indices.reserve(indexCount);
-    for (std::size_t i = 0; i < scene.meshes().size(); ++i) append(scene.meshes()[i], topologyOf(scene, i), geometry);
+    for (std::size_t i = 0; i < scene.meshes().size(); ++i)
+        append(scene.meshes()[i], scene::topologyOf(scene, i), geometry);
 
     const std::vector<Instance>& instances = scene.instances();
     std::uint32_t triangles = 0;
@@ -220,8 +221,8 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
         }
         ++commands.back().instanceCount;
         instanceOrder_.push_back(item.instance);
-        numberings.emplace_back(patchNumbersOf(scene).base[item.instance], firstTriangles_[item.instance] + item.first,
-                                item.count);
+        numberings.emplace_back(scene::patchNumbersOf(scene).base[item.instance],
+                                firstTriangles_[item.instance] + item.first, item.count);
         const std::size_t layers = layerCommands.size();
         appendLayers(scene, item, index, geometry, layerCommands);
         if (layerCommands.size() > layers) extend(layerRuns_, item, layers, layerCommands.size());
@@ -241,7 +242,7 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
     geometry.indices = {};
     commands_ = createFilledBuffer(api, commands);
     numberings_ = createFilledBuffer(api, numberings);
-    patchNumbers_ = createFilledBuffer(api, signedPatchNumbers(patchNumbersOf(scene)));
+    patchNumbers_ = createFilledBuffer(api, signedPatchNumbers(scene::patchNumbersOf(scene)));
     transforms_ = createFilledBuffer(api, std::vector<InstanceTransforms>(items.size()), GL_DYNAMIC_STORAGE_BIT);
     checkErrors(api, fmt::format("a scene of {} triangles", triangles), "draw a smaller model or use --backend osmesa");
     vertexArray_ = createVertexArray(api);
@@ -267,7 +268,7 @@ UploadedScene::UploadedScene(const Api& api, const Scene& scene) : api_{api}, sc
 
 bool UploadedScene::holds(const Scene& scene) const noexcept {
     const auto held = scene_.lock();
-    return held != nullptr && held == identityOf(scene).lock();
+    return held != nullptr && held == scene::identityOf(scene).lock();
 }
 
 void UploadedScene::setTransforms(const std::vector<InstanceTransforms>& transforms) const {

@@ -9,36 +9,33 @@
 #include "images/image_formats.h"
 #include "images/read_png.h"
 
-namespace inkedge {
+namespace inkedge::images {
 namespace {
 
-using io::PngChannels;
-using load::refuse;
-
 // Judges by the first bytes.
-bool seemsJpeg(std::span<const std::uint8_t> picture) { return load::textOf(picture).starts_with("\xff\xd8\xff"); }
-bool seemsPng(std::span<const std::uint8_t> picture) { return load::textOf(picture).starts_with("\x89PNG"); }
+bool seemsJpeg(std::span<const std::uint8_t> picture) { return base::textOf(picture).starts_with("\xff\xd8\xff"); }
+bool seemsPng(std::span<const std::uint8_t> picture) { return base::textOf(picture).starts_with("\x89PNG"); }
 
 }  // namespace
 
 Image<std::uint8_t> decodePicture(std::span<const std::uint8_t> picture, std::uint64_t maxPixels) {
     if (seemsJpeg(picture)) {
-        io::DecodedPicture decoded = io::imageFormats(Error::Kind::Input).decodeJpeg(picture, maxPixels);
-        if (!decoded.failure.empty()) refuse("expected a JPEG picture, found: " + load::quote(decoded.failure));
+        DecodedPicture decoded = imageFormats(Error::Kind::Input).decodeJpeg(picture, maxPixels);
+        if (!decoded.failure.empty()) base::refuse("expected a JPEG picture, found: " + base::quote(decoded.failure));
         return std::move(decoded.image);
     }
     if (!seemsPng(picture))
-        refuse(
-            fmt::format("expected a PNG or JPEG picture, found {}; convert it", load::kindOf(load::textOf(picture))));
-    return io::readPngToLookAt(picture, maxPixels, PngChannels::Rgba);
+        base::refuse(
+            fmt::format("expected a PNG or JPEG picture, found {}; convert it", base::kindOf(base::textOf(picture))));
+    return readPngToLookAt(picture, maxPixels, PngChannels::Rgba);
 }
 
 std::optional<Image<std::uint8_t>> decodeOpacity(std::span<const std::uint8_t> picture, std::uint64_t maxPixels) {
     if (seemsJpeg(picture)) return {};
     if (!seemsPng(picture))
-        refuse(fmt::format("expected a PNG or JPEG picture, found {}", load::kindOf(load::textOf(picture))));
-    if (!io::pngHasAlpha(picture, maxPixels)) return {};
-    const Image<std::uint8_t> greyAlpha = io::readPngToLookAt(picture, maxPixels, PngChannels::GreyAlpha);
+        base::refuse(fmt::format("expected a PNG or JPEG picture, found {}", base::kindOf(base::textOf(picture))));
+    if (!pngHasAlpha(picture, maxPixels)) return {};
+    const Image<std::uint8_t> greyAlpha = readPngToLookAt(picture, maxPixels, PngChannels::GreyAlpha);
     Image<std::uint8_t> alpha{greyAlpha.size, 1};
     for (std::size_t i = 0; i < alpha.pixels.size(); ++i) alpha.pixels[i] = greyAlpha.pixels[2 * i + 1];
     return alpha;
@@ -46,8 +43,8 @@ std::optional<Image<std::uint8_t>> decodeOpacity(std::span<const std::uint8_t> p
 
 Image<std::uint8_t> decodeInk(std::span<const std::uint8_t> picture, std::uint64_t maxPixels) {
     if (!seemsPng(picture))
-        refuse(fmt::format("expected a PNG picture, found {}", load::kindOf(load::textOf(picture))));
-    const Image<std::uint8_t> greyAlpha = io::readPngToLookAt(picture, maxPixels, PngChannels::GreyAlpha);
+        base::refuse(fmt::format("expected a PNG picture, found {}", base::kindOf(base::textOf(picture))));
+    const Image<std::uint8_t> greyAlpha = readPngToLookAt(picture, maxPixels, PngChannels::GreyAlpha);
     Image<std::uint8_t> ink{greyAlpha.size, 1};
     for (std::size_t i = 0; i < ink.pixels.size(); ++i)
         ink.pixels[i] =
@@ -55,4 +52,4 @@ Image<std::uint8_t> decodeInk(std::span<const std::uint8_t> picture, std::uint64
     return ink;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::images

@@ -6,7 +6,7 @@
 
 #include <inkedge/image.h>
 
-namespace inkedge {
+namespace inkedge::images {
 
 /// The pixels of a picture: 4 channels, RGB as in the file (sRGB) and alpha, not premultiplied. JPEG needs the module
 /// of image formats, which takes half a second to open.
@@ -24,4 +24,4 @@ namespace inkedge {
 /// @throws Error  (Kind::Input) if it is no PNG, damaged, or larger than the limit
 [[nodiscard]] Image<std::uint8_t> decodeInk(std::span<const std::uint8_t> picture, std::uint64_t maxPixels);
 
-}  // namespace inkedge
+}  // namespace inkedge::images

@@ -14,7 +14,7 @@
 
 // The interface between the library and the module of image formats. OpenImageIO takes half a second to load.
 
-namespace inkedge::io {
+namespace inkedge::images {
 
 enum class FileFormat { Tiff, OpenExr };
 enum class SampleType { Uint8, Half, Float };
@@ -78,15 +78,15 @@ struct ImageFormats {
     Differences (*compare)(const Image<float>& a, const Image<float>& b, double level);
 };
 
-inline constexpr ModuleOf<ImageFormats> imageModule{{.purpose = "image formats",
-                                                     .file = "inkedge_image_formats.so",
-                                                     .symbol = "inkedge_image_formats_4",
-                                                     .library = "OpenImageIO",
-                                                     .option = "",
-                                                     .remedy = "use .png, which needs no module"}};
+inline constexpr modules::ModuleOf<ImageFormats> imageModule{{.purpose = "image formats",
+                                                              .file = "inkedge_image_formats.so",
+                                                              .symbol = "inkedge_image_formats_4",
+                                                              .library = "OpenImageIO",
+                                                              .option = "",
+                                                              .remedy = "use .png, which needs no module"}};
 
 /// The image formats' functions. The first call opens the module, which takes about half a second.
 /// @throws Error  (failure) as openModule()
-inline const ImageFormats& imageFormats(Error::Kind failure) { return functionsOf<imageModule>(failure); }
+inline const ImageFormats& imageFormats(Error::Kind failure) { return modules::functionsOf<imageModule>(failure); }
 
-}  // namespace inkedge::io
+}  // namespace inkedge::images

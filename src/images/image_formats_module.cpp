@@ -17,7 +17,7 @@
 
 #include "modules/failure.h"
 
-namespace inkedge::io {
+namespace inkedge::images {
 namespace {
 
 constexpr const char* notThisFile = "; write it again, as .png or .exr";
@@ -98,13 +98,13 @@ bool writeRows(OIIO::ImageOutput& output, const OIIO::ImageSpec& spec, std::span
 EncodedPicture encodeFile(FileFormat format, std::span<const Layer> layers, std::span<const HeaderEntry> header) {
     const char* const formatName = format == FileFormat::Tiff ? "tiff" : "openexr";
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(formatName);
-    if (!output) return {{}, oneLine(OIIO::geterror())};
+    if (!output) return {{}, modules::oneLine(OIIO::geterror())};
     const OIIO::ImageSpec spec = describe(format, layers, header);
     EncodedPicture result;
     OIIO::Filesystem::IOVecOutput memory{result.bytes};
     const bool written = output->set_ioproxy(&memory) && output->open(formatName, spec) &&
                          writeRows(*output, spec, layers) && output->close();
-    if (!written) result.failure = oneLine(output->geterror());
+    if (!written) result.failure = modules::oneLine(output->geterror());
     return result;
 }
 
@@ -114,14 +114,15 @@ ReadPicture readFile(const std::filesystem::path& path) {
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string(), &request);
     ReadPicture result;
     if (!input) {
-        result.failure = "expected a picture of a known format, found: " + oneLine(OIIO::geterror()) + notThisFile;
+        result.failure =
+            "expected a picture of a known format, found: " + modules::oneLine(OIIO::geterror()) + notThisFile;
         return result;
     }
     const OIIO::ImageSpec& spec = input->spec();
     result.image = Image<float>{{spec.width, spec.height}, spec.nchannels};
     result.integers = !spec.format.is_floating_point();
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, result.image.pixels.data())) {
-        result.failure = "expected a whole picture, found: " + oneLine(input->geterror()) + notThisFile;
+        result.failure = "expected a whole picture, found: " + modules::oneLine(input->geterror()) + notThisFile;
     }
     return result;
 }
@@ -137,14 +138,15 @@ Differences measure(const Image<float>& a, const Image<float>& b, double level) 
     const OIIO::ImageBuf left = view(a);
     const OIIO::ImageBuf right = view(b);
     const auto found = OIIO::ImageBufAlgo::compare(left, right, threshold, threshold);
-    if (left.has_error()) return {.failure = oneLine(left.geterror())};  // found.error only says that they differ
+    if (left.has_error())
+        return {.failure = modules::oneLine(left.geterror())};  // found.error only says that they differ
     return {found.nfail, found.maxerror, found.maxx, found.maxy, found.meanerror, {}};
 }
 
 DecodedPicture decodeJpeg(std::span<const std::uint8_t> bytes, std::uint64_t maxPixels) {
     OIIO::Filesystem::IOMemReader memory{const_cast<std::uint8_t*>(bytes.data()), bytes.size()};  // it only reads
     const auto input = OIIO::ImageInput::open("picture.jpg", nullptr, &memory);
-    if (!input) return {.image = {}, .failure = oneLine(OIIO::geterror())};
+    if (!input) return {.image = {}, .failure = modules::oneLine(OIIO::geterror())};
     const OIIO::ImageSpec& spec = input->spec();
     const auto pixels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
     if (pixels > maxPixels) {
@@ -155,7 +157,7 @@ DecodedPicture decodeJpeg(std::span<const std::uint8_t> bytes, std::uint64_t max
     const auto channels = static_cast<std::size_t>(spec.nchannels);
     std::vector<std::uint8_t> read(static_cast<std::size_t>(pixels) * channels);
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeUInt8, read.data()))
-        return {.image = {}, .failure = oneLine(input->geterror())};
+        return {.image = {}, .failure = modules::oneLine(input->geterror())};
     DecodedPicture picture{Image<std::uint8_t>{{spec.width, spec.height}, 4, 255}, {}};
     for (std::size_t i = 0; i < pixels; ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
@@ -170,16 +172,16 @@ DecodedPicture decodeJpeg(std::span<const std::uint8_t> bytes, std::uint64_t max
 extern "C" INKEDGE_API const ImageFormats* inkedge_image_formats_4() noexcept {
     static constexpr ImageFormats formats{
         [](FileFormat format, std::span<const Layer> layers, std::span<const HeaderEntry> header) {
-            return guarded([&] { return encodeFile(format, layers, header); });
+            return modules::guarded([&] { return encodeFile(format, layers, header); });
         },
-        [](const std::filesystem::path& path) { return guarded([&] { return readFile(path); }); },
+        [](const std::filesystem::path& path) { return modules::guarded([&] { return readFile(path); }); },
         [](std::span<const std::uint8_t> bytes, std::uint64_t maxPixels) {
-            return guarded([&] { return decodeJpeg(bytes, maxPixels); });
+            return modules::guarded([&] { return decodeJpeg(bytes, maxPixels); });
         },
         [](const Image<float>& a, const Image<float>& b, double level) {
-            return guarded([&] { return measure(a, b, level); });
+            return modules::guarded([&] { return measure(a, b, level); });
         }};
     return &formats;
 }
 
-}  // namespace inkedge::io
+}  // namespace inkedge::images

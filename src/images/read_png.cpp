@@ -14,7 +14,7 @@
 
 #include "base/message.h"
 
-namespace inkedge::io {
+namespace inkedge::images {
 namespace {
 
 constexpr std::size_t signatureSize = 8;
@@ -152,13 +152,13 @@ void scale(const std::vector<std::uint8_t>& bytes, float largest, std::vector<fl
 }
 
 [[noreturn]] void refuseDamaged(const Decoder& decoder) {
-    load::refuse("expected a PNG picture, found: " + load::quote(decoder.failure));
+    base::refuse("expected a PNG picture, found: " + base::quote(decoder.failure));
 }
 
 void beginToLook(Decoder& decoder, std::uint64_t maxPixels) {
     if (!readHeader(decoder)) refuseDamaged(decoder);
     if (std::uint64_t{decoder.width()} * decoder.height() > maxPixels)
-        load::refuse(fmt::format("expected at most {} pixels, found {}x{}; raise max-image-pixels", maxPixels,
+        base::refuse(fmt::format("expected at most {} pixels, found {}x{}; raise max-image-pixels", maxPixels,
                                  decoder.width(), decoder.height()));
 }
 
@@ -201,4 +201,4 @@ bool pngHasAlpha(std::span<const std::uint8_t> bytes, std::uint64_t maxPixels) {
     return decoder.hasAlpha();
 }
 
-}  // namespace inkedge::io
+}  // namespace inkedge::images

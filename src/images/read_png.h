@@ -7,7 +7,7 @@
 
 #include "images/image_formats.h"
 
-namespace inkedge::io {
+namespace inkedge::images {
 
 /// Whether bytes begin with the signature of a PNG.
 [[nodiscard]] bool isPng(std::span<const std::uint8_t> bytes) noexcept;
@@ -34,4 +34,4 @@ enum class PngChannels {
 /// @throws Error  as readPngToLookAt()
 [[nodiscard]] bool pngHasAlpha(std::span<const std::uint8_t> bytes, std::uint64_t maxPixels);
 
-}  // namespace inkedge::io
+}  // namespace inkedge::images

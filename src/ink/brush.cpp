@@ -7,7 +7,7 @@
 #include "base/read_file.h"
 #include "images/decode_picture.h"
 
-namespace inkedge {
+namespace inkedge::ink {
 namespace {
 
 constexpr double minWidth = 1e-3;  // pixels: with a narrower pen the texture looks like its mean
@@ -46,9 +46,9 @@ Image<float> unitInk(const Image<std::uint8_t>& ink) {
 }  // namespace
 
 Brush readBrush(const std::filesystem::path& file, const LoadLimits& limits) {
-    return load::within(file.string(), [&] {
+    return base::within(file.string(), [&] {
         std::uint64_t bytesLeft = limits.fileSize;
-        return Brush{decodeInk(load::readBytes(file, bytesLeft), limits.imagePixels)};
+        return Brush{images::decodeInk(base::readBytes(file, bytesLeft), limits.imagePixels)};
     });
 }
 
@@ -87,4 +87,4 @@ float FittedBrush::inkAt(float along, float across) const noexcept {
     return mix(mix(ink_.at(x0, y0), ink_.at(x1, y0), s), mix(ink_.at(x0, y1), ink_.at(x1, y1), s), t);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::ink

@@ -6,7 +6,7 @@
 #include <inkedge/image.h>
 #include <inkedge/settings.h>
 
-namespace inkedge {
+namespace inkedge::ink {
 
 /// A texture that strokes are drawn with. Its height lies across a stroke, its width along the line, repeated. It keeps
 /// its aspect where the stroke has its pen's width. Around a closed line it is repeated a whole number of times,
@@ -39,4 +39,4 @@ private:
     float perPixel_;  // of the picture: pixels of ink_ along the line
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::ink

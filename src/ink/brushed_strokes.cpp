@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace inkedge {
+namespace inkedge::ink {
 namespace {
 
 // The pixels of some rows that strokes may cover.
@@ -110,4 +110,4 @@ void BrushedStrokes::add(const BoxedStroke& boxed, Rows rows) {
     });
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::ink

@@ -14,7 +14,7 @@
 #include "ink/stroke.h"
 #include "ink/stroke_coverage.h"
 
-namespace inkedge {
+namespace inkedge::ink {
 
 /// Draws strokes with a brush. The strokes of a line are drawn together: where they meet a pixel takes the brush's ink
 /// of the nearest stroke.
@@ -58,4 +58,4 @@ private:
     Image<float> ink_;       // of that stroke
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::ink

@@ -11,7 +11,7 @@
 
 #include "ink/pens.h"
 
-namespace inkedge {
+namespace inkedge::ink {
 namespace {
 
 constexpr double touching = 0.5;     // pixels
@@ -181,4 +181,4 @@ FreeEnds::FreeEnds(const Lines& lines, const PictureSettings& picture, const Lin
 
 bool FreeEnds::has(const LinePoint& end) const { return !std::ranges::binary_search(joined_, order(end), {}, order); }
 
-}  // namespace inkedge
+}  // namespace inkedge::ink

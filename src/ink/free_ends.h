@@ -5,7 +5,7 @@
 #include <inkedge/lines.h>
 #include <inkedge/settings.h>
 
-namespace inkedge {
+namespace inkedge::ink {
 
 /// The free ends of open drawn lines: those where no line goes on or meets the end. A line ends freely where it runs
 /// behind another surface, or simply runs out.
@@ -26,4 +26,4 @@ private:
     std::vector<LinePoint> joined_;  // the ends that are not free, sorted
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::ink

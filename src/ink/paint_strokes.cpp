@@ -11,7 +11,7 @@
 #include "ink/pens.h"
 #include "ink/stroke_coverage.h"
 
-namespace inkedge {
+namespace inkedge::ink {
 namespace {
 
 // Rows that are painted together: few enough to stay in the processor's cache while strokes are painted.
@@ -80,9 +80,9 @@ std::vector<Coat> coatsOf(const std::array<Pen, penCount>& all) {
     return coats;
 }
 
-Image<std::uint8_t> emptyPicture(const PictureSettings& settings, Paper paper) {
-    const Color behind = colorOf(paper, settings).value_or(settings.lineColor);
-    const int channelCount = pictureChannels(settings, paper);
+Image<std::uint8_t> emptyPicture(const PictureSettings& settings, settings::Paper paper) {
+    const Color behind = settings::colorOf(paper, settings).value_or(settings.lineColor);
+    const int channelCount = settings::pictureChannels(settings, paper);
     if (channelCount == 1) return {settings.size, 1, behind.red};
     Image<std::uint8_t> picture{settings.size, channelCount};
     const std::uint8_t channels[3]{behind.red, behind.green, behind.blue};
@@ -137,7 +137,7 @@ void paint(Strip& strip, std::span<const BoxedStroke> strokes, std::span<const C
 }  // namespace
 
 Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureSettings& settings, const Brush* brush,
-                                 Paper paper) {
+                                 settings::Paper paper) {
     const auto allPens = pens(settings);
     const std::vector<Coat> coats = coatsOf(allPens);
     Image<std::uint8_t> picture = emptyPicture(settings, paper);
@@ -146,11 +146,11 @@ Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureS
     std::optional<BrushedStrokes> brushed;
     if (brush != nullptr) brushed.emplace(*brush, strokes, allPens, stripSize);
     for (const std::vector<BoxedStroke>& shown : sorted(strokes, allPens, settings.size)) {
-        stopIfAsked();
+        base::stopIfAsked();
         if (!shown.empty()) paint(strip, shown, coats, picture, brushed);
         strip.rows.first += stripRows;
     }
     return picture;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::ink

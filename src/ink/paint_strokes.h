@@ -9,7 +9,7 @@
 #include "ink/stroke.h"
 #include "settings/picture_channels.h"
 
-namespace inkedge {
+namespace inkedge::ink {
 
 /// Draws strokes with exact coverage at any width. The coverage of a pixel is the share of its square that the stroke's
 /// band covers. At a cap it is the band along the cap's tangent; where the width varies, the band as wide as the stroke
@@ -19,6 +19,7 @@ namespace inkedge {
 ///               pixel; where lines of one colour meet, the larger ink.
 /// @return  1, 3 or 4 channels, as Maps::picture
 [[nodiscard]] Image<std::uint8_t> paintStrokes(std::span<const Stroke>, const PictureSettings&,
-                                               const Brush* brush = nullptr, Paper = Paper::Background);
+                                               const Brush* brush = nullptr,
+                                               settings::Paper = settings::Paper::Background);
 
-}  // namespace inkedge
+}  // namespace inkedge::ink

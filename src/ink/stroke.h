@@ -4,7 +4,7 @@
 
 #include <glm/vec2.hpp>
 
-namespace inkedge {
+namespace inkedge::ink {
 
 /// Stroke::widthFrom and ::widthTo of a stroke as wide as its pen.
 inline constexpr std::uint8_t fullWidth = 128;
@@ -20,4 +20,4 @@ struct Stroke {
     float arc = 0.0F;
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::ink

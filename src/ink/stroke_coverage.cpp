@@ -2,7 +2,7 @@
 
 #include <glm/common.hpp>
 
-namespace inkedge {
+namespace inkedge::ink {
 namespace {
 
 bool varies(const Stroke& stroke) { return stroke.widthFrom != fullWidth || stroke.widthTo != fullWidth; }
@@ -68,4 +68,4 @@ void cover(Image<float>& coverage, Rows rows, const BoxedStroke& boxed) {
     (varies(*boxed.stroke) ? coverVarying : coverEven)(coverage, rows, boxed);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::ink

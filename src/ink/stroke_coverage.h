@@ -10,7 +10,7 @@
 
 #include "ink/stroke.h"
 
-namespace inkedge {
+namespace inkedge::ink {
 
 inline constexpr float halfDiagonal = 0.70711F;  // of a pixel
 inline constexpr float shortestOffset = 1e-4F;   // pixels: a shorter offset has no reliable direction
@@ -153,4 +153,4 @@ inline float BandShare::beside(float distance) const {
     return distance < 0.0F ? 1.0F - far : far;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::ink

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace inkedge {
+namespace inkedge::ink {
 namespace {
 
 constexpr double narrowest = 0.5;  // share of the pen's width where a line is furthest or most bent
@@ -135,4 +135,4 @@ std::vector<StrokePoint> StrokeWidths::along(const Line& line, const Line& whole
     return begins || ends ? tapered(points, taper_, begins, ends) : points;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::ink

@@ -10,7 +10,7 @@
 
 #include "ink/free_ends.h"
 
-namespace inkedge {
+namespace inkedge::ink {
 
 /// A point of a stroke's centre line, and the width there as a share of the pen's width.
 struct StrokePoint {
@@ -44,4 +44,4 @@ private:
     double nearest_ = 0.0;              // and that of the nearest
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::ink

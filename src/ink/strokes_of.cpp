@@ -9,7 +9,7 @@
 #include "curves/clip.h"
 #include "curves/simplify.h"
 
-namespace inkedge {
+namespace inkedge::ink {
 namespace {
 
 constexpr double paintTolerance = 0.02;  // pixels: at most 5 of 255 levels where a line runs along a pixel's side
@@ -71,8 +71,8 @@ void StrokeMaker::add(const Line& line, std::vector<Stroke>& strokes) const {
     const std::uint8_t pen = penOf(line);
     const double width = pens_[pen].width;
     const double margin = widths_.vary() ? width : 0.5 * width;  // up to twice as wide
-    for (const Line& part : clip(line, glm::dvec2{-margin}, size_ + margin)) {
-        const std::vector<StrokePoint> points = widths_.along(simplify(part, tolerance_), line);
+    for (const Line& part : curves::clip(line, glm::dvec2{-margin}, size_ + margin)) {
+        const std::vector<StrokePoint> points = widths_.along(curves::simplify(part, tolerance_), line);
         if (!line.visible && settings_.hidden == HiddenLines::Dashed) {
             addDashes(points, pen, width, strokes);
         } else {
@@ -88,12 +88,12 @@ std::vector<Stroke> strokesOf(const Lines& lines, const PictureSettings& picture
     return strokes;
 }
 
-std::vector<Stroke> strokesOf(std::span<const TracedPiece> pieces) {
+std::vector<Stroke> strokesOf(std::span<const trace::TracedPiece> pieces) {
     std::vector<Stroke> strokes;
     strokes.reserve(pieces.size());
-    for (const TracedPiece& piece : pieces)
+    for (const trace::TracedPiece& piece : pieces)
         strokes.push_back({piece.ends[0], piece.ends[1], static_cast<std::uint8_t>(bitIndex(piece.type))});
     return strokes;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::ink

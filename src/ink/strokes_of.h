@@ -14,7 +14,7 @@
 #include "ink/stroke_widths.h"
 #include "trace/traced_piece.h"
 
-namespace inkedge {
+namespace inkedge::ink {
 
 /// Makes strokes of the lines of one view. The lines must outlive this.
 class StrokeMaker {
@@ -41,6 +41,6 @@ private:
 
 /// Pieces as strokes, one each: the short way, for pictures. By way of joinPieces() a whole PNG of the gear takes about
 /// 5 % longer, one of the torus knot 1 %, and 0.7 % of the gear's pixels change, for lines are simplified.
-[[nodiscard]] std::vector<Stroke> strokesOf(std::span<const TracedPiece>);
+[[nodiscard]] std::vector<Stroke> strokesOf(std::span<const trace::TracedPiece>);
 
-}  // namespace inkedge
+}  // namespace inkedge::ink

@@ -46,10 +46,11 @@ std::vector<std::uint8_t> readBytes(const fs::path& file) {
     return bytes;
 }
 
-io::ReadPicture read(const fs::path& file) {
+images::ReadPicture read(const fs::path& file) {
     const std::vector<std::uint8_t> bytes = readBytes(file);
     if (bytes.empty()) failToRead(file, "expected a picture, found an empty file; write it again");
-    io::ReadPicture picture = io::isPng(bytes) ? io::readPng(bytes) : io::imageFormats(Error::Kind::Input).read(file);
+    images::ReadPicture picture =
+        images::isPng(bytes) ? images::readPng(bytes) : images::imageFormats(Error::Kind::Input).read(file);
     if (!picture.failure.empty()) failToRead(file, picture.failure);
     return picture;
 }
@@ -99,8 +100,8 @@ Image<std::uint8_t> differencePicture(const Image<float>& a, const Image<float>&
 
 /// Takes the pixels whose difference is infinite out of both pictures, by making them alike: OpenImageIO takes one for
 /// the largest difference of the pictures, but counts it in no pixel.
-io::Differences takeOutInfiniteDifferences(Image<float>& a, Image<float>& b) {
-    io::Differences taken;
+images::Differences takeOutInfiniteDifferences(Image<float>& a, Image<float>& b) {
+    images::Differences taken;
     for (int y = 0; y < a.size.height; ++y) {
         for (int x = 0; x < a.size.width; ++x) {
             if (std::isfinite(pixelDifference(a, b, x, y))) continue;
@@ -116,9 +117,9 @@ io::Differences takeOutInfiniteDifferences(Image<float>& a, Image<float>& b) {
 }
 
 /// The differences of two pictures, which are changed.
-io::Differences measure(Image<float>& a, Image<float>& b, double level) {
-    const io::Differences infinite = takeOutInfiniteDifferences(a, b);
-    io::Differences all = io::imageFormats(Error::Kind::Input).compare(a, b, level);
+images::Differences measure(Image<float>& a, Image<float>& b, double level) {
+    const images::Differences infinite = takeOutInfiniteDifferences(a, b);
+    images::Differences all = images::imageFormats(Error::Kind::Input).compare(a, b, level);
     all.pixelsOverLevel += infinite.pixelsOverLevel;
     if (infinite.pixelsOverLevel > 0) {
         all.maximum = infinite.maximum;
@@ -128,7 +129,8 @@ io::Differences measure(Image<float>& a, Image<float>& b, double level) {
     return all;
 }
 
-Comparison judge(const io::Differences& found, const Image<float>& image, const Tolerance& tolerance, double rounding) {
+Comparison judge(const images::Differences& found, const Image<float>& image, const Tolerance& tolerance,
+                 double rounding) {
     Comparison result{.size = image.size,
                       .channels = image.channels,
                       .pixelsOverLevel = found.pixelsOverLevel,
@@ -148,14 +150,14 @@ Comparison judge(const io::Differences& found, const Image<float>& image, const 
 Comparison compare(const fs::path& a, const fs::path& b, const Tolerance& tolerance,
                    const std::optional<fs::path>& difference) {
     if (difference) (void)io::pictureFormat(*difference);  // refuse a wrong name before the work
-    io::ReadPicture left = read(a);
-    io::ReadPicture right = read(b);
+    images::ReadPicture left = read(a);
+    images::ReadPicture right = read(b);
     expectSameShape(a, left.image, b, right.image);
 
     const double rounding = left.integers && right.integers ? integerRounding : 0.0;
     std::vector<std::uint8_t> picture;
     if (difference) picture = io::encodePicture(differencePicture(left.image, right.image), *difference);
-    const io::Differences found = measure(left.image, right.image, tolerance.level + rounding);
+    const images::Differences found = measure(left.image, right.image, tolerance.level + rounding);
     if (!found.failure.empty()) {
         throw Error{Error::Kind::Runtime,
                     fmt::format("{}: expected it to be comparable to {}, found: {}; use a smaller picture", b.string(),

@@ -14,13 +14,13 @@ std::string inWords(const ParsedJson* value) {
     if (value == nullptr) return "none";
     if (value->is_array()) return fmt::format("a list of {}", value->size());
     if (value->is_object()) return "an object";
-    return load::quote(value->is_string() ? value->get_ref<const std::string&>() : value->dump());
+    return base::quote(value->is_string() ? value->get_ref<const std::string&>() : value->dump());
 }
 
 }  // namespace
 
 void refuseValue(std::string_view where, std::string_view expected, const ParsedJson* value) {
-    load::refuse(fmt::format("{}: expected {}, found {}", where, expected, inWords(value)));
+    base::refuse(fmt::format("{}: expected {}, found {}", where, expected, inWords(value)));
 }
 
 JsonObject::JsonObject(const ParsedJson* value, std::string where) : object_{value}, where_{std::move(where)} {

@@ -58,7 +58,7 @@ bool isFinite(glm::dvec3 v) { return isFinite(glm::dvec2{v}) && std::isfinite(v.
 // As it is written, but for rounding.
 Line written(Line line, double tolerance) {
     std::erase_if(line.points, [](const LinePoint& p) { return !isFinite(p.pixel) || !isFinite(p.position); });
-    return tolerance > 0.0 ? simplify(line, tolerance) : line;
+    return tolerance > 0.0 ? curves::simplify(line, tolerance) : line;
 }
 
 Json sourceJson(const LinesSource& source) {
@@ -131,7 +131,7 @@ std::string linesJson(const Lines& lines, const Settings& settings) {
     const double perUnit = positionsPerUnit(lines.bounds);
     std::string_view separator = "\n";
     for (const Line& line : lines.lines) {
-        if (!isDrawn(line, settings.picture, settings.lines)) continue;
+        if (!ink::isDrawn(line, settings.picture, settings.lines)) continue;
         const Line simple = written(line, tolerance - lines.tolerance);
         if (simple.points.size() < 2) continue;
         text += separator;

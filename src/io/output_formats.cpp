@@ -35,7 +35,7 @@ std::string extensionsOf() {
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& expected) {
-    const std::string extension = lowerCaseExtension(file);
+    const std::string extension = base::lowerCaseExtension(file);
     throw Error{Error::Kind::Usage, fmt::format("{}: expected a name that ends in {}, found {}", file.string(),
                                                 expected, extension.empty() ? "no extension" : extension)};
 }
@@ -43,7 +43,7 @@ std::string extensionsOf() {
 }  // namespace
 
 std::optional<OutputFormat> outputFormat(const std::filesystem::path& file) {
-    const std::string extension = lowerCaseExtension(file);
+    const std::string extension = base::lowerCaseExtension(file);
     for (const Extension& known : extensions)
         if (extension == known.text) return known.format;
     return {};

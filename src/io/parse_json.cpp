@@ -11,8 +11,6 @@
 namespace inkedge::io {
 namespace {
 
-using load::refuse;
-
 class Builder final : public nlohmann::json_sax<ParsedJson> {
 public:
     Builder(const LongList& list, JsonLimits limits) : list_{list}, limits_{limits} {}
@@ -31,7 +29,7 @@ public:
     bool end_array() override { return close(); }
     bool key(string_t& key) override {
         if (open_.back()->contains(key))
-            refuse(fmt::format("expected each key once, found {} again", load::quote(key)));
+            base::refuse(fmt::format("expected each key once, found {} again", base::quote(key)));
         key_ = std::move(key);
         return true;
     }
@@ -39,8 +37,8 @@ public:
     bool parse_error(std::size_t byte, const std::string&, const ParsedJson::exception& error) override {
         constexpr int numberOverflow = 406;
         if (error.id == numberOverflow)
-            refuse(fmt::format("expected numbers that a double holds, found another at byte {}", byte));
-        refuse(fmt::format("expected JSON, found something else at byte {}", byte));
+            base::refuse(fmt::format("expected numbers that a double holds, found another at byte {}", byte));
+        base::refuse(fmt::format("expected JSON, found something else at byte {}", byte));
     }
 
     ParsedJson take() { return std::move(whole_); }
@@ -49,8 +47,8 @@ private:
     // Where a value goes that begins or stands here.
     ParsedJson& next() {
         if (++values_ > limits_.values)
-            refuse(fmt::format("expected at most {} values in {}, found more", limits_.values,
-                               longList_ == nullptr ? "the file" : fmt::format("one of {}", list_.key)));
+            base::refuse(fmt::format("expected at most {} values in {}, found more", limits_.values,
+                                     longList_ == nullptr ? "the file" : fmt::format("one of {}", list_.key)));
         if (open_.empty()) return whole_;
         ParsedJson& parent = *open_.back();
         return parent.is_array() ? parent.emplace_back() : parent[key_];
@@ -66,7 +64,7 @@ private:
 
     bool open(ParsedJson&& empty) {
         if (open_.size() >= limits_.depth)
-            refuse(fmt::format("expected at most {} lists and objects in each other, found more", limits_.depth));
+            base::refuse(fmt::format("expected at most {} lists and objects in each other, found more", limits_.depth));
         const bool isLong = open_.size() == 1 && empty.is_array() && open_.back()->is_object() && key_ == list_.key;
         ParsedJson& added = next();
         added = std::move(empty);
@@ -110,7 +108,7 @@ private:
 
 ParsedJson parseJson(std::string_view text, const LongList& list, JsonLimits limits) {
     Builder builder{list, limits};
-    if (!ParsedJson::sax_parse(text.begin(), text.end(), &builder)) refuse("expected JSON, found something else");
+    if (!ParsedJson::sax_parse(text.begin(), text.end(), &builder)) base::refuse("expected JSON, found something else");
     return builder.take();
 }
 

@@ -32,9 +32,10 @@ const std::array<float, 256>& linearLights() {
     return table;
 }
 
-std::vector<std::uint8_t> encodeWithModule(FileFormat format, const Layer& layer, const std::filesystem::path& target) {
-    EncodedPicture encoded = imageFormats(Error::Kind::Output).encode(format, {&layer, 1}, {});
-    if (!encoded.failure.empty()) failToWrite(target, encoded.failure);
+std::vector<std::uint8_t> encodeWithModule(images::FileFormat format, const images::Layer& layer,
+                                           const std::filesystem::path& target) {
+    images::EncodedPicture encoded = images::imageFormats(Error::Kind::Output).encode(format, {&layer, 1}, {});
+    if (!encoded.failure.empty()) base::failToWrite(target, encoded.failure);
     return std::move(encoded.bytes);
 }
 
@@ -45,12 +46,12 @@ std::vector<std::uint8_t> encodePicture(const Image<std::uint8_t>& picture, cons
         case PictureFormat::Png:
             break;
         case PictureFormat::Tiff:
-            return encodeWithModule(FileFormat::Tiff, {&picture, channelNames(picture.channels), SampleType::Uint8},
-                                    target);
+            return encodeWithModule(images::FileFormat::Tiff,
+                                    {&picture, channelNames(picture.channels), images::SampleType::Uint8}, target);
         case PictureFormat::OpenExr: {
             const Image<float> linear = linearPicture(picture);
-            return encodeWithModule(FileFormat::OpenExr, {&linear, channelNames(linear.channels), SampleType::Half},
-                                    target);
+            return encodeWithModule(images::FileFormat::OpenExr,
+                                    {&linear, channelNames(linear.channels), images::SampleType::Half}, target);
         }
     }
     return encodePng(picture);

@@ -25,8 +25,6 @@ namespace {
 
 using Json = io::ParsedJson;
 using io::JsonObject;
-using io::refuseValue;
-using load::refuse;
 
 constexpr std::uint64_t largestFile = std::uint64_t{1} << 30U;   // bytes
 constexpr std::uint64_t maxTriangles = std::uint64_t{1} << 53U;  // as many as a double counts
@@ -38,14 +36,14 @@ Size readSize(const JsonObject& all) {
     constexpr int max = PictureSettings::maxSide;
     for (int k = 0; k < 2; ++k) {
         if (size[k] < 1.0 || size[k] > max || size[k] != std::floor(size[k]))
-            refuse(fmt::format("size: expected two whole numbers from 1 to {}, found {}", max, size[k]));
+            base::refuse(fmt::format("size: expected two whole numbers from 1 to {}, found {}", max, size[k]));
     }
     return {static_cast<int>(size.x), static_cast<int>(size.y)};
 }
 
 glm::dmat4 readMatrix(const JsonObject& json, std::string_view key) {
     const Json& rows = json.list(key);
-    if (rows.size() != 4) refuseValue(json.path(key), "four rows", &rows);
+    if (rows.size() != 4) io::refuseValue(json.path(key), "four rows", &rows);
     glm::dmat4 matrix;
     for (int row = 0; row < 4; ++row) {
         const auto values = io::vectorOf<glm::dvec4>(rows[static_cast<std::size_t>(row)], json.path(key));
@@ -63,16 +61,16 @@ Camera readCamera(const JsonObject& json, Size size) {
     if (json.at("orthographic_height") != nullptr) {
         camera.orthographicHeight = json.number("orthographic_height");
         if (!camera.orthographic())
-            refuseValue(json.path("orthographic_height"), "a number over 0", json.at("orthographic_height"));
+            io::refuseValue(json.path("orthographic_height"), "a number over 0", json.at("orthographic_height"));
     } else {
         camera.viewAngle = json.number("view_angle");
         if (!(camera.viewAngle > 0.0 && camera.viewAngle < 180.0))
-            refuseValue(json.path("view_angle"), "a number over 0 and under 180", json.at("view_angle"));
+            io::refuseValue(json.path("view_angle"), "a number over 0 and under 180", json.at("view_angle"));
     }
     if (!io::isFinite(camera, size))
-        refuse(json.path("view") +
-               ": expected a view and a projection that are finite, as the view's inverse is, "
-               "found none");
+        base::refuse(json.path("view") +
+                     ": expected a view and a projection that are finite, as the view's inverse is, "
+                     "found none");
     return camera;
 }
 
@@ -83,7 +81,7 @@ LinesSource readSource(const JsonObject& json) {
     source.unit = static_cast<LengthUnit>(json.choice("unit", io::lengthUnitNames));
     source.triangles = json.whole("triangles", maxTriangles);
     for (const Json& warning : json.list("warnings")) {
-        if (!warning.is_string()) refuseValue(json.path("warnings"), "texts", &warning);
+        if (!warning.is_string()) io::refuseValue(json.path("warnings"), "texts", &warning);
         source.warnings.push_back(warning.get<std::string>());
     }
     if (json.choice("space", io::spaceNames) == 0) {
@@ -101,7 +99,7 @@ std::map<std::uint32_t, std::string> readObjects(const Json& list) {
         const JsonObject json{&entry, fmt::format("objects[{}]", objects.size())};
         const std::uint32_t object = json.whole32("object");
         if (!objects.emplace(object, json.text("name")).second)
-            refuse(fmt::format("{}: expected each number once, found {} again", json.path("object"), object));
+            base::refuse(fmt::format("{}: expected each number once, found {} again", json.path("object"), object));
     }
     return objects;
 }
@@ -116,9 +114,9 @@ Line readLine(const JsonObject& json) {
     line.patch = json.whole32("patch");
     const Json& pixels = json.list("pixels");
     const Json& positions = json.list("positions");
-    if (pixels.size() < 2) refuseValue(json.path("pixels"), "a list of two or more", &pixels);
+    if (pixels.size() < 2) io::refuseValue(json.path("pixels"), "a list of two or more", &pixels);
     if (positions.size() != pixels.size())
-        refuseValue(json.path("positions"), fmt::format("a list of {}, as pixels is", pixels.size()), &positions);
+        io::refuseValue(json.path("positions"), fmt::format("a list of {}, as pixels is", pixels.size()), &positions);
     line.points.reserve(pixels.size());
     const std::array paths{json.path("pixels"), json.path("positions")};
     for (std::size_t i = 0; i < pixels.size(); ++i)
@@ -132,7 +130,7 @@ void expectOurFormat(const Json& json, bool whole) {
     const auto expectValue = [&](const char* key, const Json& expected, std::string_view remedy) {
         const auto found = json.find(key);
         if (found == json.end() ? whole : *found != expected)
-            refuseValue(key, fmt::format("{}{}", expected.dump(), remedy), found == json.end() ? nullptr : &*found);
+            io::refuseValue(key, fmt::format("{}{}", expected.dump(), remedy), found == json.end() ? nullptr : &*found);
     };
     expectValue("format", io::linesFormat, "");
     expectValue("version", io::linesVersion, "; find the lines again");
@@ -161,13 +159,13 @@ Lines linesFromJson(std::string_view text) {
 }
 
 Lines readLines(const std::filesystem::path& file) {
-    return load::within(load::printable(file.string()), [&] {
+    return base::within(base::printable(file.string()), [&] {
         std::error_code failure;
         if (const std::uint64_t size = std::filesystem::file_size(file, failure); !failure && size > largestFile)
-            refuse(fmt::format("expected a file of at most {} bytes, found {}", largestFile, size));
+            base::refuse(fmt::format("expected a file of at most {} bytes, found {}", largestFile, size));
         std::uint64_t bytesLeft = largestFile;
-        const load::Bytes bytes = load::readBytes(file, bytesLeft);
-        return linesFromJson(load::textOf(bytes));
+        const base::Bytes bytes = base::readBytes(file, bytesLeft);
+        return linesFromJson(base::textOf(bytes));
     });
 }
 

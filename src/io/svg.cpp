@@ -90,7 +90,7 @@ std::string documentSize(const PictureSettings& settings, Size size) {
     return fmt::format("width=\"{}mm\" height=\"{}mm\"", number(page.width), number(page.height));
 }
 
-bool isStraight(const Bezier& curve) {
+bool isStraight(const curves::Bezier& curve) {
     constexpr double visible = 0.005;  // pixels: half the last decimal
     const glm::dvec2 along = curve[3] - curve[0];
     const double length = glm::length(along);
@@ -104,10 +104,10 @@ bool isStraight(const Bezier& curve) {
 }
 
 void addCurves(io::SvgPath& path, const Line& line, double tolerance) {
-    const std::vector<Bezier> curves = fitBeziers(line, tolerance);
+    const std::vector<curves::Bezier> curves = curves::fitBeziers(line, tolerance);
     if (curves.empty()) return;
     path.moveTo(curves.front()[0]);
-    for (const Bezier& curve : curves) {
+    for (const curves::Bezier& curve : curves) {
         if (isStraight(curve)) {
             path.lineTo(curve[3]);
         } else {
@@ -118,7 +118,7 @@ void addCurves(io::SvgPath& path, const Line& line, double tolerance) {
 }
 
 void addPolyline(io::SvgPath& path, const Line& line, double tolerance) {
-    const Line simple = simplify(line, tolerance);
+    const Line simple = curves::simplify(line, tolerance);
     if (simple.points.size() < 2) return;
     path.moveTo(simple.points.front().pixel);
     for (std::size_t i = 1; i < simple.points.size(); ++i) path.lineTo(simple.points[i].pixel);
@@ -127,9 +127,9 @@ void addPolyline(io::SvgPath& path, const Line& line, double tolerance) {
 
 // Adds the outline of a stroke: straight along its sides, round at its ends. All run clockwise, so that overlapping
 // strokes fill the union of their areas.
-void addOutline(io::SvgPath& path, const Stroke& stroke, double penWidth) {
-    const double from = 0.5 * penWidth * stroke.widthFrom / fullWidth;
-    const double to = 0.5 * penWidth * stroke.widthTo / fullWidth;
+void addOutline(io::SvgPath& path, const ink::Stroke& stroke, double penWidth) {
+    const double from = 0.5 * penWidth * stroke.widthFrom / ink::fullWidth;
+    const double to = 0.5 * penWidth * stroke.widthTo / ink::fullWidth;
     const glm::dvec2 a{stroke.from};
     const glm::dvec2 b{stroke.to};
     const double length = glm::distance(a, b);
@@ -152,28 +152,29 @@ io::SvgPath::Step stepFor(const LineSettings& settings) {
 
 using Paths = std::map<std::uint32_t, io::SvgPath>;
 
-std::array<Paths, penCount> pathsOf(const Lines& lines, const PictureSettings& picture, const LineSettings& settings) {
-    const auto allPens = pens(picture);
+std::array<Paths, ink::penCount> pathsOf(const Lines& lines, const PictureSettings& picture,
+                                         const LineSettings& settings) {
+    const auto allPens = ink::pens(picture);
     const glm::dvec2 size{lines.size.width, lines.size.height};
     const double tolerance = std::max(settings.simplify - lines.tolerance, 0.0);  // what is left of it
-    std::array<Paths, penCount> paths;
+    std::array<Paths, ink::penCount> paths;
     if (varies(settings)) {
-        const StrokeMaker maker{lines, picture, settings, tolerance};
-        std::vector<Stroke> strokes;
+        const ink::StrokeMaker maker{lines, picture, settings, tolerance};
+        std::vector<ink::Stroke> strokes;
         for (const Line& line : lines.lines) {
             strokes.clear();
             maker.add(line, strokes);
-            for (const Stroke& stroke : strokes) {
+            for (const ink::Stroke& stroke : strokes) {
                 addOutline(paths[stroke.pen][line.object], stroke, allPens[stroke.pen].width);
             }
         }
         return paths;
     }
     for (const Line& line : lines.lines) {
-        if (!isDrawn(line, picture, settings)) continue;
-        const std::uint8_t pen = penOf(line);
+        if (!ink::isDrawn(line, picture, settings)) continue;
+        const std::uint8_t pen = ink::penOf(line);
         const double margin = 0.5 * allPens[pen].width;
-        for (const Line& part : clip(line, glm::dvec2{-margin}, size + margin)) {
+        for (const Line& part : curves::clip(line, glm::dvec2{-margin}, size + margin)) {
             io::SvgPath& path = paths[pen].try_emplace(line.object, stepFor(settings)).first->second;
             if (settings.fitCurves > 0.0) {
                 addCurves(path, part, settings.fitCurves);
@@ -185,15 +186,15 @@ std::array<Paths, penCount> pathsOf(const Lines& lines, const PictureSettings& p
     return paths;
 }
 
-std::string group(std::size_t number_, const Pen& pen, const Paths& paths, const LineSettings& settings) {
+std::string group(std::size_t number_, const ink::Pen& pen, const Paths& paths, const LineSettings& settings) {
     const bool isHidden = number_ >= lineTypeCount;
     const auto type = static_cast<LineType>(1U << (number_ % lineTypeCount));
     std::string ink = fmt::format("stroke=\"{}\" stroke-width=\"{}\"", hex(pen.color), number(pen.width));
     if (varies(settings)) {
         ink = fmt::format("fill=\"{}\"", hex(pen.color));
     } else if (isHidden && settings.hidden == HiddenLines::Dashed) {
-        ink +=
-            fmt::format(" stroke-dasharray=\"{} {}\"", number(dashLength * pen.width), number(gapLength * pen.width));
+        ink += fmt::format(" stroke-dasharray=\"{} {}\"", number(ink::dashLength * pen.width),
+                           number(ink::gapLength * pen.width));
     }
     std::string text =
         fmt::format("<g class=\"inkedge {} {}\" {}>\n", name(type), isHidden ? "hidden" : "visible", ink);
@@ -239,7 +240,7 @@ std::string linesSvg(const Lines& lines, const Settings& settings, std::string_v
             "<g clip-path=\"url(#picture)\">\n",
             size.width, size.height);
     }
-    const auto allPens = pens(picture);
+    const auto allPens = ink::pens(picture);
     const auto paths = pathsOf(lines, picture, settings.lines);
     for (std::size_t i = paths.size(); i-- > 0;) {  // the first covers the others, and is written last
         if (!paths[i].empty()) text += group(i, allPens[i], paths[i], settings.lines);

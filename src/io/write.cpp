@@ -137,8 +137,8 @@ Image<std::uint8_t> mapPicture(const Maps& maps, Map map) {
 
 /// A layer of an EXR. The names of its channels end in one letter: Blender drops other layers. Ids are floats: beside
 /// floats OpenImageIO reads integers as shares of the largest one, unless it is told not to.
-io::Layer mapLayer(const Maps& maps, Map map) {
-    using io::SampleType;
+images::Layer mapLayer(const Maps& maps, Map map) {
+    using images::SampleType;
     switch (map) {
         case Map::Depth:
             return {&maps.depth, {"depth.Z"}, SampleType::Float};
@@ -166,7 +166,7 @@ std::vector<float> rowMajor(const glm::dmat4& matrix) {
     return values;
 }
 
-std::vector<io::HeaderEntry> cameraEntries(const Camera& camera, Size size) {
+std::vector<images::HeaderEntry> cameraEntries(const Camera& camera, Size size) {
     return {{"inkedge:near", {static_cast<float>(camera.near)}},
             {"inkedge:far", {static_cast<float>(camera.far)}},
             {"inkedge:view", rowMajor(camera.view)},
@@ -188,13 +188,14 @@ void expectExactIds(const Image<std::uint32_t>& ids, const fs::path& target) {
 std::vector<std::uint8_t> encodeLayers(const Maps& maps, std::span<const Map> wanted, const fs::path& target) {
     if (std::find(wanted.begin(), wanted.end(), Map::Ids) != wanted.end()) expectExactIds(maps.ids, target);
     const int channels = std::max(maps.picture.channels, 3);
-    expectMemory(maps.picture.size, sizeof(float) * static_cast<std::uint64_t>(channels));
+    raster::expectMemory(maps.picture.size, sizeof(float) * static_cast<std::uint64_t>(channels));
     const Image<float> picture = io::linearPicture(maps.picture);
-    std::vector<io::Layer> layers{{&picture, io::channelNames(picture.channels), io::SampleType::Half}};
+    std::vector<images::Layer> layers{{&picture, io::channelNames(picture.channels), images::SampleType::Half}};
     for (const Map map : wanted) layers.push_back(mapLayer(maps, map));
-    io::EncodedPicture encoded = io::imageFormats(Error::Kind::Output)
-                                     .encode(io::FileFormat::OpenExr, layers, cameraEntries(maps.camera, picture.size));
-    if (!encoded.failure.empty()) io::failToWrite(target, encoded.failure);
+    images::EncodedPicture encoded =
+        images::imageFormats(Error::Kind::Output)
+            .encode(images::FileFormat::OpenExr, layers, cameraEntries(maps.camera, picture.size));
+    if (!encoded.failure.empty()) base::failToWrite(target, encoded.failure);
     return std::move(encoded.bytes);
 }
 
@@ -230,7 +231,7 @@ std::vector<fs::path> writeMaps(const Maps& maps, std::span<const Map> wanted, c
     const std::vector<Map> each = distinct(wanted);
     expectRendered(maps, each);
 
-    io::StagedFiles staged;
+    base::StagedFiles staged;
     if (io::pictureFormat(output) == io::PictureFormat::OpenExr) {
         staged.add(files.front(), encodeLayers(maps, each, files.front()));
     } else {

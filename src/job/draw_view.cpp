@@ -53,9 +53,9 @@ JobResult drawView(const Job& job, const View& view, const Scene& scene, Rendere
     for (const std::string& output : job.outputs) outputs.push_back(outputOf(job, output, view));
     Drawn drawn = draw(job, outputs, scene, settings, renderer);
 
-    const Stopwatch watch;
+    const base::Stopwatch watch;
     JobResult result;
-    stopIfAsked();  // the last time: no view is written by half
+    base::stopIfAsked();  // the last time: no view is written by half
     if (drawn.maps) reportDrawn(*drawn.maps);
     result.files = write(drawn, outputs, settings);
     const double writing = watch.milliseconds();

@@ -54,7 +54,7 @@ private:
 };
 
 void loadScene(JobState& state) {
-    const Stopwatch watch;
+    const base::Stopwatch watch;
     state.scene = inkedge::loadScene(state.job->model, loadSettings(state.job->settings));
     const double loading = watch.milliseconds();
     const double preparing = state.scene->preparationMilliseconds();
@@ -95,16 +95,17 @@ private:
 
     [[nodiscard]] std::size_t workers() const {
         constexpr std::size_t viewsWorthAContext = 4;
-        const std::size_t maximum = options_.workers > 0 ? static_cast<std::size_t>(options_.workers) : usableCores();
+        const std::size_t maximum =
+            options_.workers > 0 ? static_cast<std::size_t>(options_.workers) : base::usableCores();
         return std::clamp<std::size_t>(tasks_.size() / viewsWorthAContext, 1, maximum);
     }
 
     void work() noexcept {
         OwnRenderer renderer;
         try {
-            const StopScope scope{[&] { return options_.stop.stop_requested(); }};
+            const base::StopScope scope{[&] { return options_.stop.stop_requested(); }};
             for (std::size_t i = next_++; i < tasks_.size(); i = next_++) {
-                stopIfAsked();
+                base::stopIfAsked();
                 const Task task = tasks_[i];
                 JobState& state = states_[task.job];
                 if (isLoaded(state, task.job)) drawView(state, task, renderer);
@@ -157,7 +158,7 @@ private:
     }
 
     void fail(const JobFailure& failure) {
-        stopIfAsked();
+        base::stopIfAsked();
         if (!options_.failed) std::rethrow_exception(failure.error);
         const std::scoped_lock lock{calling_};
         options_.failed(failure);

@@ -146,7 +146,7 @@ Line makeLine(const ViewSegments& view, const Chain& chain, const Part& part, Li
     line.type = typeOf(first, part.seen, drawn);
     line.visible = isSeen(part.seen);
     line.object = first.faces[0].instance + 1;
-    line.patch = patchOf(view.scene, first.faces[0]);
+    line.patch = scene::patchOf(view.scene, first.faces[0]);
     const auto add = [&](std::size_t link, double at) {
         const Chain::Link l = chain.links[link % chain.links.size()];
         const double own = l.reversed ? 1.0 - at : at;
@@ -192,12 +192,13 @@ private:
 struct ObjectLines::Prepared {
     explicit Prepared(const Scene& whole) : scene{whole}, rays{scene} {
         for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
-            stopIfAsked();
-            edges.push_back(findEdges(scene.meshes()[i], topologyOf(scene, i), scene.creaseAngle()));
+            base::stopIfAsked();
+            edges.push_back(findEdges(scene.meshes()[i], scene::topologyOf(scene, i), scene.creaseAngle()));
         }
         for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
-            stopIfAsked();
-            searches.push_back(std::make_unique<ContourSearch>(scene.meshes()[i], topologyOf(scene, i), edges[i]));
+            base::stopIfAsked();
+            searches.push_back(
+                std::make_unique<ContourSearch>(scene.meshes()[i], scene::topologyOf(scene, i), edges[i]));
         }
         borders = findBorderSegments(scene, edges);
     }
@@ -208,35 +209,35 @@ struct ObjectLines::Prepared {
         return {begin, end};
     }
 
-    const ControlMesh& controlOf(std::uint32_t mesh) const {
-        const std::unique_lock lock = lockUnlessStopped(mutex_);
+    const mesh::ControlMesh& controlOf(std::uint32_t mesh) const {
+        const std::unique_lock lock = base::lockUnlessStopped(mutex_);
         controls_.resize(scene.meshes().size());
-        if (!controls_[mesh]) controls_[mesh] = controlMesh(scene.meshes()[mesh], topologyOf(scene, mesh));
+        if (!controls_[mesh]) controls_[mesh] = mesh::controlMesh(scene.meshes()[mesh], scene::topologyOf(scene, mesh));
         return *controls_[mesh];
     }
 
     // Found when they are first asked for: no other line needs the search.
     const std::vector<IntersectionSegment>& intersections() const {
-        const std::unique_lock lock = lockUnlessStopped(mutex_);
+        const std::unique_lock lock = base::lockUnlessStopped(mutex_);
         if (!intersections_) intersections_ = findIntersections(scene);
         return *intersections_;
     }
 
     // Those of smooth contours. Null: the scene's surface is one.
     const SurfaceComponents* components() const {
-        const std::unique_lock lock = lockUnlessStopped(mutex_);
+        const std::unique_lock lock = base::lockUnlessStopped(mutex_);
         if (!components_) components_.emplace(scene, borders);
         return components_->areOne() ? nullptr : &*components_;
     }
 
     /// One per mesh. Those for the last steps asked for are kept.
     std::shared_ptr<const std::vector<std::vector<IsolineSegment>>> isolines(Isolines steps) const {
-        const std::unique_lock lock = lockUnlessStopped(mutex_);
+        const std::unique_lock lock = base::lockUnlessStopped(mutex_);
         if (isolines_ && isolineSteps_ == steps) return isolines_;
         std::vector<std::vector<IsolineSegment>> found(scene.meshes().size());
         if (steps != Isolines{}) {
             for (std::size_t i = 0; i < found.size(); ++i)
-                found[i] = findIsolines(scene.meshes()[i], topologyOf(scene, i), steps);
+                found[i] = findIsolines(scene.meshes()[i], scene::topologyOf(scene, i), steps);
         }
         isolines_ = std::make_shared<const std::vector<std::vector<IsolineSegment>>>(std::move(found));
         isolineSteps_ = steps;
@@ -249,7 +250,7 @@ struct ObjectLines::Prepared {
         std::vector<Segment> segments;
         const auto isolinesOfMeshes = isolines(steps);
         for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
-            stopIfAsked();
+            base::stopIfAsked();
             const std::uint32_t mesh = scene.instances()[i].mesh;
             if (choice.refinement > 0) choice.control = &controlOf(mesh);
             ContourMemory memory = memories.recall(i, choice.finder);
@@ -270,7 +271,7 @@ private:
     mutable std::timed_mutex mutex_;  // of what is made on first use
     mutable std::optional<std::vector<IntersectionSegment>> intersections_;
     mutable std::optional<SurfaceComponents> components_;
-    mutable std::vector<std::optional<ControlMesh>> controls_;
+    mutable std::vector<std::optional<mesh::ControlMesh>> controls_;
     mutable std::shared_ptr<const std::vector<std::vector<IsolineSegment>>> isolines_;
     mutable Isolines isolineSteps_;
 };
@@ -282,7 +283,7 @@ ObjectLines::ObjectLines(const Scene& scene)
 ObjectLines::~ObjectLines() = default;
 
 bool ObjectLines::holds(const Scene& scene) const noexcept {
-    return identityOf(prepared_->scene).lock() == identityOf(scene).lock();
+    return scene::identityOf(prepared_->scene).lock() == scene::identityOf(scene).lock();
 }
 
 Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings) const {
@@ -290,15 +291,15 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings) co
     Lines result;
     result.size = settings.picture.size;
     result.camera = camera;
-    StageClock clock{result.times};
+    base::StageClock clock{result.times};
 
     const Screen screen{camera, scene.bounds().centre, settings.picture.size};
     ViewSegments view{scene, prepared_->rays, screen, nullptr, {}, {}};
-    view.segments =
-        prepared_->curves(screen,
-                          {settings.lines.contour, settings.lines.contourFinder, settings.lines.subdivideAdaptive,
-                           nullptr, settings.lines.hidden, standsOutside(camera, scene), settings.picture.lines},
-                          drawnIsolines(settings), *memories_);
+    view.segments = prepared_->curves(
+        screen,
+        {settings.lines.contour, settings.lines.contourFinder, settings.lines.subdivideAdaptive, nullptr,
+         settings.lines.hidden, camera::standsOutside(camera, scene), settings.picture.lines},
+        drawnIsolines(settings), *memories_);
     clock.finish("curves");
     if (settings.picture.lines.contains(LineType::Intersection))
         addIntersections(prepared_->intersections(), view.segments);
@@ -316,11 +317,12 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings) co
 
     std::vector<std::vector<Part>> parts(chains.size());
     const Judge judge = [&](std::uint32_t segment, double at) {
-        stopIfAsked();
+        base::stopIfAsked();
         return view.judge(segment, at);
     };
-    onEach(chains.size(),
-           [&](std::size_t c) { parts[c] = partChain(chains[c], view.projected, crossings, firstCrossings, judge); });
+    base::onEach(chains.size(), [&](std::size_t c) {
+        parts[c] = partChain(chains[c], view.projected, crossings, firstCrossings, judge);
+    });
     clock.finish("visibility");
 
     const bool keepHidden = settings.lines.hidden != HiddenLines::None;

@@ -9,7 +9,7 @@
 
 namespace inkedge::lines {
 
-inline constexpr SceneFace noFace{~0U, 0};
+inline constexpr scene::SceneFace noFace{~0U, 0};
 
 /// What a segment is by its shape alone. Whether a contour is an outline or an occlusion is decided later.
 enum class Curve : std::uint8_t { Contour, Boundary, Crease, Intersection, Isoparametric, Marked };
@@ -45,7 +45,7 @@ struct Segment {
     bool marked = false;   ///< whether it is drawn as LineType::Marked where its own type is not drawn
     bool occludes = true;  ///< whether the surface ends or turns away here, so that it may hide lines behind it
     bool hidden = false;   ///< whether the closed component that the segment lies on hides it: no ray is needed
-    std::array<SceneFace, 2> faces{noFace, noFace};  ///< the faces that the segment lies on: they do not hide it
+    std::array<scene::SceneFace, 2> faces{noFace, noFace};  ///< the faces that the segment lies on: they do not hide it
     std::array<glm::dvec3, 2> ends{};
     std::array<Key, 2> keys{noKey, noKey};
     glm::dvec3 inner{0.0};  ///< of contours and boundaries: a point of the surface that ends here

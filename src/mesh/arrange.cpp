@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 // Keeps some values of a list, which may be empty.
@@ -57,4 +57,4 @@ void bringForward(Mesh& mesh, const std::vector<bool>& first) {
     reorder(mesh.faces, order, 1);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

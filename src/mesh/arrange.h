@@ -5,7 +5,7 @@
 
 #include <inkedge/mesh.h>
 
-namespace inkedge {
+namespace inkedge::mesh {
 
 /// Drops the vertices that no triangle uses. Meshes of a file may share one vertex array and use a part of it each;
 /// what is not drawn must not count for the bounds.
@@ -15,4 +15,4 @@ void dropUnusedVertices(Mesh&);
 /// @param first  one per triangle: whether to move it
 void bringForward(Mesh&, const std::vector<bool>& first);
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -4,7 +4,7 @@
 
 #include "base/union_find.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 bool isCollapsed(const MeshTopology& topology, std::uint32_t t) {
@@ -31,7 +31,7 @@ double signedVolume(const Mesh& mesh, std::uint32_t t) {
 std::vector<std::int8_t> componentOrientations(const Mesh& mesh, const MeshTopology& topology) {
     const auto count = static_cast<std::uint32_t>(topology.originals.size());
     const auto takesPart = [&](std::uint32_t t) { return topology.originals[t] == t && !isCollapsed(topology, t); };
-    UnionFind parts{count};
+    base::UnionFind parts{count};
     std::vector<bool> open(count, false);
     for (std::uint32_t t = 0; t < count; ++t) {
         if (!takesPart(t)) continue;
@@ -69,4 +69,4 @@ bool isClosedOutward(const Mesh& mesh, const MeshTopology& topology) {
     return true;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -7,7 +7,7 @@
 
 #include "mesh/topology.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 
 /// The orientation of each face's connected component, one per face. 1 or -1: the component is closed (each edge has
 /// two faces) and wound consistently, outward (its signed volume is over 0) or inward. 0: it is not. Faces that repeat
@@ -19,4 +19,4 @@ namespace inkedge {
 /// so that a component is inside out. Faces collapsed to a line or a point do not matter. O(n).
 [[nodiscard]] bool isClosedOutward(const Mesh&, const MeshTopology&);
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -15,7 +15,7 @@
 #include "base/message.h"
 #include "base/union_find.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 constexpr std::uint32_t maxFaces = 65'000;  // OpenSubdiv counts them with 16 bits
@@ -45,7 +45,7 @@ struct Vertices {
 
 Vertices connectedCorners(const MeshTopology& topology) {
     const auto count = static_cast<std::uint32_t>(topology.points.size());
-    UnionFind sets{count};
+    base::UnionFind sets{count};
     for (std::uint32_t h = 0; h < count; ++h) {
         if (!joins(topology, h)) continue;
         sets.unite(h, nextHalfEdge(topology.twins[h]));
@@ -107,7 +107,7 @@ void addFace(ControlMesh& control, const Mesh& mesh, const Vertices& vertices, s
 
 void addFaces(ControlMesh& control, const Mesh& mesh, const MeshTopology& topology, const Vertices& vertices) {
     const auto count = static_cast<std::uint32_t>(topology.originals.size());
-    UnionFind polygons{count};
+    base::UnionFind polygons{count};
     for (std::uint32_t h = 0; h < topology.twins.size(); ++h)
         if (joins(topology, h) && isInner(mesh, h, topology.twins[h])) polygons.unite(h / 3, topology.twins[h] / 3);
     std::vector<std::uint32_t> order;
@@ -213,8 +213,8 @@ void refuseManyAround(const ControlMesh& control, const Mesh& mesh) {
     for (const std::int32_t v : control.corners) ++faces[static_cast<std::size_t>(v)];
     const auto largest = std::ranges::max_element(faces);
     if (largest != faces.end() && *largest >= maxFaces)
-        load::refuse(fmt::format("mesh {}: expected fewer than {} faces around a point to subdivide, found {}",
-                                 load::quote(mesh.name), maxFaces, *largest));
+        base::refuse(fmt::format("mesh {}: expected fewer than {} faces around a point to subdivide, found {}",
+                                 base::quote(mesh.name), maxFaces, *largest));
 }
 
 }  // namespace
@@ -292,4 +292,4 @@ double refinedElements(const ControlMesh& control, int levels) {
     return vertices + (triangles ? 3.0 : 6.0) * faces;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -10,7 +10,7 @@
 
 #include "mesh/topology.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 
 enum class SubdivisionScheme {
     Loop,          ///< of triangles
@@ -56,4 +56,4 @@ inline constexpr std::uint32_t noFace = ~0U;
 /// The number of vertices and indices after so many levels of refinement, not counting vertices that creases split.
 [[nodiscard]] double refinedElements(const ControlMesh&, int levels);
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -8,7 +8,7 @@
 
 #include "base/union_find.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 glm::dvec3 cornerOf(const Mesh& mesh, std::uint32_t corner) { return glm::dvec3{mesh.positions[mesh.indices[corner]]}; }
@@ -29,7 +29,7 @@ double bend(const Mesh& mesh, const MeshTopology& topology, const std::vector<gl
 // fan is named by its first corner.
 std::vector<std::uint32_t> findFans(const MeshTopology& topology) {
     const auto corners = static_cast<std::uint32_t>(topology.points.size());
-    UnionFind fans{corners};
+    base::UnionFind fans{corners};
     for (std::uint32_t h = 0; h < corners; ++h) {
         const std::uint32_t twin = topology.twins[h];
         if (!isHalfEdge(twin) || topology.creases[h]) continue;
@@ -128,4 +128,4 @@ std::vector<float> meanCurvatures(const Mesh& mesh, const MeshTopology& topology
     return curvatures;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -7,7 +7,7 @@
 
 #include "mesh/topology.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 
 /// Mean curvature at each vertex, in 1 / unit of mesh space; over 0 where the surface bulges towards its front.
 ///
@@ -21,4 +21,4 @@ namespace inkedge {
 /// faces bend nothing. O(n).
 [[nodiscard]] std::vector<float> meanCurvatures(const Mesh&, const MeshTopology&);
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

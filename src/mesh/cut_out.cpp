@@ -14,10 +14,8 @@
 #include "mesh/polygon_triangles.h"
 #include "mesh/twice_area.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
-
-using load::refuse;
 
 constexpr int cellSize = 128;            // texels: the lattice that triangles and the outline are cut along
 constexpr double simplification = 0.1;   // texels
@@ -330,8 +328,8 @@ std::vector<CutOut::Piece> CutOut::cut(const std::array<glm::dvec2, 3>& corners)
     for (std::size_t i = 0; i < 3; ++i) {
         inTexels[i] = state_->opacity.texels(corners[i]);
         if (!(std::abs(inTexels[i].x) < farthest && std::abs(inTexels[i].y) < farthest))
-            refuse(fmt::format("expected texture coordinates near the picture, found ({}, {})", corners[i].x,
-                               corners[i].y));
+            base::refuse(fmt::format("expected texture coordinates near the picture, found ({}, {})", corners[i].x,
+                                     corners[i].y));
     }
     const double area = twiceArea(inTexels[0], inTexels[1], inTexels[2]);
     constexpr double thinnest = 1e-4;  // square texels
@@ -345,7 +343,7 @@ std::vector<CutOut::Piece> CutOut::cut(const std::array<glm::dvec2, 3>& corners)
     const std::int64_t columns = cellOf(high.x) - cellOf(low.x) + 1;
     const std::int64_t rows = cellOf(high.y) - cellOf(low.y) + 1;
     if (columns > maxCells || rows > maxCells || columns * rows > maxCells)
-        refuse("expected triangles that repeat the picture less often, found one across too many texels");
+        base::refuse("expected triangles that repeat the picture less often, found one across too many texels");
 
     std::vector<Piece> pieces;
     for (std::int64_t y = cellOf(low.y); y <= cellOf(high.y); ++y) {
@@ -372,8 +370,8 @@ std::vector<CutOut::Piece> CutOut::cut(const std::array<glm::dvec2, 3>& corners)
     }
     state_->pieces += pieces.size();
     if (state_->pieces > maxPieces)
-        refuse(fmt::format("expected a cut-out of at most {} triangles, found more", maxPieces));
+        base::refuse(fmt::format("expected a cut-out of at most {} triangles, found more", maxPieces));
     return pieces;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -11,7 +11,7 @@
 #include <inkedge/image.h>
 #include <inkedge/mesh.h>
 
-namespace inkedge {
+namespace inkedge::mesh {
 
 /// Cuts triangles along the outline of their picture's opaque area, so that the rim of a cut-out is an edge of the mesh
 /// like any other. The outline is where the opacity, interpolated between texel centres, crosses the threshold,
@@ -39,4 +39,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

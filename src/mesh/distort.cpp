@@ -9,7 +9,7 @@
 #include "base/message.h"
 #include "mesh/topology.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 constexpr double angleTolerance = 1e-5;  // the error of rotations and even scales stored as floats
@@ -37,7 +37,7 @@ Mesh distorted(const Mesh& mesh, const glm::dmat3& m) {
     result.origin = m * mesh.origin;
     for (glm::vec3& p : result.positions) p = glm::vec3{m * glm::dvec3{p}};
     if (!std::ranges::all_of(result.positions, finite) || !finite(glm::vec3{result.origin}))
-        load::refuse("mesh " + load::quote(mesh.name) +
+        base::refuse("mesh " + base::quote(mesh.name) +
                      ": expected finite positions, found a transform that takes them out of range");
     // The inverse transpose but for its scale; it also exists where the distortion flattens the mesh.
     const double sign = glm::determinant(m) < 0.0 ? -1.0 : 1.0;
@@ -50,4 +50,4 @@ Mesh distorted(const Mesh& mesh, const glm::dmat3& m) {
     return result;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

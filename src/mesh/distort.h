@@ -4,7 +4,7 @@
 
 #include <inkedge/mesh.h>
 
-namespace inkedge {
+namespace inkedge::mesh {
 
 /// Whether a linear map keeps angles, within the rounding of floats: it rotates, mirrors and scales evenly.
 [[nodiscard]] bool keepsAngles(const glm::dmat3&);
@@ -14,4 +14,4 @@ namespace inkedge {
 /// @throws Error  (Kind::Input) if it takes positions out of the range of floats
 [[nodiscard]] Mesh distorted(const Mesh&, const glm::dmat3&);
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -11,7 +11,7 @@
 
 #include "base/parallel.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 using Corners = std::vector<std::uint32_t>;
@@ -38,7 +38,7 @@ public:
           first_(topology.points.size(), none) {}
 
     Corners find() {
-        inRanges(topology_.pointCount, [&](std::size_t begin, std::size_t end) {  // no group is at two points
+        base::inRanges(topology_.pointCount, [&](std::size_t begin, std::size_t end) {  // no group is at two points
             for (std::uint32_t c = 0; c < first_.size(); ++c) {
                 if (topology_.points[c] < begin || topology_.points[c] >= end || first_[c] != none) continue;
                 first_[c] = c;
@@ -141,7 +141,7 @@ std::array<double, 3> cornerAngles(const Mesh& mesh, std::size_t triangle) {
 
 // @param vertices  of each corner the vertex to whose normal its face contributes, or none
 void makeNormals(Mesh& mesh, const std::vector<glm::dvec3>& faces, const Corners& vertices) {
-    inRanges(mesh.normals.size(), [&](std::size_t begin, std::size_t end) {
+    base::inRanges(mesh.normals.size(), [&](std::size_t begin, std::size_t end) {
         std::vector<glm::dvec3> sums(end - begin, glm::dvec3{0.0});
         const auto within = [&](std::uint32_t vertex) { return vertex >= begin && vertex < end && vertex != none; };
         for (std::size_t t = 0; t < faces.size(); ++t) {
@@ -198,4 +198,4 @@ void completeNormals(Mesh& mesh, const MeshTopology& topology, const LoadSetting
     if (!before.empty()) splitAtSeams(mesh, before);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

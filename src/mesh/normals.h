@@ -5,7 +5,7 @@
 
 #include "mesh/topology.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 
 /// Makes each triangle's winding agree with its normals, so that the normals point to the front. Drops normals that are
 /// not finite, and all normals of the file if the settings ask for none of them.
@@ -17,4 +17,4 @@ void applyAuthoredNormals(Mesh&, const LoadSettings&);
 /// where their faces do not share a normal. The topology stays valid: corners keep their order. O(n).
 void completeNormals(Mesh&, const MeshTopology&, const LoadSettings&);
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -6,7 +6,7 @@
 #include "mesh/tessellator.h"
 #include "modules/failure.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 double signedDoubleArea(const Polygon& polygon) {
@@ -19,7 +19,7 @@ double signedDoubleArea(const Polygon& polygon) {
     return area;
 }
 
-const Tessellator& tessellator() { return functionsOf<tessellatorModule>(Error::Kind::Input); }
+const Tessellator& tessellator() { return modules::functionsOf<tessellatorModule>(Error::Kind::Input); }
 
 }  // namespace
 
@@ -35,17 +35,17 @@ std::vector<PolygonTriangle> convexTriangles(const Polygon& polygon) {
 }
 
 std::vector<Polygon> untangled(std::span<const Polygon> loops) {
-    return expectNoFailure(tessellator().border(loops), Error::Kind::Input).loops;
+    return modules::expectNoFailure(tessellator().border(loops), Error::Kind::Input).loops;
 }
 
 std::vector<PolygonTriangle> trianglesWithin(const Polygon& polygon, std::span<const Polygon> area) {
     Polygon anticlockwise = polygon;
     if (signedDoubleArea(polygon) < 0.0) std::ranges::reverse(anticlockwise);
-    const Tessellation found = expectNoFailure(tessellator().overlap(area, anticlockwise), Error::Kind::Input);
+    const Tessellation found = modules::expectNoFailure(tessellator().overlap(area, anticlockwise), Error::Kind::Input);
     std::vector<PolygonTriangle> triangles;
     for (const Polygon& run : found.loops)
         for (std::size_t i = 2; i < run.size(); i += 3) triangles.push_back({run[i - 2], run[i - 1], run[i]});
     return triangles;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-namespace inkedge {
+namespace inkedge::mesh {
 
 /// A closed loop of corners.
 using Polygon = std::vector<glm::dvec2>;
@@ -30,4 +30,4 @@ using PolygonTriangle = std::array<glm::dvec2, 3>;
 /// @throws Error   (Kind::Input) as untangled()
 [[nodiscard]] std::vector<PolygonTriangle> trianglesWithin(const Polygon& polygon, std::span<const Polygon> area);
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

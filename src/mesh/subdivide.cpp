@@ -16,14 +16,14 @@
 #include "mesh/subdivision.h"
 #include "mesh/topology.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 RefinedFaces refine(const ControlMesh& control, const std::string& name, int levels) {
-    RefinedFaces faces = functionsOf<subdivisionModule>(Error::Kind::Runtime).refine(control, levels);
+    RefinedFaces faces = modules::functionsOf<subdivisionModule>(Error::Kind::Runtime).refine(control, levels);
     if (!faces.failure.empty())
         throw Error{Error::Kind::Runtime, fmt::format("mesh {}: expected faces that can be subdivided, found: {}",
-                                                      load::quote(name), faces.failure)};
+                                                      base::quote(name), faces.failure)};
     return faces;
 }
 
@@ -198,10 +198,10 @@ void subdivideMeshes(std::vector<Mesh>& meshes, const LoadSettings& settings) {
         const double maxElements = std::min(static_cast<double>(settings.limits.vertices),
                                             static_cast<double>(std::numeric_limits<std::int32_t>::max()));
         if (elements > maxElements)
-            load::refuse(
+            base::refuse(
                 fmt::format("mesh {}: expected at most {:.0f} vertices and indices once subdivided {} times, "
                             "found {:.3g}; lower subdivide or raise max-vertices",
-                            load::quote(mesh.name), maxElements, settings.subdivide, elements));
+                            base::quote(mesh.name), maxElements, settings.subdivide, elements));
         mesh = subdivided(mesh, control, settings.subdivide);
     }
 }
@@ -239,4 +239,4 @@ RefinedContourMesh refineNear(const Mesh& mesh, const ControlMesh& control, cons
     return result;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

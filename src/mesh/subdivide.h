@@ -11,7 +11,7 @@
 
 #include "mesh/control_mesh.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 
 /// Replaces every mesh by triangles whose vertices lie on the smooth surface that the mesh controls, settings.subdivide
 /// levels down: of Loop's scheme, or of Catmull-Clark's where the file had polygons. Creases (over the crease angle, or
@@ -52,4 +52,4 @@ struct RefinedContourMesh {
 [[nodiscard]] RefinedContourMesh refineNear(const Mesh& mesh, const ControlMesh& control, const glm::dvec3& eye,
                                             Projection, int levels);
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -13,7 +13,7 @@
 // The interface between the library and the subdivision module. OpenSubdiv brings OpenMP along; a module keeps both
 // from slowing the start of those who do not subdivide.
 
-namespace inkedge {
+namespace inkedge::mesh {
 
 /// A smooth surface, sampled: faces of three corners under Loop, of four under Catmull-Clark.
 struct RefinedFaces {
@@ -38,11 +38,11 @@ struct Subdivision {
     RefinedFaces (*refine)(const ControlMesh&, int levels);
 };
 
-inline constexpr ModuleOf<Subdivision> subdivisionModule{{.purpose = "subdivision",
-                                                          .file = "inkedge_subdivision.so",
-                                                          .symbol = "inkedge_subdivision_4",
-                                                          .library = "OpenSubdiv",
-                                                          .option = "INKEDGE_OPENSUBDIV",
-                                                          .remedy = "leave subdivision out"}};
+inline constexpr modules::ModuleOf<Subdivision> subdivisionModule{{.purpose = "subdivision",
+                                                                   .file = "inkedge_subdivision.so",
+                                                                   .symbol = "inkedge_subdivision_4",
+                                                                   .library = "OpenSubdiv",
+                                                                   .option = "INKEDGE_OPENSUBDIV",
+                                                                   .remedy = "leave subdivision out"}};
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -21,7 +21,7 @@
 
 #include "modules/failure.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 namespace Far = OpenSubdiv::Far;
@@ -368,9 +368,10 @@ RefinedFaces refine(const ControlMesh& control, int levels) {
 }  // namespace
 
 extern "C" INKEDGE_API const Subdivision* inkedge_subdivision_4() noexcept {
-    static constexpr Subdivision functions{
-        [](const ControlMesh& control, int levels) { return guarded([&] { return refine(control, levels); }); }};
+    static constexpr Subdivision functions{[](const ControlMesh& control, int levels) {
+        return modules::guarded([&] { return refine(control, levels); });
+    }};
     return &functions;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

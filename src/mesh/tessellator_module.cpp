@@ -12,7 +12,7 @@
 
 #include "modules/failure.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 using Callback = void (*)();
@@ -81,13 +81,13 @@ private:
 extern "C" INKEDGE_API const Tessellator* inkedge_tessellator_1() noexcept {
     static constexpr Tessellator functions{
         [](std::span<const Polygon> loops) {
-            return guarded([&] { return Run::of(loops, nullptr, GLU_TESS_WINDING_NONZERO, GL_TRUE); });
+            return modules::guarded([&] { return Run::of(loops, nullptr, GLU_TESS_WINDING_NONZERO, GL_TRUE); });
         },
         [](std::span<const Polygon> area, const Polygon& other) {
             // The winding number is 2 where both the area and the loop enclose a point.
-            return guarded([&] { return Run::of(area, &other, GLU_TESS_WINDING_ABS_GEQ_TWO, GL_FALSE); });
+            return modules::guarded([&] { return Run::of(area, &other, GLU_TESS_WINDING_ABS_GEQ_TWO, GL_FALSE); });
         }};
     return &functions;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -14,7 +14,7 @@
 #include "base/union_find.h"
 #include "mesh/weld.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 std::array<std::uint32_t, 3> sortedPoints(const MeshTopology& topology, std::uint32_t t) {
@@ -105,7 +105,7 @@ void findCollapsedOriginals(MeshTopology& topology) {
 
 std::vector<glm::dvec3> faceNormals(const Mesh& mesh, double thin) {
     std::vector<glm::dvec3> normals(mesh.indices.size() / 3);
-    inRanges(normals.size(), [&](std::size_t begin, std::size_t end) {
+    base::inRanges(normals.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
             const glm::dvec3 a{mesh.positions[mesh.indices[3 * t]]};
             const glm::dvec3 b{mesh.positions[mesh.indices[3 * t + 1]]};
@@ -146,7 +146,7 @@ bool normalsSplit(const Mesh& mesh, const MeshTopology& topology, std::uint32_t 
 bool hasNormal(const MeshTopology& topology, std::uint32_t t) { return topology.faceNormals[t] != glm::dvec3{0.0}; }
 
 // A face that is too thin to have a normal only connects its neighbours, as if they touched each other.
-void joinAcrossThinFace(const MeshTopology& topology, std::uint32_t t, double creaseCosine, UnionFind& sets) {
+void joinAcrossThinFace(const MeshTopology& topology, std::uint32_t t, double creaseCosine, base::UnionFind& sets) {
     for (std::uint32_t i = 3 * t; i < 3 * t + 3; ++i) {
         const std::uint32_t a = topology.twins[i];
         if (!isHalfEdge(a)) continue;
@@ -190,7 +190,7 @@ MeshTopology buildTopology(const Mesh& mesh) {
     topology.originals.resize(triangleCount);
     std::iota(topology.originals.begin(), topology.originals.end(), 0U);
     topology.twins.assign(mesh.indices.size(), noHalfEdge);
-    inRanges(topology.pointCount, [&](std::size_t begin, std::size_t end) {
+    base::inRanges(topology.pointCount, [&](std::size_t begin, std::size_t end) {
         joinAtPoints(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), topology);
     });
     findCollapsedOriginals(topology);
@@ -201,7 +201,7 @@ MeshTopology buildTopology(const Mesh& mesh) {
 void buildPatches(const Mesh& mesh, double creaseAngle, MeshTopology& topology) {
     const double creaseCosine = std::cos(glm::radians(creaseAngle));
     const auto triangleCount = static_cast<std::uint32_t>(topology.originals.size());
-    UnionFind sets{triangleCount};
+    base::UnionFind sets{triangleCount};
     topology.creases.assign(topology.twins.size(), false);
     for (std::uint32_t t = 0; t < triangleCount; ++t) {
         sets.unite(t, topology.originals[t]);
@@ -234,4 +234,4 @@ void buildPatches(const Mesh& mesh, double creaseAngle, MeshTopology& topology) 
     }
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

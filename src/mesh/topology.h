@@ -8,7 +8,7 @@
 
 #include <inkedge/mesh.h>
 
-namespace inkedge {
+namespace inkedge::mesh {
 
 /// Stands for the twin of a half-edge that has none: the surface's border.
 inline constexpr std::uint32_t noHalfEdge = ~0U;
@@ -75,4 +75,4 @@ void turnOver(Mesh&, std::size_t first);
 /// have all its normals. O(n).
 void buildPatches(const Mesh&, double creaseAngle, MeshTopology&);
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

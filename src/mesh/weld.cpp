@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 constexpr std::uint32_t none = ~0U;
@@ -137,4 +137,4 @@ Weld weldByPosition(std::span<const glm::vec3> positions) {
     return weld;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

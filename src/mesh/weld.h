@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-namespace inkedge {
+namespace inkedge::mesh {
 
 /// Numbers of points: vertices at one position have one number, whatever else they differ in.
 struct Weld {
@@ -26,4 +26,4 @@ inline constexpr double weldTolerance = 5e-7;
 /// Welds positions that are equal (-0 equals 0) or within weldTolerance of one already met. O(n).
 [[nodiscard]] Weld weldByPosition(std::span<const glm::vec3> positions);
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

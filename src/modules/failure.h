@@ -10,7 +10,7 @@
 
 // A module reports a failure as text of one line in the result's member `failure`, which is empty if there is none.
 
-namespace inkedge {
+namespace inkedge::modules {
 
 inline constexpr std::string_view outOfMemory = "out of memory";
 
@@ -45,4 +45,4 @@ template <class Result>
     return result;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::modules

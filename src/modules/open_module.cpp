@@ -12,7 +12,7 @@
 
 namespace fs = std::filesystem;
 
-namespace inkedge {
+namespace inkedge::modules {
 namespace {
 
 /// The folder of the shared library, or of the program, that holds this code.
@@ -77,4 +77,4 @@ std::string failureToOpen(const Module& module) {
     }
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::modules

@@ -7,7 +7,7 @@
 
 #include <inkedge/error.h>
 
-namespace inkedge {
+namespace inkedge::modules {
 
 /// A shared object beside the library that is opened on first use, so that a library that is slow to load, or missing,
 /// does not matter to those who do not need it. Each module wraps one third-party library, which nothing else sees. The
@@ -47,4 +47,4 @@ template <const auto& module>
 /// Why a module cannot be used, on one line; empty: it can be.
 [[nodiscard]] std::string failureToOpen(const Module&);
 
-}  // namespace inkedge
+}  // namespace inkedge::modules

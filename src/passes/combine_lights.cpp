@@ -3,7 +3,7 @@
 #include "gl/draw.h"
 #include "passes/depth_uniforms.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 gl::Texture combineLights(gl::Gpu& gpu, const gl::Texture& positive, const gl::Texture& negative,
                           const gl::Texture& depth, const Camera& camera) {
@@ -14,4 +14,4 @@ gl::Texture combineLights(gl::Gpu& gpu, const gl::Texture& positive, const gl::T
     return surface;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

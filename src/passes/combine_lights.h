@@ -4,7 +4,7 @@
 
 #include "gl/gpu.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// The normal map of section 2.1.2 from its two passes: positive light minus negative light, both RGBA8, with eye-space
 /// depth from the reversed depth buffer. Returns RGBA32F as SurfaceBuffers::surface. Each channel of a normal is within
@@ -12,4 +12,4 @@ namespace inkedge {
 [[nodiscard]] gl::Texture combineLights(gl::Gpu&, const gl::Texture& positive, const gl::Texture& negative,
                                         const gl::Texture& depth, const Camera&);
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

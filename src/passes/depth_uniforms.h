@@ -4,7 +4,7 @@
 
 #include "gl/gpu.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// Sets the struct of shaders/shared/depth.glsl, which takes three locations.
 inline void setDepths(gl::Gpu& gpu, GLuint id, GLint location, const Camera& camera) {
@@ -17,4 +17,4 @@ inline void setDepths(gl::Gpu& gpu, gl::Program program, GLint location, const C
     setDepths(gpu, gpu.programs.id(program), location, camera);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

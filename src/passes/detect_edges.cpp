@@ -4,7 +4,7 @@
 #include "gl/read_back.h"
 #include "passes/depth_uniforms.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 // Sets what both programs read: shaders/shared/edges.glsl.
@@ -48,4 +48,4 @@ EdgeMarks readMarks(const gl::Api& api, const EdgeBuffers& edges) {
     return {edges.size, gl::readIntegers(api, edges.marks)};
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

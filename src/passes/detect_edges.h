@@ -7,7 +7,7 @@
 #include "gl/gpu.h"
 #include "passes/edge_marks.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// The edges of a picture. Row 0 is the picture's top row.
 struct EdgeBuffers {
@@ -27,4 +27,4 @@ enum class Magnitudes { Drop, Keep };
 
 [[nodiscard]] EdgeMarks readMarks(const gl::Api&, const EdgeBuffers&);
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

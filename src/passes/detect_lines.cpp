@@ -10,7 +10,7 @@
 #include "gl/read_back.h"
 #include "passes/plane_uniforms.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 constexpr int blockSide = 4;  // pixels decided by one invocation along each axis
@@ -75,9 +75,9 @@ Image<std::uint8_t> detectLines(const Frame& frame, const gl::Texture& planes, d
     return unpack(gl::readPacked(gpu.api, marks), size);
 }
 
-std::vector<Rectangle> regionsAround(const Image<std::uint8_t>& marks) {
+std::vector<raster::Rectangle> regionsAround(const Image<std::uint8_t>& marks) {
     const auto [width, height] = marks.size;
-    std::vector<Rectangle> regions;
+    std::vector<raster::Rectangle> regions;
     for (int y = 0; y < height; y += regionRows) {
         const int rows = std::min(regionRows, height - y);
         const Columns columns = markedColumns(marks, std::max(y - 1, 0), std::min(y + rows + 1, height));
@@ -88,4 +88,4 @@ std::vector<Rectangle> regionsAround(const Image<std::uint8_t>& marks) {
     return regions;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -7,7 +7,7 @@
 #include "passes/frame.h"
 #include "raster/rectangle.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// Finds where the faces of neighbouring pixels do not go on into each other. Shader: detect_lines.frag; CPU
 /// definition: reference::detectLines(), which it equals but for decisions within float rounding.
@@ -19,6 +19,6 @@ namespace inkedge {
 
 /// Parts of a picture, apart from each other, that hold all marked pixels and the eight around each: what has to be
 /// read to trace the lines there.
-[[nodiscard]] std::vector<Rectangle> regionsAround(const Image<std::uint8_t>& marks);
+[[nodiscard]] std::vector<raster::Rectangle> regionsAround(const Image<std::uint8_t>& marks);
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -3,7 +3,7 @@
 #include "gl/draw.h"
 #include "passes/read_ink.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 Image<std::uint8_t> detectProfiles(const Frame& frame, const gl::Texture& surface, const DetectorSettings& settings) {
     constexpr auto program = gl::Program::DetectProfiles;
@@ -18,4 +18,4 @@ Image<std::uint8_t> detectProfiles(const Frame& frame, const gl::Texture& surfac
     return readInk(gpu.api, darkness);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -5,7 +5,7 @@
 
 #include "passes/frame.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// Profiles and internal edges after Saito and Takahashi 1990: how dark each pixel is, 0 to 255. Shader:
 /// detect_profiles.frag; CPU definition: reference::detectProfiles().
@@ -14,4 +14,4 @@ namespace inkedge {
 [[nodiscard]] Image<std::uint8_t> detectProfiles(const Frame& frame, const gl::Texture& surface,
                                                  const DetectorSettings&);
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

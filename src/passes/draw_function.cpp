@@ -16,7 +16,7 @@
 #include "passes/instance_transforms.h"
 #include "passes/show_tile.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 // The background's last channel if the function has no value there; measure_function.frag knows it.
@@ -86,4 +86,4 @@ gl::Texture drawFunction(const Frame& frame, gl::FunctionInputs& inputs, const F
     return values;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

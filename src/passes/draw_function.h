@@ -5,7 +5,7 @@
 #include "gl/function_inputs.h"
 #include "passes/frame.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// The values of a surface function: Hertzmann 1999, section 2.1.3. Shaders: draw_function.vert, draw_function.frag and
 /// one of shaders/functions, or a user's file. CPU definition: reference::drawFunction().
@@ -15,4 +15,4 @@ namespace inkedge {
 ///                cannot be read or, a shader, is refused: the message names file and line
 [[nodiscard]] gl::Texture drawFunction(const Frame&, gl::FunctionInputs&, const FunctionSettings&);
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

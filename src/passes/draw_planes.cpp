@@ -8,7 +8,7 @@
 #include "passes/instance_transforms.h"
 #include "passes/show_tile.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 // How far layers are lifted towards the eye, in pixel footprints: more than the rounding of the depth test between
@@ -100,4 +100,4 @@ PlanesAndSurface drawPlanesAndSurface(const Frame& frame, LightSpace lightSpace)
     return buffers;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -5,7 +5,7 @@
 #include "passes/draw_surface.h"
 #include "passes/frame.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// The plane and the patch that each pixel sees. Row 0 is the tile's top row.
 struct PlaneBuffers {
@@ -26,4 +26,4 @@ struct PlanesAndSurface {
 };
 [[nodiscard]] PlanesAndSurface drawPlanesAndSurface(const Frame&, LightSpace);
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -9,7 +9,7 @@
 #include "passes/instance_transforms.h"
 #include "passes/show_tile.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 constexpr GLint projectionLocation = 0;
@@ -53,4 +53,4 @@ SurfaceBuffers drawSurface(const Frame& frame, const DetectorSettings& settings)
     return {std::move(surface), std::move(depth)};
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -4,7 +4,7 @@
 
 #include "passes/frame.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// The visible surface, for later passes. Row 0 is the tile's top row.
 struct SurfaceBuffers {
@@ -18,4 +18,4 @@ struct SurfaceBuffers {
 /// Shaders: draw_surface.vert, draw_surface.frag, combine_lights.frag.
 [[nodiscard]] SurfaceBuffers drawSurface(const Frame&, const DetectorSettings&);
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 constexpr int side = EdgeMarks::blockSide;
@@ -60,4 +60,4 @@ Image<std::uint8_t> mask(const EdgeMarks& marks, unsigned bits) {
     return paintMarks(marks, values, 1);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -4,7 +4,7 @@
 
 #include <inkedge/image.h>
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// The marks of detect_edges.frag or detect_function.frag in host memory: two bits per pixel.
 struct EdgeMarks {
@@ -29,4 +29,4 @@ struct EdgeMarks {
 /// 255 where any of the bits is set, else 0.
 [[nodiscard]] Image<std::uint8_t> mask(const EdgeMarks&, unsigned bits);
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

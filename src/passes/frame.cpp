@@ -2,22 +2,23 @@
 
 #include "camera/stands_outside.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 Frame frameOf(gl::Gpu& gpu, const gl::UploadedScene& upload, const Scene& scene, const Camera& camera,
-              const Tile& tile) {
+              const raster::Tile& tile) {
     using enum gl::UploadedScene::HiddenBacks;
     const double radius = scene.bounds().radius;
-    return {gpu, upload, scene, camera, radius > 0.0 ? radius : 1.0, standsOutside(camera, scene) ? Skip : Draw, tile};
+    return {gpu, upload, scene, camera, radius > 0.0 ? radius : 1.0, camera::standsOutside(camera, scene) ? Skip : Draw,
+            tile};
 }
 
-Frame withTile(Frame frame, const Tile& tile) {
+Frame withTile(Frame frame, const raster::Tile& tile) {
     frame.tile = tile;
     return frame;
 }
 
 Frame inPixels(const Frame& frame, int samplesPerPixel) {
-    return withTile(frame, inPixels(frame.tile, samplesPerPixel));
+    return withTile(frame, raster::inPixels(frame.tile, samplesPerPixel));
 }
 
 glm::dmat4 reversedProjection(const Frame& frame) {
@@ -31,4 +32,4 @@ glm::dmat4 reversedProjection(const Frame& frame) {
     return reverse * scaled.projection(frame.tile.whole);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -9,7 +9,7 @@
 #include "gl/upload.h"
 #include "raster/tiles.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// What the passes of one view share: what they draw with, what they draw, and which part of the picture. All that it
 /// refers to must outlive it.
@@ -24,13 +24,13 @@ struct Frame {
     /// Backs that closed meshes hide are skipped if the camera stands outside the scene and its near plane cuts none of
     /// it.
     gl::UploadedScene::HiddenBacks hiddenBacks;
-    Tile tile;  ///< counted in samples, or in pixels: see inPixels()
+    raster::Tile tile;  ///< counted in samples, or in pixels: see inPixels()
 };
 
-[[nodiscard]] Frame frameOf(gl::Gpu&, const gl::UploadedScene&, const Scene&, const Camera&, const Tile&);
+[[nodiscard]] Frame frameOf(gl::Gpu&, const gl::UploadedScene&, const Scene&, const Camera&, const raster::Tile&);
 
 /// The same frame of another tile.
-[[nodiscard]] Frame withTile(Frame, const Tile&);
+[[nodiscard]] Frame withTile(Frame, const raster::Tile&);
 
 /// The same frame, its tile counted in pixels of so many samples along each axis. Buffers of planes are drawn in
 /// samples, buffers of surfaces in pixels.
@@ -40,4 +40,4 @@ struct Frame {
 /// perspective is coarse.
 [[nodiscard]] glm::dmat4 reversedProjection(const Frame&);
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -5,7 +5,7 @@
 #include "passes/draw_function.h"
 #include "passes/ink_over.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 // The programs for each kernel, without and with differences modulo a period.
@@ -62,4 +62,4 @@ Image<std::uint8_t> functionEdges(const Frame& frame, gl::FunctionInputs& inputs
     return meanOf(mask(marks, EdgeMarks::functionEdge), samples);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -8,7 +8,7 @@
 #include "passes/edge_marks.h"
 #include "passes/frame.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// The edges of a function, equation 7: R32UI, EdgeMarks::functionEdge, packed as EdgeMarks::blocks. Shader:
 /// detect_function.frag.
@@ -28,4 +28,4 @@ namespace inkedge {
 [[nodiscard]] Image<std::uint8_t> functionEdges(const Frame& frame, gl::FunctionInputs&,
                                                 const std::vector<FunctionSettings>&, int samples);
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -6,7 +6,7 @@
 #include "passes/plane_uniforms.h"
 #include "passes/read_ink.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 Image<std::uint8_t> hatch(const Frame& frame, const gl::Texture& planes, const StyleSettings& settings, double bend,
                           int samples) {
@@ -22,4 +22,4 @@ Image<std::uint8_t> hatch(const Frame& frame, const gl::Texture& planes, const S
     return readInk(gpu.api, ink);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

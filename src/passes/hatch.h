@@ -5,7 +5,7 @@
 
 #include "passes/frame.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// Hatch marks where facets bend: how much of each sample is covered, 0 to 255. Shader: hatch.frag; CPU definition:
 /// reference::hatch().
@@ -16,4 +16,4 @@ namespace inkedge {
 [[nodiscard]] Image<std::uint8_t> hatch(const Frame& frame, const gl::Texture& planes, const StyleSettings&,
                                         double bend, int samples);
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

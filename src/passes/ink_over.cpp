@@ -7,7 +7,7 @@
 
 #include "settings/picture_channels.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 using Channels = std::array<std::uint8_t, 4>;
@@ -71,7 +71,7 @@ void inkOver(const Image<std::uint8_t>& ink, const PictureSettings& settings, Im
 Image<std::uint8_t> onBackground(Image<std::uint8_t> drawing, const PictureSettings& settings) {
     if (!settings.background) return drawing;
     const Channels behind = channelsOf(*settings.background, 255);
-    Image<std::uint8_t> picture{drawing.size, pictureChannels(settings)};
+    Image<std::uint8_t> picture{drawing.size, settings::pictureChannels(settings)};
     const auto channels = static_cast<std::size_t>(picture.channels);
     for (std::size_t i = 0; i < drawing.pixels.size() / 4; ++i) {
         const std::uint8_t* const drawn = &drawing.pixels[4 * i];
@@ -81,4 +81,4 @@ Image<std::uint8_t> onBackground(Image<std::uint8_t> drawing, const PictureSetti
     return picture;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -3,7 +3,7 @@
 #include <inkedge/image.h>
 #include <inkedge/settings.h>
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// The mean of each pixel's samples.
 [[nodiscard]] Image<std::uint8_t> meanOf(Image<std::uint8_t>, int samplesPerPixel);
@@ -24,4 +24,4 @@ void inkOver(const Image<std::uint8_t>& ink, const PictureSettings&, Image<std::
 /// @return         as Maps::picture
 [[nodiscard]] Image<std::uint8_t> onBackground(Image<std::uint8_t> drawing, const PictureSettings&);
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

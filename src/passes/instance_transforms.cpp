@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 void storeRows(const glm::dmat4& matrix, glm::vec4 (&rows)[3]) {
@@ -45,4 +45,4 @@ std::vector<gl::UploadedScene::InstanceTransforms> instanceTransforms(const Fram
     return transforms;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -4,7 +4,7 @@
 
 #include "gl/gpu.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// Draws a picture's lines several times, each time a little off. Shader: pencil.frag; CPU definition:
 /// reference::pencil().
@@ -14,4 +14,4 @@ namespace inkedge {
 [[nodiscard]] Image<std::uint8_t> pencil(gl::Gpu&, const Image<std::uint8_t>& drawing, const StyleSettings&,
                                          int tileSide);
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -2,7 +2,7 @@
 
 #include "passes/frame.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// Sets the uniforms of shaders/shared/planes.glsl, which take the locations 0 to 2.
 inline void setPlanes(const Frame& frame, gl::Program program) {
@@ -17,4 +17,4 @@ inline void setPlanes(const Frame& frame, gl::Program program) {
                          0.5F * static_cast<float>(whole.height) - static_cast<float>(drawn.y));
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

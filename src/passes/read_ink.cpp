@@ -5,7 +5,7 @@
 
 #include "gl/read_back.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 Image<std::uint8_t> readInk(const gl::Api& api, const gl::Texture& ink) {
     const Image<float> shares = gl::readFloats(api, ink, 1);
@@ -16,4 +16,4 @@ Image<std::uint8_t> readInk(const gl::Api& api, const gl::Texture& ink) {
     return bytes;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -4,7 +4,7 @@
 
 #include "gl/read_back.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 Image<std::uint8_t> mask(const Image<std::uint16_t>& types, LineTypes wanted) {
     Image<std::uint8_t> edges{types.size, 1};
@@ -52,4 +52,4 @@ void readEdges(const gl::Api& api, const EdgeBuffers& buffers, EdgeMaps wanted, 
     }
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

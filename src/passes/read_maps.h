@@ -5,7 +5,7 @@
 #include "passes/detect_edges.h"
 #include "passes/draw_surface.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// Which of the surface's maps are read.
 struct SurfaceMaps {
@@ -26,4 +26,4 @@ void readEdges(const gl::Api&, const EdgeBuffers&, EdgeMaps, Maps&);
 /// @param types  as Maps::types
 [[nodiscard]] Image<std::uint8_t> mask(const Image<std::uint16_t>& types, LineTypes wanted);
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

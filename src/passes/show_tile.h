@@ -3,12 +3,12 @@
 #include "gl/gpu.h"
 #include "raster/tiles.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// Sets the viewport and the uniforms of shaders/shared/view.glsl, so that a target of the size of Tile::drawn shows
 /// the tile. To be called after gl::prepareDrawing(), which shows a whole picture.
-inline void showTile(gl::Gpu& gpu, GLuint id, const Tile& tile) {
-    const auto [x, y, size] = viewOf(tile);
+inline void showTile(gl::Gpu& gpu, GLuint id, const raster::Tile& tile) {
+    const auto [x, y, size] = raster::viewOf(tile);
     gpu.api.Viewport(x - tile.drawn.x, y - tile.drawn.y, size.width, size.height);
 
     constexpr float steps = 256.0F;  // per pixel, of the grid that vertices are rounded to
@@ -20,8 +20,8 @@ inline void showTile(gl::Gpu& gpu, GLuint id, const Tile& tile) {
     gpu.api.ProgramUniform2f(id, 6, half(size.width), half(size.height));
 }
 
-inline void showTile(gl::Gpu& gpu, gl::Program program, const Tile& tile) {
+inline void showTile(gl::Gpu& gpu, gl::Program program, const raster::Tile& tile) {
     showTile(gpu, gpu.programs.id(program), tile);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -10,7 +10,7 @@
 #include "passes/depth_uniforms.h"
 #include "passes/read_ink.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 // Standard deviations of blurs, pixels: of the channels, and of the structure tensor.
@@ -100,4 +100,4 @@ int sumiReach(const StyleSettings& settings) {
     return radiusOf(brushSigma(settings)) + 1 + radiusOf(tensorSigma(settings)) + stepsOf(settings);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -5,7 +5,7 @@
 
 #include "passes/frame.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 
 /// A soft brush: how much ink each pixel takes, 0 to 255. Shaders: sumi_channels.frag, blur.frag, sumi_gradients.frag,
 /// sumi_tangents.frag, sumi_brush.frag; CPU definition: reference::sumi().
@@ -16,4 +16,4 @@ namespace inkedge {
 /// The radius in pixels around a pixel on which the pixel's ink depends.
 [[nodiscard]] int sumiReach(const StyleSettings&);
 
-}  // namespace inkedge
+}  // namespace inkedge::passes

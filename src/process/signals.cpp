@@ -23,7 +23,7 @@ void say(std::string_view line) noexcept {
 }
 
 void endInterrupted(int signal) {
-    removeTemporaryFiles();
+    base::removeTemporaryFiles();
     say("inkedge: error: expected to come to the end, found ");
     say(signal == SIGINT ? "SIGINT" : signal == SIGTERM ? "SIGTERM" : "SIGHUP");
     say("; no file is half-written, start again\n");
@@ -32,7 +32,7 @@ void endInterrupted(int signal) {
 
 // The default action follows, so that the caller sees the crash and may keep its core.
 void endCrashed(int signal) {
-    removeTemporaryFiles();
+    base::removeTemporaryFiles();
     say("inkedge: error: expected the program and the graphics driver to go on, found a crash (");
     say(signal == SIGABRT   ? "SIGABRT"
         : signal == SIGSEGV ? "SIGSEGV"
@@ -45,7 +45,7 @@ void endCrashed(int signal) {
 std::string* timeoutLine = nullptr;
 
 void endLate(int) {
-    removeTemporaryFiles();
+    base::removeTemporaryFiles();
     say(*timeoutLine);
     ::_exit(static_cast<int>(Error::Kind::Runtime));
 }

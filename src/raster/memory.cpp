@@ -8,7 +8,7 @@
 
 #include <inkedge/error.h>
 
-namespace inkedge {
+namespace inkedge::raster {
 namespace {
 
 constexpr std::uint64_t worthAsking = std::uint64_t{1} << 28U;  // bytes: every machine has less than this
@@ -65,4 +65,4 @@ void expectMemory(Size picture, std::uint64_t bytesPerPixel) {
                     static_cast<double>(*available) / gibibyte)};
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::raster

@@ -5,7 +5,7 @@
 
 #include <inkedge/image.h>
 
-namespace inkedge {
+namespace inkedge::raster {
 
 /// Bytes that this process can still allocate without taking them from another process, swap included; none where the
 /// system does not say.
@@ -16,4 +16,4 @@ namespace inkedge {
 /// @throws Error  (Kind::Runtime) if less is available
 void expectMemory(Size picture, std::uint64_t bytesPerPixel);
 
-}  // namespace inkedge
+}  // namespace inkedge::raster

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace inkedge {
+namespace inkedge::raster {
 
 /// Bits of the edges between a sample and its neighbour. shaders/shared/marks.glsl has the same.
 struct PairMark {
@@ -10,4 +10,4 @@ struct PairMark {
     static constexpr unsigned jump = 8;        ///< one surface lies in front of the other
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::raster

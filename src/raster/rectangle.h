@@ -2,7 +2,7 @@
 
 #include <inkedge/image.h>
 
-namespace inkedge {
+namespace inkedge::raster {
 
 /// A part of an image; (x, y) is its top left corner.
 struct Rectangle {
@@ -12,4 +12,4 @@ struct Rectangle {
     friend bool operator==(const Rectangle&, const Rectangle&) = default;
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::raster

@@ -5,7 +5,7 @@
 
 #include <inkedge/image.h>
 
-namespace inkedge {
+namespace inkedge::raster {
 
 /// Values of a picture's samples, in the order of Image. Values that were not written are undefined, and their memory
 /// is never touched. Copies share the values.
@@ -32,4 +32,4 @@ private:
     }
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::raster

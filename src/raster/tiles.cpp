@@ -1,6 +1,6 @@
 #include "raster/tiles.h"
 
-namespace inkedge {
+namespace inkedge::raster {
 namespace {
 
 // A tile's extent along one axis.
@@ -89,4 +89,4 @@ void keep(Maps part, const Tile& tile, Maps& maps) {
     keep(std::move(part.ids), tile, maps.ids);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::raster

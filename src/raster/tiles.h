@@ -10,7 +10,7 @@
 
 #include "raster/rectangle.h"
 
-namespace inkedge {
+namespace inkedge::raster {
 
 /// A part of a picture that is drawn at once. Lengths are samples (or pixels, see inPixels()) of the whole picture.
 struct Tile {
@@ -82,4 +82,4 @@ void keep(Image<T> part, const Tile& tile, Image<T>& picture) {
 /// The same for a picture and its maps.
 void keep(Maps part, const Tile&, Maps& picture);
 
-}  // namespace inkedge
+}  // namespace inkedge::raster

@@ -155,12 +155,12 @@ Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength, 
         if (qx >= width || qy >= height) return 0;
         const double patchP = value(px, py, 3);
         const double patchQ = value(qx, qy, 3);
-        if (patchP == 0.0 || patchQ == 0.0) return patchP == patchQ ? 0 : PairMark::background;
-        unsigned marks = patchP == patchQ ? 0 : PairMark::patch;
+        if (patchP == 0.0 || patchQ == 0.0) return patchP == patchQ ? 0 : raster::PairMark::background;
+        unsigned marks = patchP == patchQ ? 0 : raster::PairMark::patch;
 
         const glm::dvec3 np = normal(px, py);
         const glm::dvec3 nq = normal(qx, qy);
-        if (glm::dot(np, nq) < creaseCosine * glm::length(np) * glm::length(nq)) marks |= PairMark::bend;
+        if (glm::dot(np, nq) < creaseCosine * glm::length(np) * glm::length(nq)) marks |= raster::PairMark::bend;
 
         const int axis = qx > px ? 1 : 2;
         const double wp = value(px, py, 0);
@@ -171,7 +171,7 @@ Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength, 
         const double rq = wp - (wq - gq);
         const double k = orthographic ? focalLength : focalLength / std::max(wp, wq);
         const double slope = std::min(std::abs(gp), std::abs(gq)) * k;
-        if (rp * rq < 0.0 && std::min(std::abs(rp), std::abs(rq)) * k > 1.0 + slope) marks |= PairMark::jump;
+        if (rp * rq < 0.0 && std::min(std::abs(rp), std::abs(rq)) * k > 1.0 + slope) marks |= raster::PairMark::jump;
         return marks;
     };
     Image<std::uint8_t> marks{planes.size, 1};
@@ -237,7 +237,7 @@ Image<double> detectProfiles(const Image<double>& depth, const Image<double>& no
 
 Image<std::uint8_t> composite(const Image<std::uint8_t>& edges, const PictureSettings& settings) {
     const Color behind = settings.background.value_or(settings.lineColor);
-    Image<std::uint8_t> picture{edges.size, pictureChannels(settings)};
+    Image<std::uint8_t> picture{edges.size, settings::pictureChannels(settings)};
     for (int y = 0; y < edges.size.height; ++y) {
         for (int x = 0; x < edges.size.width; ++x) {
             const bool edge = edges.at(x, y) != 0;

@@ -11,7 +11,7 @@
 #include "raster/memory.h"
 #include "render/plan.h"
 
-namespace inkedge {
+namespace inkedge::render {
 namespace {
 
 // The bytes per pixel that the picture and the maps take.
@@ -68,6 +68,8 @@ void expectLoaded(const Scene& scene, const RenderSettings& settings) {
     expect(needed.curvature, loaded.curvature, "its curvature");
 }
 
-void expectMemory(const RenderSettings& settings) { expectMemory(settings.picture.size, bytesPerPixel(settings)); }
+void expectMemory(const RenderSettings& settings) {
+    raster::expectMemory(settings.picture.size, bytesPerPixel(settings));
+}
 
-}  // namespace inkedge
+}  // namespace inkedge::render

@@ -4,7 +4,7 @@
 #include <inkedge/scene.h>
 #include <inkedge/settings.h>
 
-namespace inkedge {
+namespace inkedge::render {
 
 /// @throws Error  (Kind::Usage) if nothing can be drawn through the camera
 void expectUsable(const Camera&);
@@ -14,4 +14,4 @@ void expectLoaded(const Scene&, const RenderSettings&);
 /// @throws Error  (Kind::Runtime) if there is less memory than the picture and the maps that are asked for take
 void expectMemory(const RenderSettings&);
 
-}  // namespace inkedge
+}  // namespace inkedge::render

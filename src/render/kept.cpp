@@ -2,7 +2,7 @@
 
 #include "gl/stage_clock.h"
 
-namespace inkedge {
+namespace inkedge::render {
 
 Graphics::Graphics(const BackendSettings& settings) : context_{gl::createContext(settings)} {
     const gl::Current current{*context_};
@@ -17,13 +17,13 @@ Graphics::~Graphics() {
     gpu_.reset();
 }
 
-Frame Graphics::frame(const Scene& scene, const Camera& camera, const PictureSettings& picture) {
+passes::Frame Graphics::frame(const Scene& scene, const Camera& camera, const PictureSettings& picture) {
     if (!upload_ || !upload_->holds(scene)) {
         upload_.reset();  // before the next upload: never two scenes in graphics memory
         upload_ = std::make_unique<gl::UploadedScene>(gpu_->api, scene);
     }
     const Size samples{picture.size.width * picture.supersampling, picture.size.height * picture.supersampling};
-    return frameOf(*gpu_, *upload_, scene, camera, samples);
+    return passes::frameOf(*gpu_, *upload_, scene, camera, samples);
 }
 
 Graphics& Kept::graphics(std::vector<StageTime>& times) {
@@ -48,9 +48,9 @@ const lines::ObjectLines& Kept::objectLines(const Scene& scene) {
     return *objectLines_;
 }
 
-const Brush* Kept::brush(const std::filesystem::path& file, const LoadLimits& limits) {
+const ink::Brush* Kept::brush(const std::filesystem::path& file, const LoadLimits& limits) {
     if (file.empty()) return nullptr;
-    return &brushes_.of(file, [&] { return readBrush(file, limits); });
+    return &brushes_.of(file, [&] { return ink::readBrush(file, limits); });
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::render

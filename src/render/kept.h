@@ -21,7 +21,7 @@
 #include "lines/object_lines.h"
 #include "passes/frame.h"
 
-namespace inkedge {
+namespace inkedge::render {
 
 /// A context and what is kept in it from call to call.
 class Graphics {
@@ -35,7 +35,7 @@ public:
     [[nodiscard]] gl::Gpu& gpu() noexcept { return *gpu_; }
     [[nodiscard]] gl::FunctionInputs& inputs() noexcept { return *inputs_; }
     /// The frame of a whole picture, in samples. The upload of a scene is kept until another scene is drawn.
-    [[nodiscard]] Frame frame(const Scene&, const Camera&, const PictureSettings&);
+    [[nodiscard]] passes::Frame frame(const Scene&, const Camera&, const PictureSettings&);
 
 private:
     std::unique_ptr<gl::Context> context_;
@@ -56,13 +56,13 @@ public:
     /// The last scene that was asked for, made ready for its lines.
     [[nodiscard]] const lines::ObjectLines& objectLines(const Scene&);
     /// Null if the file has no name. Read once; another file of the same name is not looked for.
-    [[nodiscard]] const Brush* brush(const std::filesystem::path& file, const LoadLimits&);
+    [[nodiscard]] const ink::Brush* brush(const std::filesystem::path& file, const LoadLimits&);
 
 private:
     BackendSettings settings_;
     std::optional<Graphics> graphics_;
     std::unique_ptr<lines::ObjectLines> objectLines_;
-    KeptFiles<Brush> brushes_;
+    base::KeptFiles<ink::Brush> brushes_;
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::render

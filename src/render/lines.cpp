@@ -10,7 +10,7 @@
 #include "render/tiles.h"
 #include "trace/join_pieces.h"
 
-namespace inkedge {
+namespace inkedge::render {
 
 Lines objectLines(const Scene& scene, const Camera& camera, const RenderSettings& settings, Kept& kept) {
     std::vector<StageTime> before;
@@ -29,7 +29,7 @@ Lines imageLines(const Scene& scene, const Camera& camera, const RenderSettings&
     Graphics& graphics = kept.graphics(found.times);
     const gl::Current current{graphics.context()};
     gl::StageClock clock{graphics.gpu().api, found.times};
-    const Frame frame = graphics.frame(scene, camera, settings.picture);
+    const passes::Frame frame = graphics.frame(scene, camera, settings.picture);
     clock.finish("upload");
     if (settings.detector.detector != Detector::Planes) {
         throw Error{Error::Kind::Usage,
@@ -37,7 +37,7 @@ Lines imageLines(const Scene& scene, const Camera& camera, const RenderSettings&
                     "lines; use --detector planes, or --lines-from object"};
     }
     const Tiles tiles = drawTiles(frame, graphics.inputs(), settings, planOfImageLines(), clock);
-    found.lines = joinPieces(tiles.pieces, scene, {camera, scene.bounds().centre, settings.picture.size});
+    found.lines = trace::joinPieces(tiles.pieces, scene, {camera, scene.bounds().centre, settings.picture.size});
     clock.finish("join");
     graphics.gpu().textures.trim();
     found.size = settings.picture.size;
@@ -47,4 +47,4 @@ Lines imageLines(const Scene& scene, const Camera& camera, const RenderSettings&
     return found;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::render

@@ -7,7 +7,7 @@
 
 #include "render/kept.h"
 
-namespace inkedge {
+namespace inkedge::render {
 
 /// The lines of the mesh itself.
 /// @throws Error  as lines::ObjectLines
@@ -17,4 +17,4 @@ namespace inkedge {
 /// @throws Error  (Kind::Usage) if another detector is asked for; (Kind::Context, Kind::Runtime) as Renderer
 [[nodiscard]] Lines imageLines(const Scene&, const Camera&, const RenderSettings&, Kept&);
 
-}  // namespace inkedge
+}  // namespace inkedge::render

@@ -12,21 +12,21 @@
 #include "render/plan.h"
 #include "render/tiles.h"
 
-namespace inkedge {
+namespace inkedge::render {
 
 // From a scene and a camera to a picture, and to the maps that were asked for beside it.
 Maps drawPicture(const Scene& scene, const Camera& camera, const RenderSettings& settings, Kept& kept) {
     const Plan plan = planOf(settings);
     std::vector<StageTime> times;
-    std::vector<Stroke> strokes;
-    const Brush* brush = nullptr;
+    std::vector<ink::Stroke> strokes;
+    const ink::Brush* brush = nullptr;
 
     // Lines of the mesh itself are found without drawing a pixel.
     if (plan.lines == LineSource::Object) {
         brush = kept.brush(settings.lines.brush, scene.loadedWith().limits);
         Lines found = objectLines(scene, camera, settings, kept);
         times = std::move(found.times);
-        strokes = strokesOf(found, settings.picture, settings.lines);
+        strokes = ink::strokesOf(found, settings.picture, settings.lines);
     }
 
     // All else is seen: the triangles are drawn tile by tile, and maps, lines between pixels and ink are found in them.
@@ -36,21 +36,21 @@ Maps drawPicture(const Scene& scene, const Camera& camera, const RenderSettings&
     gl::StageClock clock = graphics != nullptr ? gl::StageClock{graphics->gpu().api, times} : gl::StageClock{times};
     Tiles tiles;
     if (plan.drawsTiles()) {
-        const Frame frame = graphics->frame(scene, camera, settings.picture);
+        const passes::Frame frame = graphics->frame(scene, camera, settings.picture);
         clock.finish("upload");
         tiles = drawTiles(frame, graphics->inputs(), settings, plan, clock);
-        if (plan.lines == LineSource::Planes) strokes = strokesOf(tiles.pieces);
+        if (plan.lines == LineSource::Planes) strokes = ink::strokesOf(tiles.pieces);
     }
 
     // The lines are painted as strokes, and the other ink over them. The classic detector's are pixels already.
     Maps maps = std::move(tiles.maps);
     if (plan.lines != LineSource::Classic) {
-        maps.picture = paintStrokes(strokes, settings.picture, brush, plan.paper);
+        maps.picture = ink::paintStrokes(strokes, settings.picture, brush, plan.paper);
         clock.finish("paint");
     }
-    inkOver(tiles.ink, settings.picture, maps.picture);
+    passes::inkOver(tiles.ink, settings.picture, maps.picture);
     if (plan.inkMask && (!tiles.ink.empty() || maps.edges.empty()))
-        maps.edges = darker(std::move(maps.edges), maskOf(tiles.ink, settings.picture.size));
+        maps.edges = passes::darker(std::move(maps.edges), passes::maskOf(tiles.ink, settings.picture.size));
 
     // Some styles draw the picture anew.
     if (plan.style->redraw != nullptr) {
@@ -65,4 +65,4 @@ Maps drawPicture(const Scene& scene, const Camera& camera, const RenderSettings&
     return maps;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::render

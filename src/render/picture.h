@@ -7,9 +7,9 @@
 
 #include "render/kept.h"
 
-namespace inkedge {
+namespace inkedge::render {
 
 /// Renderer::render() of what is known to be usable.
 [[nodiscard]] Maps drawPicture(const Scene&, const Camera&, const RenderSettings&, Kept&);
 
-}  // namespace inkedge
+}  // namespace inkedge::render

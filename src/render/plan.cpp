@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace inkedge {
+namespace inkedge::render {
 namespace {
 
 LineSource sourceOf(const RenderSettings& settings, const StyleRow& style) {
@@ -32,10 +32,10 @@ void planLines(const RenderSettings& settings, Plan& plan) {
     plan.types = wants(settings, Map::Types);
     plan.lineMask = edges && detector == Detector::Planes;
     plan.inkMask = edges;
-    plan.ids = ids ? TraceIds::Keep : TraceIds::Drop;
+    plan.ids = ids ? trace::TraceIds::Keep : trace::TraceIds::Drop;
     plan.tracesLines = plan.lines == LineSource::Planes || plan.types || ids || plan.lineMask;
     const bool magnitudes = plan.edgeMaps.depth || plan.edgeMaps.normal;
-    plan.magnitudes = magnitudes ? Magnitudes::Keep : Magnitudes::Drop;
+    plan.magnitudes = magnitudes ? passes::Magnitudes::Keep : passes::Magnitudes::Drop;
     plan.detectsEdges = plan.lines == LineSource::Classic || plan.edgeMaps.either || magnitudes;
 }
 
@@ -49,7 +49,7 @@ void planGeometry(const RenderSettings& settings, Plan& plan) {
     plan.together =
         plan.planes && plan.surface && samples == 1 && settings.detector.normalLights == NormalLights::Single;
     plan.functions = !settings.detector.functions.empty();
-    if (style.reach != nullptr) plan.margin = std::max(tileMargin, style.reach(settings.style) * samples);
+    if (style.reach != nullptr) plan.margin = std::max(raster::tileMargin, style.reach(settings.style) * samples);
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ Plan planOf(const RenderSettings& settings) {
     plan.lines = sourceOf(settings, *plan.style);
     planLines(settings, plan);
     planGeometry(settings, plan);
-    if (plan.style->redraw != nullptr) plan.paper = Paper::Transparent;
+    if (plan.style->redraw != nullptr) plan.paper = settings::Paper::Transparent;
     return plan;
 }
 
@@ -76,4 +76,4 @@ Plan planOfImageLines() {
     return plan;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::render

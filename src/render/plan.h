@@ -9,7 +9,7 @@
 #include "settings/picture_channels.h"
 #include "trace/trace_lines.h"
 
-namespace inkedge {
+namespace inkedge::render {
 
 /// Where the lines of a picture come from.
 enum class LineSource {
@@ -28,24 +28,24 @@ struct Plan {
     // What the triangles are drawn into, tile by tile.
     bool planes = false;
     bool surface = false;
-    bool together = false;    ///< planes and surface by one pass over the triangles
-    bool functions = false;   ///< DetectorSettings::functions, one after the other
-    int margin = tileMargin;  ///< samples around a tile that its passes need
+    bool together = false;            ///< planes and surface by one pass over the triangles
+    bool functions = false;           ///< DetectorSettings::functions, one after the other
+    int margin = raster::tileMargin;  ///< samples around a tile that its passes need
 
     // What is found in it.
     bool tracesLines = false;  ///< lines between planes: Maps::types, Maps::ids, strokes
-    TraceIds ids = TraceIds::Drop;
+    trace::TraceIds ids = trace::TraceIds::Drop;
     bool detectsEdges = false;  ///< edges of the depth map and of the normal map
-    Magnitudes magnitudes = Magnitudes::Drop;
+    passes::Magnitudes magnitudes = passes::Magnitudes::Drop;
 
     // What of it is kept in the maps.
-    SurfaceMaps surfaceMaps;
-    EdgeMaps edgeMaps;
+    passes::SurfaceMaps surfaceMaps;
+    passes::EdgeMaps edgeMaps;
     bool types = false;
     bool lineMask = false;  ///< Maps::edges has the lines that are traced
     bool inkMask = false;   ///< Maps::edges has the ink of functions, profiles and styles
 
-    Paper paper = Paper::Background;  ///< of what is drawn before the style's last step
+    settings::Paper paper = settings::Paper::Background;  ///< of what is drawn before the style's last step
 
     [[nodiscard]] bool drawsTiles() const noexcept {
         return planes || surface || functions || style->tileInk != nullptr;
@@ -62,4 +62,4 @@ struct Plan {
 /// Whether a map is asked for.
 [[nodiscard]] bool wants(const RenderSettings&, Map);
 
-}  // namespace inkedge
+}  // namespace inkedge::render

@@ -11,8 +11,8 @@
 
 namespace inkedge {
 
-struct Renderer::State : Kept {
-    using Kept::Kept;
+struct Renderer::State : render::Kept {
+    using render::Kept::Kept;
 };
 
 Renderer::Renderer(const BackendSettings& settings, ContextTime when) : state_{std::make_unique<State>(settings)} {
@@ -28,26 +28,26 @@ const BackendInfo& Renderer::backend() const noexcept { return state_->backend()
 
 Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSettings& settings,
                       const std::stop_token& stop) {
-    const StopScope scope{[&] { return stop.stop_requested(); }};
+    const base::StopScope scope{[&] { return stop.stop_requested(); }};
     validate(settings);
-    expectLoaded(scene, settings);
-    expectUsable(camera);
-    stopIfAsked();
-    Lines lines = settings.lines.from == LinesFrom::Image ? imageLines(scene, camera, settings, *state_)
-                                                          : objectLines(scene, camera, settings, *state_);
+    render::expectLoaded(scene, settings);
+    render::expectUsable(camera);
+    base::stopIfAsked();
+    Lines lines = settings.lines.from == LinesFrom::Image ? render::imageLines(scene, camera, settings, *state_)
+                                                          : render::objectLines(scene, camera, settings, *state_);
     lines.warnings = renderWarnings(scene, settings);
     return lines;
 }
 
 Maps Renderer::render(const Scene& scene, const Camera& camera, const RenderSettings& settings,
                       const std::stop_token& stop) {
-    const StopScope scope{[&] { return stop.stop_requested(); }};
+    const base::StopScope scope{[&] { return stop.stop_requested(); }};
     validate(settings);
-    expectLoaded(scene, settings);
-    expectUsable(camera);
-    expectMemory(settings);
-    stopIfAsked();
-    Maps maps = drawPicture(scene, camera, settings, *state_);
+    render::expectLoaded(scene, settings);
+    render::expectUsable(camera);
+    render::expectMemory(settings);
+    base::stopIfAsked();
+    Maps maps = render::drawPicture(scene, camera, settings, *state_);
     maps.warnings = renderWarnings(scene, settings);
     return maps;
 }

@@ -9,25 +9,27 @@
 #include "passes/sumi.h"
 #include "scene/typical_bend.h"
 
-namespace inkedge {
+namespace inkedge::render {
 namespace {
 
 TileInk hatchInk(const Scene& scene, const RenderSettings& settings) {
-    const double bend = settings.style.hatchBend ? *settings.style.hatchBend : typicalBend(scene);
+    const double bend = settings.style.hatchBend ? *settings.style.hatchBend : scene::typicalBend(scene);
     return [&settings, bend](const TileFrames& tile, const Geometry& geometry) {
         const int samples = settings.picture.supersampling;
-        return meanOf(hatch(tile.samples, geometry.planes->planes, settings.style, bend, samples), samples);
+        return passes::meanOf(passes::hatch(tile.samples, geometry.planes->planes, settings.style, bend, samples),
+                              samples);
     };
 }
 
 TileInk sumiInk(const Scene&, const RenderSettings& settings) {
     return [&settings](const TileFrames& tile, const Geometry& geometry) {
-        return sumi(tile.pixels, geometry.surface->surface, settings.style);
+        return passes::sumi(tile.pixels, geometry.surface->surface, settings.style);
     };
 }
 
 Image<std::uint8_t> pencilRedraw(gl::Gpu& gpu, const Image<std::uint8_t>& drawing, const RenderSettings& settings) {
-    return onBackground(pencil(gpu, drawing, settings.style, settings.picture.tileSize), settings.picture);
+    return passes::onBackground(passes::pencil(gpu, drawing, settings.style, settings.picture.tileSize),
+                                settings.picture);
 }
 
 // In the order of Style.
@@ -38,7 +40,7 @@ const auto rows = std::to_array<StyleRow>({
      .stage = "sumi",
      .drawsLines = false,
      .surface = true,
-     .reach = sumiReach,
+     .reach = passes::sumiReach,
      .tileInk = sumiInk},
     {.style = Style::Pencil, .stage = "pencil", .redraw = pencilRedraw},
 });
@@ -47,4 +49,4 @@ const auto rows = std::to_array<StyleRow>({
 
 const StyleRow& styleRow(Style style) { return rows.at(static_cast<std::size_t>(style)); }
 
-}  // namespace inkedge
+}  // namespace inkedge::render

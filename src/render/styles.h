@@ -11,18 +11,18 @@
 #include "passes/draw_surface.h"
 #include "passes/frame.h"
 
-namespace inkedge {
+namespace inkedge::render {
 
 /// What the triangles of a tile are drawn into.
 struct Geometry {
-    std::optional<PlaneBuffers> planes;     ///< in samples
-    std::optional<SurfaceBuffers> surface;  ///< in pixels
+    std::optional<passes::PlaneBuffers> planes;     ///< in samples
+    std::optional<passes::SurfaceBuffers> surface;  ///< in pixels
 };
 
 /// The frames of a tile: for passes that work in samples, and for those that work in pixels.
 struct TileFrames {
-    Frame samples;
-    Frame pixels;
+    passes::Frame samples;
+    passes::Frame pixels;
 };
 
 /// Says how much of each pixel of a tile is inked, 0 to 255, from what the style needs drawn.
@@ -47,4 +47,4 @@ struct StyleRow {
 
 [[nodiscard]] const StyleRow& styleRow(Style);
 
-}  // namespace inkedge
+}  // namespace inkedge::render

@@ -6,7 +6,7 @@
 
 #include <glm/common.hpp>
 
-namespace inkedge {
+namespace inkedge::scene {
 
 BoxTree::BoxTree(std::span<const Box> boxes) : order_(boxes.size()) {
     std::iota(order_.begin(), order_.end(), 0U);
@@ -35,4 +35,4 @@ void BoxTree::build(std::span<const Box> boxes, std::size_t node, std::size_t be
     build(boxes, 2 * node + 2, static_cast<std::size_t>(middle), end);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

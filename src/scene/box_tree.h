@@ -7,7 +7,7 @@
 
 #include <inkedge/scene.h>
 
-namespace inkedge {
+namespace inkedge::scene {
 
 /// Finds the boxes that overlap another: a tree of boxes, halved at the median of their longest side.
 class BoxTree {
@@ -54,4 +54,4 @@ private:
     std::vector<Box> bounds_;           // one per node; the children of node n are 2 n + 1 and 2 n + 2
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

@@ -8,7 +8,7 @@
 
 #include <inkedge/error.h>
 
-namespace inkedge {
+namespace inkedge::scene {
 namespace {
 
 [[noreturn]] void refuse(const std::string& message) { throw Error{Error::Kind::Input, message}; }
@@ -84,4 +84,4 @@ void checkData(const Scene::Data& data) {
     for (std::size_t i = 0; i < data.instances.size(); ++i) check(data.instances[i], i, data);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

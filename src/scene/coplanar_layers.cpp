@@ -18,7 +18,7 @@
 #include "mesh/topology.h"
 #include "scene/world_triangles.h"
 
-namespace inkedge {
+namespace inkedge::scene {
 namespace {
 
 constexpr double planeTolerance = 2e-6;   // of the scene's radius: float coordinates are no finer
@@ -144,7 +144,7 @@ private:
         std::vector<std::vector<Run>> parts;
         std::size_t count = 0;
         for (std::uint32_t i = 0; i < instanced_.instances.size(); ++i) {
-            inRanges(triangles(i).count(), [&](std::size_t begin, std::size_t end) {
+            base::inRanges(triangles(i).count(), [&](std::size_t begin, std::size_t end) {
                 std::vector<Run> runs = runsOf(i, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
                 const std::scoped_lock lock{mutex};
                 count += runs.size();
@@ -266,4 +266,4 @@ std::vector<bool> findCoplanarLayers(const InstancedMeshes& instanced, const Pat
     return LayerFinder{instanced, patches}.find();
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

@@ -7,7 +7,7 @@
 #include "base/message.h"
 #include "mesh/distort.h"
 
-namespace inkedge {
+namespace inkedge::scene {
 namespace {
 
 // Drops the meshes that no instance uses any more.
@@ -31,14 +31,14 @@ void bakeDistortedInstances(Scene::Data& data, std::uint64_t maxElements) {
     std::uint64_t elements = 0;
     for (Instance& instance : data.instances) {
         const glm::dmat3 linear{instance.transform};
-        if (keepsAngles(linear)) continue;
+        if (mesh::keepsAngles(linear)) continue;
         elements += data.meshes[instance.mesh].positions.size() + data.meshes[instance.mesh].indices.size();
         if (elements > maxElements)
-            load::refuse(
+            base::refuse(
                 fmt::format("expected at most {} vertices and indices in meshes that their instances distort, "
                             "found more; raise max-vertices",
                             maxElements));
-        data.meshes.push_back(distorted(data.meshes[instance.mesh], linear));
+        data.meshes.push_back(mesh::distorted(data.meshes[instance.mesh], linear));
         instance.mesh = static_cast<std::uint32_t>(data.meshes.size() - 1);
         const glm::dvec4 translation = instance.transform[3];
         instance.transform = glm::dmat4{1.0};
@@ -47,4 +47,4 @@ void bakeDistortedInstances(Scene::Data& data, std::uint64_t maxElements) {
     dropUnusedMeshes(data);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

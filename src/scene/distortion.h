@@ -2,7 +2,7 @@
 
 #include <inkedge/scene.h>
 
-namespace inkedge {
+namespace inkedge::scene {
 
 /// Gives every instance whose transform changes angles (a shear, or scales that differ) a mesh of its own with the
 /// distortion applied to its vertices. The angles between a mesh's faces are then always those seen in the world. The
@@ -11,4 +11,4 @@ namespace inkedge {
 ///                are not finite
 void bakeDistortedInstances(Scene::Data&, std::uint64_t maxElements);
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

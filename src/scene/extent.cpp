@@ -10,7 +10,7 @@
 
 #include "scene/prepared.h"
 
-namespace inkedge {
+namespace inkedge::scene {
 namespace {
 
 std::array<glm::dvec3, 8> cornersOf(const Box& box) {
@@ -70,4 +70,4 @@ double farthestDistance(const InstancedBoxes& instanced, glm::dvec3 point) {
     return std::sqrt(maximum(instanced, [&](glm::dvec3 p) { return glm::dot(p - point, p - point); }));
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

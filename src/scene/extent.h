@@ -6,7 +6,7 @@
 
 #include <inkedge/scene.h>
 
-namespace inkedge {
+namespace inkedge::scene {
 
 /// Instances of meshes, and the box of each mesh: of its positions less its origin. The vertices of an instance are
 /// skipped if its box cannot change a result.
@@ -25,4 +25,4 @@ struct InstancedBoxes {
 /// The distance of the drawn vertex that lies farthest from a point, in world space.
 [[nodiscard]] double farthestDistance(const InstancedBoxes&, glm::dvec3 point);
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

@@ -11,7 +11,7 @@
 #include "scene/coplanar_layers.h"
 #include "scene/seams.h"
 
-namespace inkedge {
+namespace inkedge::scene {
 
 PatchNumbers numberPatches(const InstancedMeshes& instanced, double creaseAngle) {
     PatchNumbers patches;
@@ -20,7 +20,7 @@ PatchNumbers numberPatches(const InstancedMeshes& instanced, double creaseAngle)
         patches.base.push_back(total);
         total += instanced.topologyOf(i).patchCount;
     }
-    UnionFind joined{total};
+    base::UnionFind joined{total};
     joinAcrossSeams(instanced, patches.base, creaseAngle, joined);
     patches.number.resize(total);
     for (std::uint32_t p = 0; p < total; ++p) {  // a set's root is its smallest member, so it comes first
@@ -31,4 +31,4 @@ PatchNumbers numberPatches(const InstancedMeshes& instanced, double creaseAngle)
     return patches;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

@@ -5,7 +5,7 @@
 
 #include "scene/instanced_meshes.h"
 
-namespace inkedge {
+namespace inkedge::scene {
 
 /// The patches of a whole scene: those of each instance, numbered from 1 in the order of instances.
 struct PatchNumbers {
@@ -23,4 +23,4 @@ struct PatchNumbers {
 /// faces, so the lines of both are drawn.
 [[nodiscard]] PatchNumbers numberPatches(const InstancedMeshes&, double creaseAngle);
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

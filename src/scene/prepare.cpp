@@ -19,7 +19,7 @@
 #include "scene/distortion.h"
 #include "scene/extent.h"
 
-namespace inkedge {
+namespace inkedge::scene {
 namespace {
 
 [[noreturn]] void refuse(const std::string& message) { throw Error{Error::Kind::Input, message}; }
@@ -43,7 +43,7 @@ bool isSingleSided(const Mesh& mesh, const Scene::Data& data) {
 std::uint32_t sortBySides(Mesh& mesh, const std::vector<Material>& materials) {
     std::vector<bool> single(mesh.indices.size() / 3, true);
     for (std::size_t t = 0; t < mesh.materials.size(); ++t) single[t] = !isDoubleSided(materials, mesh.materials[t]);
-    bringForward(mesh, single);
+    mesh::bringForward(mesh, single);
     return static_cast<std::uint32_t>(std::ranges::count(single, true));
 }
 
@@ -66,21 +66,21 @@ Sphere sphereAround(const Box& box, const InstancedBoxes& instanced) {
 }
 
 struct PreparedMesh {
-    MeshTopology topology;
+    mesh::MeshTopology topology;
     Box box;
     std::uint32_t oneSided;
     bool hidesItsBacks;
 };
 
 PreparedMesh prepareMesh(Mesh& mesh, const Scene::Data& data, const LoadSettings& settings) {
-    dropUnusedVertices(mesh);
+    mesh::dropUnusedVertices(mesh);
     const std::uint32_t oneSided = settings.backFaces == BackFaces::Draw ? 0 : sortBySides(mesh, data.materials);
-    applyAuthoredNormals(mesh, settings);
-    MeshTopology topology = buildTopology(mesh);
-    completeNormals(mesh, topology, settings);
-    buildPatches(mesh, settings.creaseAngle, topology);
-    mesh.curvatures = settings.curvature ? meanCurvatures(mesh, topology) : std::vector<float>{};
-    const bool hidesItsBacks = isSingleSided(mesh, data) && isClosedOutward(mesh, topology);
+    mesh::applyAuthoredNormals(mesh, settings);
+    mesh::MeshTopology topology = mesh::buildTopology(mesh);
+    mesh::completeNormals(mesh, topology, settings);
+    mesh::buildPatches(mesh, settings.creaseAngle, topology);
+    mesh.curvatures = settings.curvature ? mesh::meanCurvatures(mesh, topology) : std::vector<float>{};
+    const bool hidesItsBacks = isSingleSided(mesh, data) && mesh::isClosedOutward(mesh, topology);
     return {std::move(topology), boxOf(mesh.positions), oneSided, hidesItsBacks};
 }
 
@@ -93,12 +93,12 @@ std::uint64_t trianglesOf(const Scene::Data& data) {
 }  // namespace
 
 PreparedScene prepare(Scene::Data data, const LoadSettings& settings) {
-    const Stopwatch watch;
+    const base::Stopwatch watch;
     validate(settings);
     checkData(data);
     dropEmptyInstances(data);
     bakeDistortedInstances(data, settings.limits.vertices);
-    if (settings.subdivide > 0) subdivideMeshes(data.meshes, settings);
+    if (settings.subdivide > 0) mesh::subdivideMeshes(data.meshes, settings);
 
     PreparedScene scene;
     for (Mesh& mesh : data.meshes) {
@@ -113,7 +113,7 @@ PreparedScene prepare(Scene::Data data, const LoadSettings& settings) {
     scene.bounds = sphereAround(scene.box, boxes);
     const InstancedMeshes instanced{data.meshes, scene.topologies, data.instances, scene.bounds};
     scene.patchNumbers = numberPatches(instanced, settings.creaseAngle);
-    for (MeshTopology& topology : scene.topologies)
+    for (mesh::MeshTopology& topology : scene.topologies)
         topology.faceNormals = std::vector<glm::dvec3>{};  // a third of all that is kept; = {} would keep its memory
     scene.triangleCount = trianglesOf(data);
     scene.loadedWith = settings;
@@ -122,4 +122,4 @@ PreparedScene prepare(Scene::Data data, const LoadSettings& settings) {
     return scene;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

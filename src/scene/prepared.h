@@ -19,24 +19,26 @@ namespace inkedge {
 /// library's own rooms.
 struct PreparedScene {
     Scene::Data data;
-    std::vector<Box> meshBoxes;            ///< one per mesh: of its positions, less its origin
-    std::vector<MeshTopology> topologies;  ///< one per mesh, without its faceNormals
-    std::vector<std::uint32_t> oneSided;   ///< one per mesh: oneSidedTriangles()
-    std::vector<bool> hidesItsBacks;       ///< one per mesh: hidesItsBacks()
-    Box box;                               ///< of everything drawn, in world space
-    Sphere bounds;                         ///< around everything drawn, in world space
-    LoadSettings loadedWith;               ///< what the constructor was given
-    std::uint64_t triangleCount = 0;       ///< of all instances
-    PatchNumbers patchNumbers;
+    std::vector<Box> meshBoxes;                  ///< one per mesh: of its positions, less its origin
+    std::vector<mesh::MeshTopology> topologies;  ///< one per mesh, without its faceNormals
+    std::vector<std::uint32_t> oneSided;         ///< one per mesh: oneSidedTriangles()
+    std::vector<bool> hidesItsBacks;             ///< one per mesh: hidesItsBacks()
+    Box box;                                     ///< of everything drawn, in world space
+    Sphere bounds;                               ///< around everything drawn, in world space
+    LoadSettings loadedWith;                     ///< what the constructor was given
+    std::uint64_t triangleCount = 0;             ///< of all instances
+    scene::PatchNumbers patchNumbers;
     double milliseconds = 0.0;  ///< that preparation took
     /// What the room of lines makes of it, for all who look for its lines at the same time.
-    std::unique_ptr<SharedOnce> lines = std::make_unique<SharedOnce>();
+    std::unique_ptr<scene::SharedOnce> lines = std::make_unique<scene::SharedOnce>();
 };
 
 [[nodiscard]] const std::shared_ptr<const PreparedScene>& preparedOf(const Scene&) noexcept;
 
+namespace scene {
+
 /// How the triangles of mesh i are connected.
-[[nodiscard]] inline const MeshTopology& topologyOf(const Scene& scene, std::size_t i) {
+[[nodiscard]] inline const mesh::MeshTopology& topologyOf(const Scene& scene, std::size_t i) {
     return preparedOf(scene)->topologies[i];
 }
 
@@ -64,8 +66,10 @@ struct PreparedScene {
 /// The number of a face's patch.
 [[nodiscard]] inline std::uint32_t patchOf(const Scene& scene, SceneFace face) {
     const PatchNumbers& patches = patchNumbersOf(scene);
-    const MeshTopology& topology = topologyOf(scene, scene.instances()[face.instance].mesh);
+    const mesh::MeshTopology& topology = topologyOf(scene, scene.instances()[face.instance].mesh);
     return patches.number[patches.base[face.instance] + topology.patches[face.triangle]];
 }
+
+}  // namespace scene
 
 }  // namespace inkedge

@@ -8,7 +8,7 @@
 namespace inkedge {
 
 Scene::Scene(Data data, const LoadSettings& settings)
-    : prepared_{std::make_shared<const PreparedScene>(prepare(std::move(data), settings))} {}
+    : prepared_{std::make_shared<const PreparedScene>(scene::prepare(std::move(data), settings))} {}
 
 const std::vector<Mesh>& Scene::meshes() const noexcept { return prepared_->data.meshes; }
 const std::vector<Instance>& Scene::instances() const noexcept { return prepared_->data.instances; }

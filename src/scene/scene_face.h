@@ -3,7 +3,7 @@
 #include <compare>
 #include <cstdint>
 
-namespace inkedge {
+namespace inkedge::scene {
 
 /// A triangle of an instance.
 struct SceneFace {
@@ -12,4 +12,4 @@ struct SceneFace {
     friend auto operator<=>(const SceneFace&, const SceneFace&) = default;
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

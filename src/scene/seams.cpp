@@ -11,7 +11,7 @@
 #include "scene/box_tree.h"
 #include "scene/world_triangles.h"
 
-namespace inkedge {
+namespace inkedge::scene {
 namespace {
 
 constexpr double seamTolerance = 5e-5;  // of the scene's radius: 1/40 pixel of a model framed at 1024 pixels
@@ -25,15 +25,15 @@ std::vector<BorderEdge> collectBorders(
     std::vector<BorderEdge> borders;
     for (std::uint32_t i = 0; i < instanced.instances.size(); ++i) {
         const Instance& instance = instanced.instances[i];
-        const MeshTopology& topology = instanced.topologyOf(i);
+        const mesh::MeshTopology& topology = instanced.topologyOf(i);
         const std::vector<glm::dvec3>& normals = faceNormals(instance.mesh);
         const WorldTriangles triangles{instanced.meshOf(i), instance.transform, instanced.bounds.centre};
         for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
-            if (topology.twins[h] != noHalfEdge || normals[h / 3] == glm::dvec3{0.0}) continue;
+            if (topology.twins[h] != mesh::noHalfEdge || normals[h / 3] == glm::dvec3{0.0}) continue;
             if (topology.originals[h / 3] != h / 3) continue;  // a face that repeats another has no twins of its own
             const glm::dvec3 a = triangles.corner(h);
-            const glm::dvec3 b = triangles.corner(nextHalfEdge(h));
-            const glm::dvec3 third = triangles.corner(nextHalfEdge(nextHalfEdge(h)));
+            const glm::dvec3 b = triangles.corner(mesh::nextHalfEdge(h));
+            const glm::dvec3 third = triangles.corner(mesh::nextHalfEdge(mesh::nextHalfEdge(h)));
             const double length = glm::length(b - a);
             if (length == 0.0) continue;
             const glm::dvec3 along = (b - a) / length;
@@ -87,7 +87,7 @@ std::optional<SharedLength> runAlong(const BorderEdge& one, const BorderEdge& ot
 }
 
 void joinAcrossSeams(const InstancedMeshes& instanced, const std::vector<std::uint32_t>& base, double creaseAngle,
-                     UnionFind& joined) {
+                     base::UnionFind& joined) {
     // The cosine between the `into` directions of two faces that bend by less than the crease angle is under this.
     const double oppositeCosine = -std::cos(glm::radians(creaseAngle));
     Borders borders{instanced, [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& {
@@ -107,4 +107,4 @@ void joinAcrossSeams(const InstancedMeshes& instanced, const std::vector<std::ui
     }
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

@@ -9,7 +9,7 @@
 #include "scene/box_tree.h"
 #include "scene/instanced_meshes.h"
 
-namespace inkedge {
+namespace inkedge::scene {
 
 /// A border edge of an instance's mesh, in world space less the centre of InstancedMeshes::bounds.
 struct BorderEdge {
@@ -64,6 +64,6 @@ struct SharedLength {
 /// @param base    PatchNumbers::base
 /// @param joined  sets of the patches of all instances
 void joinAcrossSeams(const InstancedMeshes&, const std::vector<std::uint32_t>& base, double creaseAngle,
-                     UnionFind& joined);
+                     base::UnionFind& joined);
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

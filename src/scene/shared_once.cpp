@@ -2,10 +2,10 @@
 
 #include "base/stop.h"
 
-namespace inkedge {
+namespace inkedge::scene {
 
 std::shared_ptr<const void> SharedOnce::get(const std::function<std::shared_ptr<const void>()>& make) {
-    const std::unique_lock lock = lockUnlessStopped(mutex_);
+    const std::unique_lock lock = base::lockUnlessStopped(mutex_);
     std::shared_ptr<const void> made = made_.lock();
     if (!made) {
         made = make();
@@ -19,4 +19,4 @@ long SharedOnce::holders() const {
     return made_.use_count();
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

@@ -4,7 +4,7 @@
 #include <memory>
 #include <mutex>
 
-namespace inkedge {
+namespace inkedge::scene {
 
 /// Something that is made once for all who want it at the same time, and kept as long as one of them holds it. What is
 /// made may hold what this is part of: it is not held from here.
@@ -24,4 +24,4 @@ private:
     std::weak_ptr<const void> made_;
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

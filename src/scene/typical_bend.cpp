@@ -12,7 +12,7 @@
 #include "mesh/topology.h"
 #include "scene/prepared.h"
 
-namespace inkedge {
+namespace inkedge::scene {
 namespace {
 
 constexpr std::size_t maxSamples = 1U << 18U;  // half-edges of a scene
@@ -37,14 +37,14 @@ struct Edge {
     double length;
 };
 
-void collect(const Mesh& mesh, const MeshTopology& topology, std::size_t stride, std::vector<Edge>& edges) {
+void collect(const Mesh& mesh, const mesh::MeshTopology& topology, std::size_t stride, std::vector<Edge>& edges) {
     for (std::size_t h = 0; h < topology.twins.size(); h += stride) {
         const std::uint32_t twin = topology.twins[h];
-        if (!isHalfEdge(twin) || topology.creases[h]) continue;
-        if (isInner(mesh, static_cast<std::uint32_t>(h), twin)) continue;
+        if (!mesh::isHalfEdge(twin) || topology.creases[h]) continue;
+        if (mesh::isInner(mesh, static_cast<std::uint32_t>(h), twin)) continue;
         const double bend = bendBetween(faceNormal(mesh, h), faceNormal(mesh, twin));
         const double length =
-            glm::distance(position(mesh, h), position(mesh, nextHalfEdge(static_cast<std::uint32_t>(h))));
+            glm::distance(position(mesh, h), position(mesh, mesh::nextHalfEdge(static_cast<std::uint32_t>(h))));
         if (bend > flat && length > 0.0) edges.push_back({bend, length});
     }
 }
@@ -70,4 +70,4 @@ double typicalBend(const Scene& scene) {
     return 1.0;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

@@ -6,7 +6,7 @@
 
 #include <inkedge/scene.h>
 
-namespace inkedge {
+namespace inkedge::scene {
 
 /// The corners of one instance's triangles in world space, less an origin, in double precision.
 class WorldTriangles {
@@ -31,4 +31,4 @@ private:
     glm::dmat4 transform_;
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::scene

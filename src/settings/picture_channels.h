@@ -5,7 +5,7 @@
 
 #include <inkedge/settings.h>
 
-namespace inkedge {
+namespace inkedge::settings {
 
 /// What a picture is painted on.
 enum class Paper {
@@ -28,4 +28,4 @@ enum class Paper {
     return grey ? 1 : 3;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::settings

@@ -5,7 +5,7 @@
 
 #include "raster/pair_mark.h"
 
-namespace inkedge {
+namespace inkedge::trace {
 namespace {
 
 constexpr double minBend = 0.05;  // pixel footprints over a step: planes that bend by less do not say where they meet
@@ -34,10 +34,12 @@ void CrossingTracer::traceRow(int y, CrossingRow& crossings) {
 
 bool CrossingTracer::isBackground(Sample s) const { return buffers_.triangles.at(s.x, s.y) == 0; }
 
-SceneFace CrossingTracer::triangle(Sample s) const { return triangles_.locate(buffers_.triangles.at(s.x, s.y) - 1); }
+scene::SceneFace CrossingTracer::triangle(Sample s) const {
+    return triangles_.locate(buffers_.triangles.at(s.x, s.y) - 1);
+}
 
 glm::dvec2 CrossingTracer::centre(Sample s) const {
-    const Rectangle& drawn = buffers_.tile.drawn;
+    const raster::Rectangle& drawn = buffers_.tile.drawn;
     return {s.x + drawn.x + 0.5, s.y + drawn.y + 0.5};
 }
 
@@ -82,7 +84,7 @@ std::optional<double> CrossingTracer::planesMeet(Sample p, Sample q) const {
 // Where a line crosses the step from near to far, 0 to 1. If the nearer surface goes on to the far sample, where it is
 // not seen any more, it ends there, within the grid that vertices snap to.
 double CrossingTracer::positionAlong(Sample near, Sample far, unsigned marks, const Walk& way) const {
-    const bool jumps = (marks & (PairMark::background | PairMark::jump)) != 0;
+    const bool jumps = (marks & (raster::PairMark::background | raster::PairMark::jump)) != 0;
     const double otherwise = way.exit ? way.exit->t : jumps && way.arrivedAt ? 1.0 : 0.5;
     if (jumps) return otherwise;
     const bool forward = near.x <= far.x && near.y <= far.y;
@@ -98,7 +100,7 @@ StepCrossing CrossingTracer::crossing(Sample p, Sample q, unsigned marks) {
     const Sample near = swap ? q : p;
     const Sample far = swap ? p : q;
     const Walk way = walk(near, far);
-    if ((marks & ~(PairMark::bend | PairMark::jump)) == 0 && goesOnSmoothly(way, far)) return {};
+    if ((marks & ~(raster::PairMark::bend | raster::PairMark::jump)) == 0 && goesOnSmoothly(way, far)) return {};
 
     const LineTypes types = classify(near, far, marks, way.exit);
     types_.at(near.x, near.y) |= static_cast<std::uint16_t>(types.bits());
@@ -121,7 +123,7 @@ float CrossingTracer::inverseDepthAt(Sample s, glm::dvec2 offset) const {
 // If the walk ends on another triangle than the one seen there, the patch runs into itself.
 bool CrossingTracer::goesOnSmoothly(const Walk& way, Sample far) const {
     if (way.exit) return false;
-    const SceneFace seen = triangle(far);
+    const scene::SceneFace seen = triangle(far);
     return !way.arrivedAt || triangles_.touch({seen.instance, *way.arrivedAt}, seen);
 }
 
@@ -129,13 +131,13 @@ LineTypes CrossingTracer::classify(Sample near, Sample far, unsigned marks,
                                    const std::optional<ScreenTriangles::Exit>& exit) const {
     const bool atBorder = exit && exit->end == End::Border;
     const LineTypes boundary = atBorder ? LineTypes{LineType::Boundary} : LineTypes{};
-    if ((marks & PairMark::background) != 0) return LineType::Outline | boundary;
+    if ((marks & raster::PairMark::background) != 0) return LineType::Outline | boundary;
     const bool otherObject = triangle(near).instance != triangle(far).instance;
     const LineTypes object = otherObject ? LineTypes{LineType::Object} : LineTypes{};
-    if ((marks & PairMark::jump) != 0) return LineType::Occlusion | boundary | object;
+    if ((marks & raster::PairMark::jump) != 0) return LineType::Occlusion | boundary | object;
     if (otherObject) return LineType::Intersection | object;
     if (exit && exit->end == End::Fold) return LineType::Occlusion;
     return exit ? LineType::Crease : LineType::Intersection;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::trace

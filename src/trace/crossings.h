@@ -15,14 +15,14 @@
 #include "trace/line_buffers.h"
 #include "trace/screen_triangles.h"
 
-namespace inkedge {
+namespace inkedge::trace {
 
 /// A line across the step between two neighbouring samples.
 struct StepCrossing {
     glm::vec2 position;         ///< samples of the whole picture
     LineTypes types;            ///< empty: there is no line
     float inverseDepth = 0.0F;  ///< as TracedPiece has it
-    SceneFace face;             ///< the nearer one
+    scene::SceneFace face;      ///< the nearer one
 };
 
 /// The crossings of one row of samples with their neighbours to the right and below.
@@ -64,7 +64,7 @@ private:
     using Walk = ScreenTriangles::Walk;
 
     [[nodiscard]] bool isBackground(Sample) const;
-    [[nodiscard]] SceneFace triangle(Sample) const;
+    [[nodiscard]] scene::SceneFace triangle(Sample) const;
     [[nodiscard]] glm::dvec2 centre(Sample) const;  // in the whole picture
     [[nodiscard]] Walk walk(Sample from, Sample to) const;
     [[nodiscard]] std::optional<double> layerBorder(Sample from, Sample to) const;
@@ -82,8 +82,8 @@ private:
     const ScreenTriangles& triangles_;
     bool orthographic_;
     double focalLength_;
-    Rectangle columns_;
+    raster::Rectangle columns_;
     Image<std::uint16_t> types_;
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::trace

@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace inkedge {
+namespace inkedge::trace {
 
 DrawnTypes drawnTypes(const PictureSettings& settings) {
     DrawnTypes types{settings.lines, {}};
@@ -15,11 +15,12 @@ DrawnTypes drawnTypes(const PictureSettings& settings) {
     return types;
 }
 
-CellJoiner::CellJoiner(DrawnTypes types, int samplesPerPixel, const Tile& tile, std::vector<TracedPiece>& pieces)
+CellJoiner::CellJoiner(DrawnTypes types, int samplesPerPixel, const raster::Tile& tile,
+                       std::vector<TracedPiece>& pieces)
     : types_{types}, scale_{1.0F / static_cast<float>(samplesPerPixel)}, tile_{tile}, pieces_{pieces} {}
 
 void CellJoiner::join(int y, const CrossingRow& above, const CrossingRow& below) {
-    const Rectangle kept = tile_.keptInDrawn();
+    const raster::Rectangle kept = tile_.keptInDrawn();
     const int end = std::min(kept.x + kept.size.width, tile_.drawn.size.width - 1);
     findCells(above.columns, below.columns);
     for (const int x : cells_) {
@@ -90,4 +91,4 @@ glm::vec2 CellJoiner::toBorder(const StepCrossing& end, const StepCrossing& othe
     return at;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::trace

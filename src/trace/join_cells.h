@@ -10,7 +10,7 @@
 #include "trace/crossings.h"
 #include "trace/traced_piece.h"
 
-namespace inkedge {
+namespace inkedge::trace {
 
 /// Which types of lines become pieces, and which of them have a pen of their own. A piece has the first of its types
 /// that has one, else its first.
@@ -24,7 +24,7 @@ struct DrawnTypes {
 class CellJoiner {
 public:
     /// @param tile    must outlive it, as must the pieces, which are added to
-    CellJoiner(DrawnTypes, int samplesPerPixel, const Tile& tile, std::vector<TracedPiece>&);
+    CellJoiner(DrawnTypes, int samplesPerPixel, const raster::Tile& tile, std::vector<TracedPiece>&);
 
     /// The cells between two rows of crossings:
     ///        top
@@ -44,10 +44,10 @@ private:
 
     DrawnTypes types_;
     float scale_;
-    const Tile& tile_;
+    const raster::Tile& tile_;
     std::vector<TracedPiece>& pieces_;
     std::vector<int> upper_;  // cells that touch a crossing of the row above, ascending
     std::vector<int> cells_;  // those of either row
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::trace

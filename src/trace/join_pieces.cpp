@@ -8,7 +8,7 @@
 #include "lines/segment.h"
 #include "scene/prepared.h"
 
-namespace inkedge {
+namespace inkedge::trace {
 namespace {
 
 using lines::Chain;
@@ -66,7 +66,7 @@ private:
         Line& line = lines_.emplace_back();
         line.type = piece.type;
         line.object = piece.face.instance + 1;
-        line.patch = patchOf(scene_, piece.face);
+        line.patch = scene::patchOf(scene_, piece.face);
         addEnd(link, 0);
     }
 
@@ -90,4 +90,4 @@ std::vector<Line> joinPieces(std::span<const TracedPiece> pieces, const Scene& s
     return PieceJoiner{pieces, scene, screen}.join();
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::trace

@@ -9,10 +9,10 @@
 #include "lines/screen.h"
 #include "trace/traced_piece.h"
 
-namespace inkedge {
+namespace inkedge::trace {
 
 /// Joins pieces to polylines, one a type and node: section 2.2 of Hertzmann 1999. Junctions and gaps are treated as
 /// those of lines from object space are.
 [[nodiscard]] std::vector<Line> joinPieces(std::span<const TracedPiece>, const Scene&, const lines::Screen&);
 
-}  // namespace inkedge
+}  // namespace inkedge::trace

@@ -9,18 +9,18 @@
 #include "raster/samples.h"
 #include "raster/tiles.h"
 
-namespace inkedge {
+namespace inkedge::trace {
 
 /// What the detector found, in samples: one a pixel, or 2 x 2 or 4 x 4. Row 0 is the tile's top row.
 struct LineBuffers {
-    Tile tile;                         ///< what they show
-    Samples<float> planes;             ///< as PlaneBuffers::planes; needed where regionsAround() the marks are
-    Samples<std::uint32_t> triangles;  ///< as PlaneBuffers::triangles; likewise, everywhere for TraceIds::Keep
-    Image<std::uint8_t> marks;         ///< as detectLines() returns them
+    raster::Tile tile;                         ///< what they show
+    raster::Samples<float> planes;             ///< as PlaneBuffers::planes; needed where regionsAround() the marks are
+    raster::Samples<std::uint32_t> triangles;  ///< as PlaneBuffers::triangles; likewise, everywhere for TraceIds::Keep
+    Image<std::uint8_t> marks;                 ///< as detectLines() returns them
 };
 
 /// The kept part of a tile and the samples around it: crossings up to there count for the tile's lines and maps.
-[[nodiscard]] inline Rectangle aroundKept(const Tile& tile) {
+[[nodiscard]] inline raster::Rectangle aroundKept(const raster::Tile& tile) {
     const auto [x, y, size] = tile.keptInDrawn();
     const int left = std::max(x - 1, 0);
     const int top = std::max(y - 1, 0);
@@ -48,4 +48,4 @@ void forEachMarked(const Image<std::uint8_t>& marks, int y, int begin, int end, 
     }
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::trace

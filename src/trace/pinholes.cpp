@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace inkedge {
+namespace inkedge::trace {
 namespace {
 
 class PinholeFilter {
@@ -67,4 +67,4 @@ void removePinholes(LineBuffers& buffers, const Camera& camera, double unit) {
     PinholeFilter{buffers, camera, unit}.apply();
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::trace

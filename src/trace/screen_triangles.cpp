@@ -9,7 +9,7 @@
 #include "mesh/topology.h"
 #include "scene/prepared.h"
 
-namespace inkedge {
+namespace inkedge::trace {
 namespace {
 
 constexpr int longestWalk = 64;  // triangles: more are far below a pixel, so that their ends cannot be seen
@@ -45,21 +45,21 @@ ScreenTriangles::ScreenTriangles(const Scene& scene, const std::vector<std::uint
 }
 
 void ScreenTriangles::collectLayerBorders() {
-    const PatchNumbers& patches = patchNumbersOf(scene_);
+    const scene::PatchNumbers& patches = scene::patchNumbersOf(scene_);
     if (std::ranges::find(patches.layered, true) == patches.layered.end()) return;
     for (std::uint32_t i = 0; i < scene_.instances().size(); ++i) {
-        const MeshTopology& topology = topologyOf(scene_, scene_.instances()[i].mesh);
+        const mesh::MeshTopology& topology = scene::topologyOf(scene_, scene_.instances()[i].mesh);
         for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
             const std::uint32_t patch = patches.base[i] + topology.patches[h / 3];
-            if (!patches.layered[patch] || (isHalfEdge(topology.twins[h]) && !topology.creases[h])) continue;
-            layerBorders_[patches.number[patch]].push_back({corner(i, h), corner(i, nextHalfEdge(h))});
+            if (!patches.layered[patch] || (mesh::isHalfEdge(topology.twins[h]) && !topology.creases[h])) continue;
+            layerBorders_[patches.number[patch]].push_back({corner(i, h), corner(i, mesh::nextHalfEdge(h))});
         }
     }
 }
 
-bool ScreenTriangles::touch(SceneFace a, SceneFace b) const {
+bool ScreenTriangles::touch(scene::SceneFace a, scene::SceneFace b) const {
     if (a.instance != b.instance) return false;
-    const auto& points = topologyOf(scene_, scene_.instances()[a.instance].mesh).points;
+    const auto& points = scene::topologyOf(scene_, scene_.instances()[a.instance].mesh).points;
     for (std::uint32_t i = 0; i < 3; ++i) {
         for (std::uint32_t j = 0; j < 3; ++j) {
             if (points[3 * a.triangle + i] == points[3 * b.triangle + j]) return true;
@@ -85,7 +85,7 @@ std::optional<double> ScreenTriangles::layerBorder(std::uint32_t patch, glm::dve
     return {};
 }
 
-SceneFace ScreenTriangles::locate(std::uint32_t number) const {
+scene::SceneFace ScreenTriangles::locate(std::uint32_t number) const {
     const auto after = std::ranges::upper_bound(firstTriangles_, number);
     const auto instance = static_cast<std::uint32_t>(after - firstTriangles_.begin()) - 1;
     return {instance, number - firstTriangles_[instance]};
@@ -96,7 +96,7 @@ glm::dvec3 ScreenTriangles::corner(std::uint32_t instance, std::uint32_t c) cons
     return toPixels_[instance] * glm::dvec4{glm::dvec3{mesh.positions[mesh.indices[c]]}, 1.0};
 }
 
-ScreenTriangles::EdgeLines ScreenTriangles::edgeLines(SceneFace t) const {
+ScreenTriangles::EdgeLines ScreenTriangles::edgeLines(scene::SceneFace t) const {
     const glm::dvec3 a = corner(t.instance, 3 * t.triangle);
     const glm::dvec3 b = corner(t.instance, 3 * t.triangle + 1);
     const glm::dvec3 c = corner(t.instance, 3 * t.triangle + 2);
@@ -108,7 +108,7 @@ ScreenTriangles::EdgeLines ScreenTriangles::edgeLines(SceneFace t) const {
     return lines;
 }
 
-ScreenTriangles::Plane ScreenTriangles::plane(SceneFace t, glm::dvec2 at) const {
+ScreenTriangles::Plane ScreenTriangles::plane(scene::SceneFace t, glm::dvec2 at) const {
     const glm::dvec3 a = corner(t.instance, 3 * t.triangle);
     const glm::dvec3 b = corner(t.instance, 3 * t.triangle + 1);
     const glm::dvec3 c = corner(t.instance, 3 * t.triangle + 2);
@@ -125,16 +125,16 @@ ScreenTriangles::Plane ScreenTriangles::plane(SceneFace t, glm::dvec2 at) const 
     return {glm::dot(plane, glm::dvec3{at, 1.0}), plane.x, plane.y};
 }
 
-ScreenTriangles::Walk ScreenTriangles::walk(SceneFace from, glm::dvec2 start, glm::dvec2 goal) const {
-    const MeshTopology& topology = topologyOf(scene_, scene_.instances()[from.instance].mesh);
+ScreenTriangles::Walk ScreenTriangles::walk(scene::SceneFace from, glm::dvec2 start, glm::dvec2 goal) const {
+    const mesh::MeshTopology& topology = scene::topologyOf(scene_, scene_.instances()[from.instance].mesh);
     const glm::dvec3 p{start, 1.0};
     const glm::dvec3 q{goal, 1.0};
-    SceneFace at = from;
-    std::uint32_t entry = noHalfEdge;
+    scene::SceneFace at = from;
+    std::uint32_t entry = mesh::noHalfEdge;
     double reached = 0.0;
     for (int step = 0; step < longestWalk; ++step) {
         const EdgeLines lines = edgeLines(at);
-        std::uint32_t exit = noHalfEdge;
+        std::uint32_t exit = mesh::noHalfEdge;
         double t = 1.0;
         for (std::uint32_t k = 0; k < 3; ++k) {
             const double ep = glm::dot(lines.line[k], p);
@@ -145,11 +145,11 @@ ScreenTriangles::Walk ScreenTriangles::walk(SceneFace from, glm::dvec2 start, gl
                 exit = 3 * at.triangle + k;
             }
         }
-        if (exit == noHalfEdge) return {{}, at.triangle};
+        if (exit == mesh::noHalfEdge) return {{}, at.triangle};
         const std::uint32_t twin = topology.twins[exit];
-        if (twin == noHalfEdge) return {Exit{End::Border, t}, {}};
-        if (twin == manyHalfEdges || topology.creases[exit]) return {Exit{End::Crease, t}, {}};
-        const std::uint32_t third = nextHalfEdge(nextHalfEdge(twin));
+        if (twin == mesh::noHalfEdge) return {Exit{End::Border, t}, {}};
+        if (twin == mesh::manyHalfEdges || topology.creases[exit]) return {Exit{End::Crease, t}, {}};
+        const std::uint32_t third = mesh::nextHalfEdge(mesh::nextHalfEdge(twin));
         if (glm::dot(lines.line[exit % 3], corner(at.instance, third)) > 0.0) return {Exit{End::Fold, t}, {}};
         at.triangle = twin / 3;
         entry = twin;
@@ -158,4 +158,4 @@ ScreenTriangles::Walk ScreenTriangles::walk(SceneFace from, glm::dvec2 start, gl
     return {};
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::trace

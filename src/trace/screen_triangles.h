@@ -14,7 +14,7 @@
 
 #include "scene/scene_face.h"
 
-namespace inkedge {
+namespace inkedge::trace {
 
 /// The triangles of a scene as one camera projects them. Coordinates are pixels, (0, 0) the whole picture's top left
 /// corner.
@@ -24,7 +24,7 @@ public:
     ScreenTriangles(const Scene&, const std::vector<std::uint32_t>& firstTriangles, const Camera&, Size);
 
     /// @param number  of a triangle of the scene, from 0
-    [[nodiscard]] SceneFace locate(std::uint32_t number) const;
+    [[nodiscard]] scene::SceneFace locate(std::uint32_t number) const;
 
     /// What ends a surface on a walk across it.
     enum class End {
@@ -42,7 +42,7 @@ public:
     };
     /// Walks in the picture from a point on a triangle towards another point, from triangle to triangle. There is
     /// neither an exit nor an arrival if the triangles on the way are too many to follow.
-    [[nodiscard]] Walk walk(SceneFace from, glm::dvec2 start, glm::dvec2 goal) const;
+    [[nodiscard]] Walk walk(scene::SceneFace from, glm::dvec2 start, glm::dvec2 goal) const;
 
     /// A triangle as a linear function of the picture: w and its slopes per pixel, as PlaneBuffers::planes, but in
     /// scene units and double precision.
@@ -51,10 +51,10 @@ public:
         double dx;
         double dy;
     };
-    [[nodiscard]] Plane plane(SceneFace, glm::dvec2 at) const;
+    [[nodiscard]] Plane plane(scene::SceneFace, glm::dvec2 at) const;
 
     /// Whether two triangles of one mesh are the same or touch each other.
-    [[nodiscard]] bool touch(SceneFace, SceneFace) const;
+    [[nodiscard]] bool touch(scene::SceneFace, scene::SceneFace) const;
 
     /// Where the border of a coplanar layer lies between start and goal, as a share of the way, whichever layer is seen
     /// there.
@@ -73,7 +73,7 @@ private:
         glm::dvec3 line[3];
     };
     [[nodiscard]] glm::dvec3 corner(std::uint32_t instance, std::uint32_t c) const;
-    [[nodiscard]] EdgeLines edgeLines(SceneFace) const;
+    [[nodiscard]] EdgeLines edgeLines(scene::SceneFace) const;
 
     const Scene& scene_;
     const std::vector<std::uint32_t>& firstTriangles_;
@@ -82,4 +82,4 @@ private:
     std::unordered_map<std::uint32_t, std::vector<BorderEdge>> layerBorders_;  // by patch number
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::trace

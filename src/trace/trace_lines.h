@@ -12,7 +12,7 @@
 #include "trace/screen_triangles.h"
 #include "trace/traced_piece.h"
 
-namespace inkedge {
+namespace inkedge::trace {
 
 /// What was found in a tile.
 struct TracedLines {
@@ -32,4 +32,4 @@ enum class TraceIds { Drop, Keep };
 [[nodiscard]] TracedLines traceLines(LineBuffers, const Scene&, const ScreenTriangles& triangles, const Camera&,
                                      double unit, DrawnTypes types, int samplesPerPixel, TraceIds);
 
-}  // namespace inkedge
+}  // namespace inkedge::trace

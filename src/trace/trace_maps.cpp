@@ -4,23 +4,23 @@
 
 #include "scene/prepared.h"
 
-namespace inkedge {
+namespace inkedge::trace {
 
 Image<std::uint32_t> traceIds(const LineBuffers& buffers, const Scene& scene, const ScreenTriangles& triangles) {
     const Size size = buffers.marks.size;
     Image<std::uint32_t> ids{size, 4};
     const auto patchAt = [&](int x, int y) {
         const std::uint32_t number = buffers.triangles.at(x, y);
-        return number == 0 ? 0U : patchOf(scene, triangles.locate(number - 1));
+        return number == 0 ? 0U : scene::patchOf(scene, triangles.locate(number - 1));
     };
-    const Rectangle part = aroundKept(buffers.tile);
+    const raster::Rectangle part = aroundKept(buffers.tile);
     for (int y = part.y; y < part.y + part.size.height; ++y) {
         for (int x = part.x; x < part.x + part.size.width; ++x) {
             if (const std::uint32_t number = buffers.triangles.at(x, y); number != 0) {
-                const SceneFace t = triangles.locate(number - 1);
+                const scene::SceneFace t = triangles.locate(number - 1);
                 const Instance& instance = scene.instances()[t.instance];
                 const auto& materials = scene.meshes()[instance.mesh].materials;
-                ids.at(x, y, 0) = patchOf(scene, t);
+                ids.at(x, y, 0) = scene::patchOf(scene, t);
                 ids.at(x, y, 2) = t.instance + 1;
                 ids.at(x, y, 3) = materials.empty() ? 0 : materials[t.triangle];
             }
@@ -66,4 +66,4 @@ Image<std::uint32_t> idsOfPixels(const Image<std::uint32_t>& samples, const Imag
     return ids;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::trace

@@ -8,7 +8,7 @@
 #include "trace/line_buffers.h"
 #include "trace/screen_triangles.h"
 
-namespace inkedge {
+namespace inkedge::trace {
 
 /// The patch, the patch across, the node and the material of each sample, as Maps::ids; 0 where the tile does not keep
 /// it.
@@ -22,4 +22,4 @@ namespace inkedge {
 [[nodiscard]] Image<std::uint32_t> idsOfPixels(const Image<std::uint32_t>& ids, const Image<std::uint16_t>& types,
                                                int samplesPerPixel);
 
-}  // namespace inkedge
+}  // namespace inkedge::trace

@@ -8,7 +8,7 @@
 
 #include "scene/scene_face.h"
 
-namespace inkedge {
+namespace inkedge::trace {
 
 /// A piece of a line as it was traced between samples.
 struct TracedPiece {
@@ -17,7 +17,7 @@ struct TracedPiece {
     /// At the ends, of the surface that it lies on: 1 / depth, or -depth in orthographic views.
     std::array<float, 2> inverseDepths;
     LineType type = LineType::Outline;
-    SceneFace face;  ///< that it lies on: the nearer one
+    scene::SceneFace face;  ///< that it lies on: the nearer one
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::trace

@@ -8,7 +8,7 @@
 
 #include "base/temporary_folder.h"
 
-namespace inkedge {
+namespace inkedge::base {
 namespace {
 
 struct KeptFilesOf : testing::Test {
@@ -58,4 +58,4 @@ TEST_F(KeptFilesOf, aFileThatCannotBeReadAreAskedForAgain) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::base

@@ -17,7 +17,7 @@
 #include "scene/prepared.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::base {
 namespace {
 
 TEST(InRanges, coversEverythingOnce) {
@@ -127,17 +127,17 @@ TEST(Scene, isPreparedAlikeByOneThreadAndByMany) {
     EXPECT_EQ(mesh.positions, one.meshes()[0].positions);
     EXPECT_EQ(mesh.normals, one.meshes()[0].normals);
     EXPECT_EQ(mesh.indices, one.meshes()[0].indices);
-    EXPECT_EQ(topologyOf(many, 0).points, topologyOf(one, 0).points);
-    EXPECT_EQ(topologyOf(many, 0).twins, topologyOf(one, 0).twins);
-    EXPECT_EQ(topologyOf(many, 0).originals, topologyOf(one, 0).originals);
-    EXPECT_EQ(topologyOf(many, 0).creases, topologyOf(one, 0).creases);
-    EXPECT_EQ(topologyOf(many, 0).patches, topologyOf(one, 0).patches);
-    EXPECT_EQ(patchNumbersOf(many).number, patchNumbersOf(one).number);
-    EXPECT_EQ(patchNumbersOf(many).layered, patchNumbersOf(one).layered);
-    EXPECT_THAT(patchNumbersOf(many).layered, testing::Contains(true));
-    EXPECT_THAT(patchNumbersOf(many).layered, testing::Contains(false));
-    EXPECT_THAT(topologyOf(many, 0).creases, testing::Contains(true));
+    EXPECT_EQ(scene::topologyOf(many, 0).points, scene::topologyOf(one, 0).points);
+    EXPECT_EQ(scene::topologyOf(many, 0).twins, scene::topologyOf(one, 0).twins);
+    EXPECT_EQ(scene::topologyOf(many, 0).originals, scene::topologyOf(one, 0).originals);
+    EXPECT_EQ(scene::topologyOf(many, 0).creases, scene::topologyOf(one, 0).creases);
+    EXPECT_EQ(scene::topologyOf(many, 0).patches, scene::topologyOf(one, 0).patches);
+    EXPECT_EQ(scene::patchNumbersOf(many).number, scene::patchNumbersOf(one).number);
+    EXPECT_EQ(scene::patchNumbersOf(many).layered, scene::patchNumbersOf(one).layered);
+    EXPECT_THAT(scene::patchNumbersOf(many).layered, testing::Contains(true));
+    EXPECT_THAT(scene::patchNumbersOf(many).layered, testing::Contains(false));
+    EXPECT_THAT(scene::topologyOf(many, 0).creases, testing::Contains(true));
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::base

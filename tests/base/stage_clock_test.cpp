@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-namespace inkedge {
+namespace inkedge::base {
 namespace {
 
 using testing::ElementsAre;
@@ -41,4 +41,4 @@ TEST(Stopwatch, runsFromWhenItWasMade) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::base

@@ -19,8 +19,8 @@
 #include "base/temporary_folder.h"
 
 using namespace inkedge;
-using io::StagedFiles;
-using io::Staging;
+using base::StagedFiles;
+using base::Staging;
 using testing::AnyOf;
 using testing::ElementsAre;
 using testing::Eq;
@@ -102,7 +102,7 @@ TEST(NamedFiles, areRemovedByASignalHandler) {
     StagedFiles staged{Staging::Named};
     staged.add(folder / "a", bytesOf(newer));
     EXPECT_THAT(folder.names(), ElementsAre(testing::MatchesRegex("\\.inkedge-[0-9a-f]{16}\\.tmp")));
-    removeTemporaryFiles();
+    base::removeTemporaryFiles();
     EXPECT_THAT(folder.names(), IsEmpty());
     expectError(Error::Kind::Output, HasSubstr("a: cannot be written: expected "), [&] { staged.commit(); });
 }
@@ -110,7 +110,7 @@ TEST(NamedFiles, areRemovedByASignalHandler) {
 /// Writes a and b in a folder again and again, until it is ended by a signal.
 [[noreturn]] void writeForEver(const TemporaryFolder& folder, Staging staging, int ready) {
     ::signal(SIGTERM, [](int) {
-        removeTemporaryFiles();
+        base::removeTemporaryFiles();
         ::_exit(128 + SIGTERM);
     });
     const std::vector<std::uint8_t> bytes = bytesOf(newer);

@@ -11,7 +11,7 @@
 #include "base/parallel.h"
 #include "base/stage_clock.h"
 
-namespace inkedge {
+namespace inkedge::base {
 namespace {
 
 constexpr auto stopped = Error::Kind::Stopped;
@@ -111,4 +111,4 @@ TEST(LockUnlessStopped, givesUpWhenAskedTo) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::base

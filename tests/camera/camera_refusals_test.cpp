@@ -7,7 +7,7 @@
 #include "camera/framed_scenes.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::camera {
 namespace {
 
 using namespace framed_scenes;
@@ -92,4 +92,4 @@ TEST(FrameCamera, refusesNumbersOutOfRange) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::camera

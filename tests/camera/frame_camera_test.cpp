@@ -10,7 +10,7 @@
 #include "camera/framed_scenes.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::camera {
 namespace {
 
 using namespace framed_scenes;
@@ -350,4 +350,4 @@ TEST(Projection, putsTheViewAngleBetweenBottomAndTop) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::camera

@@ -13,7 +13,7 @@
 #include "base/expect_error.h"
 #include "base/temporary_folder.h"
 
-namespace inkedge {
+namespace inkedge::camera {
 namespace {
 
 using testing::HasSubstr;
@@ -108,4 +108,4 @@ TEST(ViewsText, IsRefusedWhenItNamesNothing) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::camera

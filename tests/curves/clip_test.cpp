@@ -4,7 +4,7 @@
 
 #include "curves/curves.h"
 
-namespace inkedge {
+namespace inkedge::curves {
 namespace {
 
 using namespace curves;
@@ -82,4 +82,4 @@ TEST(Clip, keepsExactlyWhatIsInsideOfWindingLines) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::curves

@@ -4,7 +4,7 @@
 
 #include "curves/curves.h"
 
-namespace inkedge {
+namespace inkedge::curves {
 namespace {
 
 using namespace curves;
@@ -117,4 +117,4 @@ TEST(FitBeziers, takeLinesWithoutExtentAndRepeatedPoints) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::curves

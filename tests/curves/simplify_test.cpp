@@ -4,7 +4,7 @@
 
 #include "curves/curves.h"
 
-namespace inkedge {
+namespace inkedge::curves {
 namespace {
 
 using namespace curves;
@@ -85,4 +85,4 @@ TEST(Simplify, costsNoSquareOfThePoints) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::curves

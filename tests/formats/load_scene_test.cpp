@@ -12,7 +12,7 @@
 #include "formats/gltf/gltf_files.h"
 #include "formats/reader.h"
 
-namespace inkedge {
+namespace inkedge::formats {
 namespace {
 
 namespace fs = std::filesystem;
@@ -301,4 +301,4 @@ TEST_F(LoadScene, bytesThatDrawNothingAreRefusedByTheirName) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::formats

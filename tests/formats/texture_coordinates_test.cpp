@@ -5,7 +5,7 @@
 
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::formats {
 namespace {
 
 using namespace gltf_files;
@@ -168,4 +168,4 @@ TEST_F(PolygonTextureCoordinates, OfPlyAreItsVertices) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::formats

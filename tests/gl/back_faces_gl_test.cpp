@@ -8,7 +8,7 @@
 #include "scene/prepared.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::gl {
 namespace {
 
 using testing::ElementsAre;
@@ -73,7 +73,7 @@ TEST_P(BackFacesTest, MixedMeshesKeepTheirTrianglesNumbers) {
     LoadSettings load;
     load.backFaces = BackFaces::Material;
     const Scene scene{std::move(data), load};
-    EXPECT_EQ(oneSidedTriangles(scene, 0), 1U);
+    EXPECT_EQ(scene::oneSidedTriangles(scene, 0), 1U);
     Settings settings;
     settings.picture.size = {64, 64};
     settings.maps = {Map::Ids};
@@ -85,4 +85,4 @@ TEST_P(BackFacesTest, MixedMeshesKeepTheirTrianglesNumbers) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::gl

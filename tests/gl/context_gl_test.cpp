@@ -9,7 +9,7 @@
 #include "gl/gl_test.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::gl {
 namespace {
 
 using gl_test::classic;
@@ -20,26 +20,26 @@ using testing::StrEq;
 INKEDGE_ON_EACH_BACKEND(ContextTest);
 
 TEST_P(ContextTest, isCurrentOnlyInItsScope) {
-    const gl::Current current{context()};
+    const Current current{context()};
     GLint name = 0;
     gpu().api.GetIntegerv(GL_MAJOR_VERSION, &name);
     EXPECT_EQ(name, 4);
 }
 
 // The current context is known by state that only one context has.
-void mark(const gl::Context& context, float value) { context.api().ClearColor(value, 0, 0, 0); }
-float marked(const gl::Context& context) {
+void mark(const Context& context, float value) { context.api().ClearColor(value, 0, 0, 0); }
+float marked(const Context& context) {
     GLfloat color[4]{-1.0F};
     context.api().GetFloatv(GL_COLOR_CLEAR_VALUE, color);
     return color[0];
 }
 
 TEST_P(ContextTest, givesBackTheContextThatWasCurrentBefore) {
-    const auto other = gl::createContext({GetParam(), {}});
-    const gl::Current outer{context()};
+    const auto other = createContext({GetParam(), {}});
+    const Current outer{context()};
     mark(context(), 0.25F);
     {
-        const gl::Current inner{*other};
+        const Current inner{*other};
         mark(*other, 0.75F);
         EXPECT_EQ(marked(*other), 0.75F);
     }
@@ -48,7 +48,7 @@ TEST_P(ContextTest, givesBackTheContextThatWasCurrentBefore) {
 
 TEST_P(ContextTest, isGivenBackByARenderer) {
     const Scene scene = scenes::sceneOf(scenes::cube());
-    const gl::Current outer{context()};
+    const Current outer{context()};
     mark(context(), 0.5F);
     (void)renderFramed(renderer(), scene, {16, 16});
     EXPECT_EQ(marked(context()), 0.5F);
@@ -62,17 +62,17 @@ TEST_P(ContextTest, worksAgainAfterARendererOfTheOtherBackend) {
     if (equipment == nullptr) GTEST_SKIP() << "no backend " << gl_test::backendName(other);
     const Scene scene = scenes::sceneOf(scenes::cube());
     {
-        const gl::Current current{context()};
+        const Current current{context()};
         mark(context(), 0.5F);
     }
     (void)renderFramed(equipment->renderer, scene, {16, 16});
-    const gl::Current current{context()};
+    const Current current{context()};
     EXPECT_EQ(marked(context()), 0.5F);
 }
 
 TEST_P(ContextTest, isGivenBackWhenARenderFails) {
     const Scene scene = scenes::sceneOf(scenes::cube());
-    const gl::Current outer{context()};
+    const Current outer{context()};
     mark(context(), 0.125F);
     EXPECT_THROW((void)renderer().render(scene, frameCamera(scene, {}, {1, 1}), classic({0, 0})), Error);
     EXPECT_EQ(marked(context()), 0.125F);
@@ -142,4 +142,4 @@ TEST(Backends, takeTheDeviceAskedFor) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::gl

@@ -10,7 +10,7 @@
 #include "gl/upload.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::gl {
 namespace {
 
 using testing::AllOf;
@@ -19,71 +19,71 @@ using testing::StrEq;
 
 INKEDGE_ON_EACH_BACKEND(GlErrors);
 
-gl::Api outOfMemory(gl::Api api) {
+Api outOfMemory(Api api) {
     api.GetError = [] { return static_cast<GLenum>(GL_OUT_OF_MEMORY); };
     return api;
 }
 
 template <GLenum status>
-gl::Api reset(gl::Api api) {
+Api reset(Api api) {
     api.GetGraphicsResetStatus = [] { return status; };
     return api;
 }
 
 TEST_P(GlErrors, areNoneWhenAllIsWell) {
-    const gl::Current current{context()};
-    EXPECT_NO_THROW(gl::checkErrors(context().api(), "nothing", "do nothing"));
+    const Current current{context()};
+    EXPECT_NO_THROW(checkErrors(context().api(), "nothing", "do nothing"));
 }
 
 TEST_P(GlErrors, nameAnErrorAndForgetIt) {
-    const gl::Current current{context()};
+    const Current current{context()};
     context().api().Enable(0xFFFFU);
     expectError(Error::Kind::Runtime,
                 StrEq("a test: expected no OpenGL error, found 0x500; update the graphics driver "
                       "or use another --backend"),
-                [&] { gl::checkErrors(context().api(), "a test", "do less"); });
-    EXPECT_NO_THROW(gl::checkErrors(context().api(), "a test", "do less"));
+                [&] { checkErrors(context().api(), "a test", "do less"); });
+    EXPECT_NO_THROW(checkErrors(context().api(), "a test", "do less"));
 }
 
 TEST_P(GlErrors, sayWhatDidNotFitIntoGraphicsMemory) {
-    const gl::Current current{context()};
-    const gl::Api api = outOfMemory(context().api());
+    const Current current{context()};
+    const Api api = outOfMemory(context().api());
     expectError(Error::Kind::Runtime,
                 StrEq("expected graphics memory for a picture of 4 x 3 pixels, found too little; ask for a smaller "
                       "--size or --tile-size"),
                 [&] {
-                    gl::TexturePool pool{api};
+                    TexturePool pool{api};
                     (void)pool.acquire({4, 3}, GL_R8);
                 });
     expectError(Error::Kind::Runtime,
                 StrEq("expected graphics memory for a scene of 12 triangles, found too little; draw a smaller model "
                       "or use --backend osmesa"),
-                [&] { const gl::UploadedScene upload(api, scenes::sceneOf(scenes::cube())); });
+                [&] { const UploadedScene upload(api, scenes::sceneOf(scenes::cube())); });
     expectError(Error::Kind::Runtime,
                 StrEq("expected graphics memory for the stage lines, found too little; ask for a smaller --size or "
                       "--supersampling"),
                 [&] {
                     std::vector<StageTime> times;
-                    gl::StageClock{api, times}.finish("lines");
+                    StageClock{api, times}.finish("lines");
                 });
 }
 
 TEST_P(GlErrors, sayThatTheContextIsLostAndWhy) {
-    const gl::Current current{context()};
-    const auto expectLoss = [](const gl::Api& api, const std::string& why) {
+    const Current current{context()};
+    const auto expectLoss = [](const Api& api, const std::string& why) {
         expectError(
             Error::Kind::Runtime,
             AllOf(HasSubstr("the stage lines: expected the OpenGL context to last, found it lost: "), HasSubstr(why)),
             [&] {
                 std::vector<StageTime> times;
-                gl::StageClock{api, times}.finish("lines");
+                StageClock{api, times}.finish("lines");
             });
     };
-    const gl::Api& api = context().api();
+    const Api& api = context().api();
     expectLoss(reset<GL_GUILTY_CONTEXT_RESET>(api), "because of this work; give it less to do at once");
     expectLoss(reset<GL_INNOCENT_CONTEXT_RESET>(api), "because of another program's work; render again");
     expectLoss(reset<GL_UNKNOWN_CONTEXT_RESET>(api), "was reset; render again");
-    gl::Api lost = api;
+    Api lost = api;
     lost.GetError = [] { return static_cast<GLenum>(GL_CONTEXT_LOST); };
     expectLoss(lost, "was reset; render again");
 }
@@ -91,7 +91,7 @@ TEST_P(GlErrors, sayThatTheContextIsLostAndWhy) {
 // llvmpipe's largest texture has more bytes than it gives to one.
 TEST_P(GlErrors, areSurvivedByThePoolOfTextures) {
     if (!renderer().backend().software) GTEST_SKIP() << "a graphics card may have the memory";
-    const gl::Current current{context()};
+    const Current current{context()};
     GLint maxSide = 0;
     context().api().GetIntegerv(GL_MAX_TEXTURE_SIZE, &maxSide);
     expectError(Error::Kind::Runtime, HasSubstr("expected graphics memory for a picture of "), [&] {
@@ -102,11 +102,11 @@ TEST_P(GlErrors, areSurvivedByThePoolOfTextures) {
 
 // What the current context's display can do; nothing where EGL is missing or another library made the context.
 std::string eglExtensions() {
-    void* const library = gl::openSharedObject({"libEGL.so.1"});
+    void* const library = openSharedObject({"libEGL.so.1"});
     void* (*currentDisplay)() = nullptr;
     const char* (*queryString)(void* display, int name) = nullptr;
-    if (library == nullptr || !gl::resolve(library, "eglGetCurrentDisplay", currentDisplay) ||
-        !gl::resolve(library, "eglQueryString", queryString)) {
+    if (library == nullptr || !resolve(library, "eglGetCurrentDisplay", currentDisplay) ||
+        !resolve(library, "eglQueryString", queryString)) {
         return {};
     }
     constexpr int extensions = 0x3055;  // EGL_EXTENSIONS
@@ -116,7 +116,7 @@ std::string eglExtensions() {
 }
 
 TEST_P(GlErrors, ofAResetAreAskedForWhereTheDriverReportsIt) {
-    const gl::Current current{context()};
+    const Current current{context()};
     if (eglExtensions().find("EGL_EXT_create_context_robustness") == std::string::npos) {
         GTEST_SKIP() << gl_test::backendName(GetParam()) << " does not report resets here";
     }
@@ -126,4 +126,4 @@ TEST_P(GlErrors, ofAResetAreAskedForWhereTheDriverReportsIt) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::gl

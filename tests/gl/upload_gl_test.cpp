@@ -5,7 +5,7 @@
 #include "gl/gl_test.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::gl {
 namespace {
 
 INKEDGE_ON_EACH_BACKEND(Uploading);
@@ -15,7 +15,7 @@ GLsizeiptr bytesUploaded = 0;
 GLsizei commandsDrawn = 0;
 PFNGLNAMEDBUFFERSTORAGEPROC upload = nullptr;
 
-gl::Api counting(gl::Api api) {
+Api counting(Api api) {
     upload = api.NamedBufferStorage;
     bytesUploaded = 0;
     commandsDrawn = 0;
@@ -38,14 +38,14 @@ TEST_P(Uploading, StoresAMeshOnceAndDrawsItsInstancesByOneCommand) {
         static_cast<GLsizeiptr>(scene.meshes()[0].positions.size() * (2 * sizeof(glm::vec3) + sizeof(GLuint)) +
                                 scene.meshes()[0].indices.size() * sizeof(std::uint32_t));
 
-    const gl::Current current{context()};
-    const gl::Api api = counting(context().api());
-    const gl::UploadedScene uploaded{api, scene};
+    const Current current{context()};
+    const Api api = counting(context().api());
+    const UploadedScene uploaded{api, scene};
     // A transform of 24 floats, a numbering of 3 integers and a patch's number; and some draw commands.
     EXPECT_LE(bytesUploaded, meshBytes + instances * (24 * 4 + 3 * 4 + 4) + 1000);
-    uploaded.draw(gl::UploadedScene::Triangles::All, gl::UploadedScene::HiddenBacks::Draw);
+    uploaded.draw(UploadedScene::Triangles::All, UploadedScene::HiddenBacks::Draw);
     EXPECT_EQ(commandsDrawn, 1);
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::gl

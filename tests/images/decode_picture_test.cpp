@@ -9,7 +9,7 @@
 
 #include <inkedge/error.h>
 
-namespace inkedge {
+namespace inkedge::images {
 namespace {
 
 // 16 x 8 pixels: (200, 40, 40) on the left, (30, 60, 220) on the right.
@@ -86,4 +86,4 @@ TEST(DecodePicture, keepsNothingOfAPngThatItRefuses) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::images

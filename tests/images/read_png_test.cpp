@@ -13,7 +13,7 @@
 namespace inkedge {
 namespace {
 
-using io::PngChannels;
+using images::PngChannels;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr png_uint_32 width = 19;
@@ -111,11 +111,11 @@ TEST(ReadPngToLookAt, isLibpngsSimplifiedReading) {
         const Bytes plainFile = written(plain);
         bool hasAlpha = false;
         const Bytes rgba = simplified(plainFile, PNG_FORMAT_RGBA, hasAlpha);
-        EXPECT_EQ(io::readPngToLookAt(file, 1000, PngChannels::Rgba).pixels, rgba) << testing::PrintToString(kind);
+        EXPECT_EQ(images::readPngToLookAt(file, 1000, PngChannels::Rgba).pixels, rgba) << testing::PrintToString(kind);
         const Bytes greyAlpha = simplified(plainFile, PNG_FORMAT_GA, hasAlpha);
-        EXPECT_EQ(io::readPngToLookAt(file, 1000, PngChannels::GreyAlpha).pixels, greyAlpha)
+        EXPECT_EQ(images::readPngToLookAt(file, 1000, PngChannels::GreyAlpha).pixels, greyAlpha)
             << testing::PrintToString(kind);
-        EXPECT_EQ(io::pngHasAlpha(file, 1000), hasAlpha) << testing::PrintToString(kind);
+        EXPECT_EQ(images::pngHasAlpha(file, 1000), hasAlpha) << testing::PrintToString(kind);
     }
 }
 
@@ -123,7 +123,7 @@ TEST(ReadPngToLookAt, refusesWhatIsCutOrTooLarge) {
     const Bytes file = written({PNG_COLOR_TYPE_RGB, 8, false, 0, PNG_INTERLACE_NONE});
     const auto refusal = [](const Bytes& bytes, std::uint64_t maxPixels) -> std::string {
         try {
-            static_cast<void>(io::readPngToLookAt(bytes, maxPixels, PngChannels::Rgba));
+            static_cast<void>(images::readPngToLookAt(bytes, maxPixels, PngChannels::Rgba));
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), Error::Kind::Input);
             return error.what();

@@ -17,7 +17,7 @@
 #include "ink/paint_strokes.h"
 #include "ink/strokes_of.h"
 
-namespace inkedge {
+namespace inkedge::ink {
 namespace {
 
 using curves::lineThrough;
@@ -271,4 +271,4 @@ TEST_F(ReadBrush, refusesInOneLineWhatIsNoPng) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::ink

@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace inkedge {
+namespace inkedge::ink {
 namespace {
 
 using testing::ElementsAre;
@@ -135,4 +135,4 @@ TEST(FreeEnds, AreThoseFarFromEveryOtherPiece) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::ink

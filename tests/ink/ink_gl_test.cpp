@@ -12,7 +12,7 @@
 #include "ink/ink_measures.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::ink {
 namespace {
 
 using ink_measures::Line;
@@ -356,4 +356,4 @@ TEST_P(Ink, ofACubeHasNoGaps) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::ink

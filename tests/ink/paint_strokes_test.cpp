@@ -11,7 +11,7 @@
 #include "ink/ink_measures.h"
 #include "ink/pens.h"
 
-namespace inkedge {
+namespace inkedge::ink {
 namespace {
 
 using ink_measures::Line;
@@ -230,4 +230,4 @@ TEST(PaintStrokes, isTheSameAnywhereInALargePicture) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::ink

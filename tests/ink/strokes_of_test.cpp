@@ -6,7 +6,7 @@
 #include "curves/curves.h"
 #include "ink/paint_strokes.h"
 
-namespace inkedge {
+namespace inkedge::ink {
 namespace {
 
 using curves::closedThrough;
@@ -215,4 +215,4 @@ TEST(StrokesOf, keepTheirWidthWhereAnotherLineGoesOn) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::ink

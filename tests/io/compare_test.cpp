@@ -34,8 +34,9 @@ protected:
     }
 
     fs::path save(const std::string& name, const Image<float>& picture) {
-        const io::Layer layer{&picture, {"Y"}, io::SampleType::Float};
-        const auto encoded = io::imageFormats(Error::Kind::Output).encode(io::FileFormat::OpenExr, {&layer, 1}, {});
+        const images::Layer layer{&picture, {"Y"}, images::SampleType::Float};
+        const auto encoded =
+            images::imageFormats(Error::Kind::Output).encode(images::FileFormat::OpenExr, {&layer, 1}, {});
         writeFile(folder_ / name, encoded.bytes);
         return folder_ / name;
     }
@@ -50,7 +51,7 @@ protected:
     }
 
     static std::vector<int> levels(const fs::path& file) {
-        const auto read = io::imageFormats(Error::Kind::Input).read(file);
+        const auto read = images::imageFormats(Error::Kind::Input).read(file);
         std::vector<int> result;
         for (const float value : read.image.pixels) result.push_back(static_cast<int>(std::lround(value * 255.0F)));
         return result;
@@ -325,8 +326,8 @@ TEST_F(Compare, readsEveryKindOfPngAsOpenImageIoDoes) {
           PngKind{PNG_COLOR_TYPE_PALETTE, 2}, PngKind{PNG_COLOR_TYPE_PALETTE, 2, PNG_INTERLACE_ADAM7, true}}) {
         const std::string png = noisyPng(kind);
         put(folder_ / "noise.png", png);
-        const io::ReadPicture ours = io::readPng(bytesOf(png));
-        const io::ReadPicture theirs = io::imageFormats(Error::Kind::Input).read(folder_ / "noise.png");
+        const images::ReadPicture ours = images::readPng(bytesOf(png));
+        const images::ReadPicture theirs = images::imageFormats(Error::Kind::Input).read(folder_ / "noise.png");
         ASSERT_EQ(ours.failure + theirs.failure, "") << kind.colorType << ", " << kind.bits << " bits";
         EXPECT_TRUE(ours.integers && theirs.integers);
         EXPECT_EQ(ours.image.size, theirs.image.size);

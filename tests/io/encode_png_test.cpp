@@ -71,7 +71,7 @@ TEST(EncodePng, refusesAPictureWithoutPixels) {
 
 // Pixels of a PNG of one channel of 16 bits: the file's own, most significant byte first.
 std::vector<std::uint16_t> decodeGrey16(const std::vector<std::uint8_t>& bytes) {
-    const io::ReadPicture picture = io::readPng(bytes);
+    const images::ReadPicture picture = images::readPng(bytes);
     std::vector<std::uint16_t> values;
     for (const float v : picture.image.pixels) values.push_back(static_cast<std::uint16_t>(std::lround(v * 65535.0F)));
     return values;

@@ -17,7 +17,7 @@
 #include "base/temporary_folder.h"
 #include "curves/curves.h"
 
-namespace inkedge {
+namespace inkedge::io {
 namespace {
 
 using curves::closedThrough;
@@ -338,4 +338,4 @@ TEST(ReadLines, readsFilesAndNamesThemWhereItRefuses) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::io

@@ -20,7 +20,7 @@
 #include "io/svg_path.h"
 #include "io/well_formed.h"
 
-namespace inkedge {
+namespace inkedge::io {
 namespace {
 
 using curves::closedThrough;
@@ -83,7 +83,7 @@ std::string between(const std::string& text, const std::string& begin, const std
 }
 
 TEST(SvgPath, isShort) {
-    io::SvgPath path;
+    SvgPath path;
     path.moveTo({10, 20.5});
     path.lineTo({10.25, 20.75});
     path.lineTo({10.25, 20.75});  // nowhere
@@ -96,7 +96,7 @@ TEST(SvgPath, isShort) {
 }
 
 TEST(SvgPath, losesNothingByRounding) {
-    io::SvgPath path;
+    SvgPath path;
     path.moveTo({0, 0});
     for (int i = 1; i <= 1000; ++i) path.lineTo({i * 0.014, 0.0});
     double x = 0.0;
@@ -109,7 +109,7 @@ TEST(SvgPath, losesNothingByRounding) {
 }
 
 TEST(SvgPath, ofOnePointIsADot) {
-    io::SvgPath path;
+    SvgPath path;
     path.moveTo({3, 4});
     path.lineTo({3, 4.001});
     EXPECT_EQ(path.text(), "m3 4h0");
@@ -249,7 +249,7 @@ Image<float> rasterised(const TemporaryFolder& folder, const std::string& text) 
     const std::string command =
         fmt::format("rsvg-convert '{}' -o '{}'", (folder / "lines.svg").string(), (folder / "lines.png").string());
     if (std::system(command.c_str()) != 0) return {};
-    return io::readPng(bytesOf(contents(folder / "lines.png"))).image;
+    return images::readPng(bytesOf(contents(folder / "lines.png"))).image;
 }
 
 double level(const Image<float>& image, int x, int y) {
@@ -282,8 +282,8 @@ TEST(LinesSvg, looksInLibrsvgAsThePaintedPictureDoes) {
                                                 {"hidden", hiddenLines}});
                 const Image<float> drawn = rasterised(folder, svg(lines, settings));
                 ASSERT_EQ(drawn.size, size);
-                const auto strokes = strokesOf(lines, settings.picture, settings.lines);
-                const Image<std::uint8_t> painted = paintStrokes(strokes, settings.picture);
+                const auto strokes = ink::strokesOf(lines, settings.picture, settings.lines);
+                const Image<std::uint8_t> painted = ink::paintStrokes(strokes, settings.picture);
                 double sum = 0.0;
                 double ink = 0.0;
                 for (int y = 0; y < size.height; ++y) {
@@ -306,4 +306,4 @@ TEST(LinesSvg, looksInLibrsvgAsThePaintedPictureDoes) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::io

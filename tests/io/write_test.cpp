@@ -284,15 +284,15 @@ TEST(ImageModule, saysWhereItWasLookedFor) {
     expectError(Error::Kind::Output,
                 HasSubstr(fmt::format("expected inkedge_image_formats.so in one of {}, {}, found none; reinstall",
                                       folders[0].string(), folders[1].string())),
-                [&] { static_cast<void>(openModule(io::imageModule, folders, Error::Kind::Output)); });
+                [&] { static_cast<void>(modules::openModule(images::imageModule, folders, Error::Kind::Output)); });
 }
 
 TEST(ImageModule, refusesAFileThatIsNone) {
     const TemporaryFolder folder;
-    put(folder / io::imageModule.file, "no library");
+    put(folder / images::imageModule.file, "no library");
     const std::array<fs::path, 1> folders{folder.path()};
     expectError(Error::Kind::Input, AllOf(HasSubstr("that can be opened, found: "), HasSubstr("reinstall")),
-                [&] { static_cast<void>(openModule(io::imageModule, folders, Error::Kind::Input)); });
+                [&] { static_cast<void>(modules::openModule(images::imageModule, folders, Error::Kind::Input)); });
 }
 
 }  // namespace

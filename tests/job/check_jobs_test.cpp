@@ -7,7 +7,7 @@
 #include "base/expect_error.h"
 #include "base/temporary_folder.h"
 
-namespace inkedge {
+namespace inkedge::job {
 namespace {
 
 using testing::ElementsAre;
@@ -101,4 +101,4 @@ TEST_F(CheckJobs, refusesWhatIsNoLineInFilesOfLines) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::job

@@ -17,7 +17,7 @@
 #include "base/temporary_folder.h"
 #include "gl/gl_test.h"
 
-namespace inkedge {
+namespace inkedge::job {
 namespace {
 
 using testing::ElementsAre;
@@ -205,4 +205,4 @@ TEST_P(RunJobs, refuseACountOfWorkers) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::job

@@ -16,7 +16,7 @@ using namespace views;
 std::vector<BorderSegment> partsOf(const Scene& scene) {
     std::vector<MeshEdges> edges;
     for (std::size_t i = 0; i < scene.meshes().size(); ++i)
-        edges.push_back(findEdges(scene.meshes()[i], topologyOf(scene, i), scene.creaseAngle()));
+        edges.push_back(findEdges(scene.meshes()[i], scene::topologyOf(scene, i), scene.creaseAngle()));
     return findBorderSegments(scene, edges);
 }
 

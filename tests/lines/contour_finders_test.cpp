@@ -28,8 +28,8 @@ struct Searched {
     explicit Searched(Scene whole, std::size_t mesh = 0)
         : scene{std::move(whole)},
           number{mesh},
-          edges{findEdges(scene.meshes()[mesh], topologyOf(scene, mesh), scene.creaseAngle())},
-          search{std::make_unique<ContourSearch>(scene.meshes()[mesh], topologyOf(scene, mesh), edges)} {}
+          edges{findEdges(scene.meshes()[mesh], scene::topologyOf(scene, mesh), scene.creaseAngle())},
+          search{std::make_unique<ContourSearch>(scene.meshes()[mesh], scene::topologyOf(scene, mesh), edges)} {}
     Searched(const Searched&) = delete;
     Searched& operator=(const Searched&) = delete;
 
@@ -58,8 +58,8 @@ struct Searched {
         double sum = 0.0;
         for (const std::uint32_t e : some) {
             const std::uint32_t h = edges.shared.halfEdges[e];
-            sum +=
-                double{glm::distance(mesh.positions[mesh.indices[h]], mesh.positions[mesh.indices[nextHalfEdge(h)]])};
+            sum += double{
+                glm::distance(mesh.positions[mesh.indices[h]], mesh.positions[mesh.indices[mesh::nextHalfEdge(h)]])};
         }
         return sum;
     }
@@ -106,7 +106,7 @@ Mesh hills(std::uint32_t segments) {
 }
 
 Mesh everyOtherFaceTurned(Mesh mesh) {
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 6) turnOver(mesh, i);
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 6) mesh::turnOver(mesh, i);
     return mesh;
 }
 

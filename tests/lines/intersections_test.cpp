@@ -11,7 +11,7 @@
 
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::lines {
 namespace {
 
 using namespace scenes;
@@ -238,4 +238,4 @@ TEST(Intersections, AreThoseThatEveryPairOfFacesHas) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::lines

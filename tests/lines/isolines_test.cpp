@@ -8,7 +8,7 @@
 
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::lines {
 namespace {
 
 using testing::IsEmpty;
@@ -32,7 +32,7 @@ Mesh sheet(std::uint32_t n, glm::dvec2 offset = {0, 0}, double scale = 1.0) {
 }
 
 std::vector<IsolineSegment> isolinesOf(const Mesh& mesh, Isolines steps) {
-    return findIsolines(mesh, buildTopology(mesh), steps);
+    return findIsolines(mesh, mesh::buildTopology(mesh), steps);
 }
 
 double totalLength(const std::vector<IsolineSegment>& segments) {
@@ -145,4 +145,4 @@ TEST(Isolines, OfRepeatedFacesAreThereOnce) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::lines

@@ -8,7 +8,7 @@
 
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::lines {
 namespace {
 
 using testing::IsEmpty;
@@ -35,7 +35,7 @@ double seen(const Mesh& mesh, LineType type, const Settings& settings) {
     const Scene scene = scenes::sceneOf(mesh);
     const Camera camera = frameCamera(scene, settings.camera, settings.picture.size);
     double sum = 0.0;
-    for (const Line& line : lines::ObjectLines{scene}.find(camera, settings).lines)
+    for (const Line& line : ObjectLines{scene}.find(camera, settings).lines)
         if (line.type == type && line.visible) sum += length(line);
     return sum;
 }
@@ -89,7 +89,7 @@ TEST(Isolines, AreLinesOfTheirOwnWhoseStepsMayChange) {
     mesh.edges.clear();
     for (const glm::vec3 p : mesh.positions) mesh.textureCoordinates.emplace_back(0.5F * p.x + 0.4F, 0.5F * p.y + 0.4F);
     const Scene scene = scenes::sceneOf(mesh);
-    const lines::ObjectLines lines{scene};
+    const ObjectLines lines{scene};
     Settings settings = drawing(allLineTypes);
     const Camera camera = frameCamera(scene, settings.camera, settings.picture.size);
     const auto isolines = [&](Isolines steps) {
@@ -121,4 +121,4 @@ TEST(Isolines, OnTheBackOfASolidAreNotSeen) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::lines

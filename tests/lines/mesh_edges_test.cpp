@@ -17,7 +17,7 @@ using testing::SizeIs;
 
 MeshEdges edgesOf(const Mesh& mesh, double creaseAngle = 40.0) {
     const Scene scene = sceneOf(mesh);
-    return findEdges(scene.meshes()[0], topologyOf(scene, 0), creaseAngle);
+    return findEdges(scene.meshes()[0], scene::topologyOf(scene, 0), creaseAngle);
 }
 
 Mesh turnedOver(Mesh mesh) {

@@ -42,7 +42,7 @@ TEST(RayCaster, NeedsAHundredThousandthOfTheDistance) {
 
 TEST(RayCaster, DoesNotCountAPointsOwnFaces) {
     const OneSquare one;
-    const std::array<SceneFace, 2> own{SceneFace{0, 0}, SceneFace{0, 1}};
+    const std::array<scene::SceneFace, 2> own{scene::SceneFace{0, 0}, scene::SceneFace{0, 1}};
     EXPECT_FALSE(one.rays.hides(one.screen, {0.3, 0.2, -1}, own));
     // But those behind them.
     const Scene two = sceneOf({{quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}), glm::dmat4{1.0}},
@@ -102,7 +102,7 @@ TEST(RayCaster, NamesTheFirstNormalOnAWay) {
     ASSERT_TRUE(normal);
     EXPECT_NEAR(std::abs(normal->z), 1.0, 1e-12);
     EXPECT_FALSE(one.rays.firstNormal({0.3, 0.2, 1}, {0.3, 0.2, 0.1}, {}));
-    const std::array<SceneFace, 2> own{SceneFace{0, 0}, SceneFace{0, 1}};
+    const std::array<scene::SceneFace, 2> own{scene::SceneFace{0, 0}, scene::SceneFace{0, 1}};
     EXPECT_FALSE(one.rays.firstNormal({0.3, 0.2, 1}, {0.3, 0.2, -1}, own));
 }
 

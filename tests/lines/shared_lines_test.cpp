@@ -40,7 +40,7 @@ TEST(SharedLines, arePreparedOnceForCopiesOfAScene) {
     const Scene scene = scenes::sceneOf(scenes::cube());
     const Scene other = scenes::sceneOf(scenes::cube());
     const Scene copy = scene;
-    const SharedOnce& shared = *preparedOf(scene)->lines;
+    const scene::SharedOnce& shared = *preparedOf(scene)->lines;
     const ObjectLines first{scene};
     const ObjectLines second{copy};
     const ObjectLines ofOther{other};
@@ -52,7 +52,7 @@ TEST(SharedLines, holdNoSceneOnceNobodyHoldsThem) {
     std::weak_ptr<const void> identity;
     {
         const Scene scene = scenes::sceneOf(scenes::cube());
-        identity = identityOf(scene);
+        identity = scene::identityOf(scene);
         {
             const ObjectLines first{scene};
             const ObjectLines second{scene};

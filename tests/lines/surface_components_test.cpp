@@ -26,7 +26,7 @@ struct Components {
     static std::vector<MeshEdges> edgesOf(const Scene& scene) {
         std::vector<MeshEdges> edges;
         for (std::size_t i = 0; i < scene.meshes().size(); ++i)
-            edges.push_back(findEdges(scene.meshes()[i], topologyOf(scene, i), scene.creaseAngle()));
+            edges.push_back(findEdges(scene.meshes()[i], scene::topologyOf(scene, i), scene.creaseAngle()));
         return edges;
     }
 };

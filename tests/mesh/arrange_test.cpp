@@ -4,7 +4,7 @@
 
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 using testing::ElementsAre;
@@ -47,4 +47,4 @@ TEST(BringForward, TakesAlongWhatIsSaidOfTrianglesAndTheirEdges) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::mesh

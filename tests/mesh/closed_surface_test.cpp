@@ -4,7 +4,7 @@
 
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 bool isClosed(const Mesh& mesh) { return isClosedOutward(mesh, buildTopology(mesh)); }
@@ -41,4 +41,4 @@ TEST(IsClosedOutward, FailsForWhatShowsItsBacks) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -6,7 +6,7 @@
 
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 double maximumOf(const Scene& scene) {
@@ -112,4 +112,4 @@ TEST(MeanCurvature, isNotMadeUnlessAskedFor) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::mesh

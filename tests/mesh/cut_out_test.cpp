@@ -12,7 +12,7 @@
 
 #include "mesh/topology.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 using testing::IsEmpty;
@@ -198,4 +198,4 @@ TEST(CutOutTest, NoiseIsCut) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::mesh

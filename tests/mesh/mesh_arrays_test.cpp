@@ -11,7 +11,7 @@
 
 #include "base/expect_error.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 using testing::ElementsAre;
@@ -197,4 +197,4 @@ TEST(MeshArrays, numbersOutOfRangeAreRefused) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -11,7 +11,7 @@
 
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 using testing::ElementsAre;
@@ -244,4 +244,4 @@ TEST(CompleteNormals, makesThoseThatAreNotFinite) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -9,7 +9,7 @@
 #include "mesh/topology.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 using namespace control_meshes;
@@ -145,4 +145,4 @@ TEST(Subdivide, goesOnAcrossTangentEdges) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::mesh

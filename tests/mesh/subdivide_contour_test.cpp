@@ -14,7 +14,7 @@
 #include "scene/prepared.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 using namespace control_meshes;
@@ -148,7 +148,7 @@ std::size_t blockOf(const ControlMesh& control, std::uint32_t triangle, std::siz
     return control.faces[triangle] * perFace;
 }
 
-ControlMesh controlOf(const Scene& scene) { return controlMesh(scene.meshes()[0], topologyOf(scene, 0)); }
+ControlMesh controlOf(const Scene& scene) { return controlMesh(scene.meshes()[0], scene::topologyOf(scene, 0)); }
 
 TEST(RefineNear, givesWhatUniformRefinementGivesThere) {
     for (const AdaptiveCase& c : adaptiveCases()) {
@@ -205,4 +205,4 @@ TEST(RefineNear, leavesAloneWhatTheContourIsFarFrom) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::mesh

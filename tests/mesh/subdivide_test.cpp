@@ -16,7 +16,7 @@
 #include "scene/prepared.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 using namespace control_meshes;
@@ -24,7 +24,7 @@ using testing::Each;
 using testing::HasSubstr;
 
 std::size_t creasesOf(const Scene& scene) {
-    return static_cast<std::size_t>(std::ranges::count(topologyOf(scene, 0).creases, true));
+    return static_cast<std::size_t>(std::ranges::count(scene::topologyOf(scene, 0).creases, true));
 }
 
 TEST(Subdivide, leavesACubeWithCreasesACube) {
@@ -40,8 +40,8 @@ TEST(Subdivide, leavesACubeWithCreasesACube) {
             EXPECT_NEAR(std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}), 1.0F, 1e-6F);
         }
         EXPECT_EQ(creasesOf(scene), 12U * 8U * 2U);
-        EXPECT_EQ(topologyOf(scene, 0).patchCount, 6U);
-        EXPECT_TRUE(isClosedOutward(mesh, topologyOf(scene, 0)));
+        EXPECT_EQ(scene::topologyOf(scene, 0).patchCount, 6U);
+        EXPECT_TRUE(isClosedOutward(mesh, scene::topologyOf(scene, 0)));
     }
 }
 
@@ -49,7 +49,7 @@ TEST(Subdivide, roundsWhatIsNoCrease) {
     for (const Mesh& control : {scenes::cube(), quadCube()}) {
         const Scene scene = refined(control, levels(3, smoothAngle));
         EXPECT_EQ(creasesOf(scene), 0U);
-        EXPECT_TRUE(isClosedOutward(scene.meshes()[0], topologyOf(scene, 0)));
+        EXPECT_TRUE(isClosedOutward(scene.meshes()[0], scene::topologyOf(scene, 0)));
         // The surface lies within its control mesh and leaves its corners.
         EXPECT_LT(scene.bounds().radius, 1.6);
         EXPECT_LT(scene.box().max.x, 1.0);
@@ -200,9 +200,9 @@ TEST(Subdivide, givesEachSideOfACurvedCreaseItsNormals) {
     // Along the axis or across it.
     for (const Mesh& control : {barrel(0.0), asTriangles(barrel(0.0))}) {
         const Scene scene = refined(control, levels(3, 65.0));
-        EXPECT_EQ(topologyOf(scene, 0).patchCount, 3U);
+        EXPECT_EQ(scene::topologyOf(scene, 0).patchCount, 3U);
         EXPECT_EQ(creasesOf(scene), 12U * 8U * 2U);
-        EXPECT_TRUE(isClosedOutward(scene.meshes()[0], topologyOf(scene, 0)));
+        EXPECT_TRUE(isClosedOutward(scene.meshes()[0], scene::topologyOf(scene, 0)));
         for (const glm::vec3 n : scene.meshes()[0].normals)
             EXPECT_TRUE(std::abs(n.z) < 1e-5F || std::abs(n.z) > 1.0F - 1e-5F) << n.z;
     }
@@ -253,7 +253,7 @@ TEST(Subdivide, opensNoGapWhereManyFacesMeet) {
     }
     for (const Mesh& control : {book, asTriangles(book)}) {
         const Scene scene = refined(control, levels(2, smoothAngle));
-        const auto& twins = topologyOf(scene, 0).twins;
+        const auto& twins = scene::topologyOf(scene, 0).twins;
         EXPECT_EQ(std::ranges::count(twins, manyHalfEdges), 3 * 3 * 4);  // leaves, edges of the spine, their parts
     }
 }
@@ -293,4 +293,4 @@ TEST(Subdivide, survivesAnyFacesBetweenAFewPoints) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -9,7 +9,7 @@
 #include "mesh/normals.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 using testing::Each;
@@ -274,4 +274,4 @@ TEST(BuildPatches, countRepeatedTrianglesToTheFirst) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-namespace inkedge {
+namespace inkedge::mesh {
 namespace {
 
 using testing::ElementsAre;
@@ -107,4 +107,4 @@ TEST(WeldByPosition, findsEveryPairAmongMany) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -11,7 +11,7 @@
 #include "gl/gl_test.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 using gl_test::classic;
@@ -240,4 +240,4 @@ TEST_P(AnalyticScene, boxesAtOneDepthWithOneNormalShowNoLineBetweenThem) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -10,7 +10,7 @@
 #include "gl/gl_test.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 using gl_test::classic;
@@ -83,4 +83,4 @@ TEST_P(Composite, makesTheRenderersPicture) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::passes

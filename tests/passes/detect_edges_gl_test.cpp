@@ -15,7 +15,7 @@
 #include "gl/read_back.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 using gl_test::classic;
@@ -338,4 +338,4 @@ TEST(Kernels, inTheShaderAreThoseOfTheReference) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -22,7 +22,7 @@
 #include "passes/frame.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 INKEDGE_ON_EACH_BACKEND(DetectLines);
@@ -35,10 +35,10 @@ TEST(Marks, areTheSameBitsInTheShaderAndInTheReference) {
     for (std::sregex_iterator i{text.begin(), text.end(), definition}, end; i != end; ++i) {
         found[(*i)[1]] = static_cast<unsigned>(std::stoul((*i)[2]));
     }
-    const std::map<std::string, unsigned> expected{{"BACKGROUND", PairMark::background},
-                                                   {"PATCH", PairMark::patch},
-                                                   {"BEND", PairMark::bend},
-                                                   {"JUMP", PairMark::jump}};
+    const std::map<std::string, unsigned> expected{{"BACKGROUND", raster::PairMark::background},
+                                                   {"PATCH", raster::PairMark::patch},
+                                                   {"BEND", raster::PairMark::bend},
+                                                   {"JUMP", raster::PairMark::jump}};
     EXPECT_EQ(found, expected);
 }
 
@@ -81,7 +81,8 @@ public:
         EXPECT_EQ(marks.size, size);
         Comparison result;
         if (marks.pixels.size() != expected.pixels.size()) return result;
-        constexpr unsigned exactBits = (PairMark::background | PairMark::patch) * 0x11U;  // compare ids: no rounding
+        constexpr unsigned exactBits =
+            (raster::PairMark::background | raster::PairMark::patch) * 0x11U;  // compare ids: no rounding
         for (std::size_t i = 0; i < marks.pixels.size(); ++i) {
             const unsigned difference = marks.pixels[i] ^ static_cast<unsigned>(expected.pixels[i]);
             EXPECT_EQ(difference & exactBits, 0U) << "pixel " << i;
@@ -185,7 +186,7 @@ TEST_P(DetectLines, takeTheCreaseAngleTheyAreGiven) {
         for (const double angle : {bend - 0.5, bend + 0.5}) {
             const Image<std::uint8_t> marks = detectLines(frame, buffers.planes, angle);
             for (int y = 0; y < size.height; ++y) {
-                EXPECT_EQ(marks.at(15, y), angle < bend ? PairMark::bend : 0U) << bend << ", " << angle;
+                EXPECT_EQ(marks.at(15, y), angle < bend ? raster::PairMark::bend : 0U) << bend << ", " << angle;
                 EXPECT_EQ(marks.at(14, y), 0U);
             }
         }
@@ -193,8 +194,8 @@ TEST_P(DetectLines, takeTheCreaseAngleTheyAreGiven) {
 }
 
 // How many regions hold a pixel.
-int holding(const std::vector<Rectangle>& regions, int x, int y) {
-    return static_cast<int>(std::ranges::count_if(regions, [&](const Rectangle& r) {
+int holding(const std::vector<raster::Rectangle>& regions, int x, int y) {
+    return static_cast<int>(std::ranges::count_if(regions, [&](const raster::Rectangle& r) {
         return x >= r.x && x < r.x + r.size.width && y >= r.y && y < r.y + r.size.height;
     }));
 }
@@ -205,7 +206,7 @@ TEST(RegionsAround, holdMarkedPixelsAndTheirNeighboursOnce) {
         for (int count = 0; count < 6; ++count) {
             Image<std::uint8_t> marks{size, 1};
             for (int i = 0; i < count; ++i) marks.pixels[random() % marks.pixels.size()] = 16;
-            const std::vector<Rectangle> regions = regionsAround(marks);
+            const std::vector<raster::Rectangle> regions = regionsAround(marks);
             for (int y = 0; y < size.height; ++y) {
                 for (int x = 0; x < size.width; ++x) {
                     EXPECT_LE(holding(regions, x, y), 1);
@@ -217,7 +218,7 @@ TEST(RegionsAround, holdMarkedPixelsAndTheirNeighboursOnce) {
                     }
                 }
             }
-            for (const Rectangle& r : regions) {
+            for (const raster::Rectangle& r : regions) {
                 EXPECT_GE(r.x, 0);
                 EXPECT_LE(r.x + r.size.width, size.width);
                 EXPECT_LE(r.y + r.size.height, size.height);
@@ -235,10 +236,10 @@ TEST_P(DetectLines, whatIsReadOfRegionsIsWhatIsReadOfThePicture) {
     const PlaneBuffers buffers = drawPlanes(frameOf(gpu(), upload, scene, camera, size));
     const Image<float> planes = gl::readFloats(gpu().api, buffers.planes, 4);
     const Image<std::uint32_t> triangles = gl::readIntegers(gpu().api, buffers.triangles);
-    const std::vector<Rectangle> regions{{3, 2, {40, 30}}, {0, 40, {93, 31}}};
-    const Samples<float> somePlanes = gl::readFloats(gpu().api, buffers.planes, 4, regions);
-    const Samples<std::uint32_t> someTriangles = gl::readIntegers(gpu().api, buffers.triangles, regions);
-    for (const Rectangle& r : regions) {
+    const std::vector<raster::Rectangle> regions{{3, 2, {40, 30}}, {0, 40, {93, 31}}};
+    const raster::Samples<float> somePlanes = gl::readFloats(gpu().api, buffers.planes, 4, regions);
+    const raster::Samples<std::uint32_t> someTriangles = gl::readIntegers(gpu().api, buffers.triangles, regions);
+    for (const raster::Rectangle& r : regions) {
         for (int y = r.y; y < r.y + r.size.height; ++y) {
             for (int x = r.x; x < r.x + r.size.width; ++x) {
                 for (int k = 0; k < 4; ++k) ASSERT_EQ(somePlanes.at(x, y, k), planes.at(x, y, k)) << x << ", " << y;
@@ -249,4 +250,4 @@ TEST_P(DetectLines, whatIsReadOfRegionsIsWhatIsReadOfThePicture) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -10,7 +10,7 @@
 #include "gl/gl_test.h"
 #include "scene/prepared.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 const std::string assets = INKEDGE_SOURCE_DIR "/assets/";
@@ -68,13 +68,13 @@ TEST_P(DrawGeometry, SkipsHiddenBacksUnseen) {
     int hiding = 0;
     for (const char* asset : {"gear.glb", "boxes.glb", "touching_solids.glb", "torus_knot.glb", "blob.glb",
                               "bracket.glb", "sheet.glb", "teapot.glb", "primitives.glb"}) {
-        Scene::Data data = load::readModel({assets + asset}, {});
+        Scene::Data data = formats::readModel({assets + asset}, {});
         const Scene skipping{data};
         data.source.knowsSides = false;
         const Scene drawing{std::move(data)};
         for (std::size_t i = 0; i < skipping.meshes().size(); ++i) {
-            hiding += hidesItsBacks(skipping, i) ? 1 : 0;
-            EXPECT_FALSE(hidesItsBacks(drawing, i));
+            hiding += scene::hidesItsBacks(skipping, i) ? 1 : 0;
+            EXPECT_FALSE(scene::hidesItsBacks(drawing, i));
         }
         CameraSettings inside;
         inside.position = skipping.bounds().centre + glm::dvec3{0.1, 0.2, 0.3} * skipping.bounds().radius;
@@ -103,4 +103,4 @@ TEST_P(DrawGeometry, SkipsHiddenBacksUnseen) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::passes

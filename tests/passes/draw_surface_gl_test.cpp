@@ -12,7 +12,7 @@
 #include "gl/read_back.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 using gl_test::classic;
@@ -390,4 +390,4 @@ TEST_P(DrawSurface, trustsNoStateThatItFinds) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -8,7 +8,7 @@
 #include "gl/gl_test.h"
 #include "gl/read_back.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 INKEDGE_ON_EACH_BACKEND(FunctionEdges);
@@ -111,4 +111,4 @@ TEST_P(FunctionEdges, ofLargeValuesThatStayTheSameHaveNoEdges) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::passes

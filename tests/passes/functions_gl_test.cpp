@@ -17,7 +17,7 @@
 #include "passes/function_edges.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 using gl_test::toDouble;
@@ -442,4 +442,4 @@ TEST_P(Functions, profilesKnowNoSlope) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -15,7 +15,7 @@
 #include "passes/line_maps.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 using namespace line_maps;
@@ -312,4 +312,4 @@ TEST_P(Lines, findTheCornerOfAFold) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -11,7 +11,7 @@
 #include "passes/line_maps.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 using namespace line_maps;
@@ -329,4 +329,4 @@ TEST_P(LinesOfScenes, ofSolidsThatTouchInAPlaneDoNotSpeckle) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::passes

@@ -13,7 +13,7 @@
 #include "gl/gl_test.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 INKEDGE_ON_EACH_BACKEND(PictureFunctions);
@@ -57,4 +57,4 @@ TEST_P(PictureFunctions, drawAPictureAsItIsOnDiskNow) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::passes

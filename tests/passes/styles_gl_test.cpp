@@ -20,7 +20,7 @@
 #include "passes/sumi.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::passes {
 namespace {
 
 using gl_test::toDouble;
@@ -405,4 +405,4 @@ TEST_P(Styles, hatchMarksOfManySamplesAreFinerButNotDarker) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::passes

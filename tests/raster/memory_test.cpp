@@ -4,7 +4,7 @@
 
 #include "base/expect_error.h"
 
-namespace inkedge {
+namespace inkedge::raster {
 namespace {
 
 TEST(Memory, isAskedForBeforeALargePictureIsDrawn) {
@@ -22,4 +22,4 @@ TEST(Memory, isAskedForBeforeALargePictureIsDrawn) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::raster

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace inkedge {
+namespace inkedge::raster {
 namespace {
 
 constexpr Size pictures[]{{1, 1},       {256, 256},   {257, 256},     {300, 1000},  {1000, 700},  {4096, 4096},
@@ -117,4 +117,4 @@ TEST(Tiles, putTogetherAreThePicture) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::raster

@@ -10,7 +10,7 @@
 #include "gl/gl_test.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::render {
 namespace {
 
 INKEDGE_ON_EACH_BACKEND(BrushFile);
@@ -39,4 +39,4 @@ TEST_P(BrushFile, isReadAgainWhenItHasChanged) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::render

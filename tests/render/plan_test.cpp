@@ -10,7 +10,7 @@
 #include "passes/sumi.h"
 #include "render/plan.h"
 
-namespace inkedge {
+namespace inkedge::render {
 namespace {
 
 RenderSettings with(Detector detector, std::vector<Map> maps = {}, Style style = Style::Ink) {
@@ -48,7 +48,7 @@ TEST(PlanOf, aPictureOfLinesDrawsWhatItsDetectorReads) {
     EXPECT_EQ(drawn(classic), "surface");
     EXPECT_FALSE(classic.tracesLines);
     EXPECT_TRUE(classic.detectsEdges);
-    EXPECT_EQ(classic.magnitudes, Magnitudes::Drop);
+    EXPECT_EQ(classic.magnitudes, passes::Magnitudes::Drop);
 
     const Plan profiles = planOf(with(Detector::SaitoTakahashi));
     EXPECT_EQ(profiles.lines, LineSource::Profiles);
@@ -73,7 +73,7 @@ TEST(PlanOf, mapsOfLinesAreFoundWhateverThePicturesLinesAre) {
         EXPECT_EQ(drawn(plan), "planes") << name(map);
         EXPECT_TRUE(plan.tracesLines) << name(map);
         EXPECT_EQ(plan.types, map == Map::Types);
-        EXPECT_EQ(plan.ids, map == Map::Ids ? TraceIds::Keep : TraceIds::Drop);
+        EXPECT_EQ(plan.ids, map == Map::Ids ? trace::TraceIds::Keep : trace::TraceIds::Drop);
     }
 }
 
@@ -89,7 +89,7 @@ TEST(PlanOf, mapsOfTheSurfaceAreDrawnBesideThePicturesLines) {
         const Plan plan = planOf(fromObject({map}));
         EXPECT_EQ(drawn(plan), "surface") << name(map);
         EXPECT_TRUE(plan.detectsEdges) << name(map);
-        EXPECT_EQ(plan.magnitudes, Magnitudes::Keep) << name(map);
+        EXPECT_EQ(plan.magnitudes, passes::Magnitudes::Keep) << name(map);
         EXPECT_EQ(plan.edgeMaps.depth, map == Map::DepthEdges);
         EXPECT_EQ(plan.edgeMaps.normal, map == Map::NormalEdges);
         EXPECT_FALSE(plan.edgeMaps.either);
@@ -140,8 +140,8 @@ TEST(PlanOf, hatchMarksReadPlanesBesideAnyLines) {
     EXPECT_EQ(alone.lines, LineSource::None);
     EXPECT_EQ(drawn(alone), "planes");
     EXPECT_FALSE(alone.tracesLines);
-    EXPECT_EQ(alone.margin, tileMargin);
-    EXPECT_EQ(alone.paper, Paper::Background);
+    EXPECT_EQ(alone.margin, raster::tileMargin);
+    EXPECT_EQ(alone.paper, settings::Paper::Background);
     EXPECT_EQ(planOf(with(Detector::Planes, {}, Style::Hatch)).lines, LineSource::Planes);
 }
 
@@ -153,8 +153,8 @@ TEST(PlanOf, aBrushReplacesLinesAndReachesFar) {
     EXPECT_EQ(plan.lines, LineSource::None);
     EXPECT_EQ(drawn(plan), "surface");
     EXPECT_FALSE(plan.detectsEdges);
-    EXPECT_GT(plan.margin, tileMargin);
-    EXPECT_EQ(plan.margin, 2 * sumiReach(settings.style));
+    EXPECT_GT(plan.margin, raster::tileMargin);
+    EXPECT_EQ(plan.margin, 2 * passes::sumiReach(settings.style));
     settings.lines.from = LinesFrom::Object;
     EXPECT_EQ(planOf(settings).lines, LineSource::None);
 }
@@ -166,7 +166,7 @@ TEST(PlanOf, aPencilDrawsOverWhatLiesOnNothing) {
     EXPECT_EQ(plan.lines, LineSource::Object);
     EXPECT_EQ(drawn(plan), "");
     EXPECT_TRUE(plan.needsContext());
-    EXPECT_EQ(plan.paper, Paper::Transparent);
+    EXPECT_EQ(plan.paper, settings::Paper::Transparent);
 }
 
 TEST(PlanOfImageLines, isOfTracedLinesAlone) {
@@ -174,7 +174,7 @@ TEST(PlanOfImageLines, isOfTracedLinesAlone) {
     EXPECT_EQ(plan.lines, LineSource::Planes);
     EXPECT_EQ(drawn(plan), "planes");
     EXPECT_TRUE(plan.tracesLines);
-    EXPECT_EQ(plan.ids, TraceIds::Drop);
+    EXPECT_EQ(plan.ids, trace::TraceIds::Drop);
     EXPECT_FALSE(plan.types || plan.lineMask || plan.inkMask || plan.detectsEdges);
     EXPECT_EQ(plan.style->style, Style::Ink);
 }
@@ -193,4 +193,4 @@ TEST(Styles, haveARowEach) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::render

@@ -15,7 +15,7 @@
 #include "gl/gl_test.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::render {
 namespace {
 
 INKEDGE_ON_EACH_BACKEND(RendererLines);
@@ -277,4 +277,4 @@ TEST_P(RendererLines, fromImageHaveNoneWhereASteepSurfaceGoesOn) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::render

@@ -13,7 +13,7 @@
 #include "gl/gl_test.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::render {
 namespace {
 
 using gl_test::classic;
@@ -318,4 +318,4 @@ TEST_P(Rendering, doesNotGrowWithTheNumberOfPictures) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::render

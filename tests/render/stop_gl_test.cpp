@@ -13,7 +13,7 @@
 #include "gl/gl_test.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::render {
 namespace {
 
 constexpr auto stopped = Error::Kind::Stopped;
@@ -36,7 +36,7 @@ Settings settingsOf(Style style, LinesFrom from) {
 int stopEverywhere(const std::function<void()>& work) {
     for (int n = 1;; n += n < 16 ? 1 : n / 4) {
         std::atomic<int> looks = 0;
-        const StopScope scope{[&] { return ++looks >= n; }};
+        const base::StopScope scope{[&] { return ++looks >= n; }};
         try {
             work();
             return looks;
@@ -155,4 +155,4 @@ TEST(StoppingObjectLines, atAnyLookLeavesWhatIsPreparedAsItWas) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::render

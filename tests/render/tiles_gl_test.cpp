@@ -11,7 +11,7 @@
 #include "raster/tiles.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::render {
 namespace {
 
 INKEDGE_ON_EACH_BACKEND(Tiling);
@@ -172,4 +172,4 @@ TEST_P(Tiling, drawsPicturesThatAreLongerThanAnyTarget) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::render

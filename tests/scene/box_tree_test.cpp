@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-namespace inkedge {
+namespace inkedge::scene {
 namespace {
 
 std::vector<Box> manyBoxes(std::size_t count) {
@@ -56,4 +56,4 @@ TEST(BoxTree, endsWhenNoStepsAreLeft) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::scene

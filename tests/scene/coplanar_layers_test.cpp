@@ -8,7 +8,7 @@
 #include "scene/prepared.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::scene {
 namespace {
 
 using testing::Each;
@@ -113,4 +113,4 @@ TEST(CoplanarLayers, areFoundAmongManyFaces) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::scene

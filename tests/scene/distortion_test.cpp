@@ -6,7 +6,7 @@
 
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::scene {
 namespace {
 
 using testing::SizeIs;
@@ -96,4 +96,4 @@ TEST(BakeDistortedInstances, bearsAScaleOfZero) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::scene

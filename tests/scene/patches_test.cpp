@@ -11,7 +11,7 @@
 #include "mesh/topology.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::scene {
 namespace {
 
 using testing::Each;
@@ -174,4 +174,4 @@ TEST(PatchNumbers, areThoseOfTheWorldsAngles) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::scene

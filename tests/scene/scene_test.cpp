@@ -15,7 +15,7 @@
 #include "scene/prepared.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::scene {
 namespace {
 
 using testing::IsEmpty;
@@ -296,4 +296,4 @@ TEST(Scene, keepsCamerasAndWarnings) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::scene

@@ -12,7 +12,7 @@
 
 #include "base/stop.h"
 
-namespace inkedge {
+namespace inkedge::scene {
 namespace {
 
 TEST(SharedOnce, isMadeOnceHoweverManyWantIt) {
@@ -68,10 +68,10 @@ TEST(SharedOnce, isNotWaitedForByWhoIsAskedToStop) {
         });
     }};
     while (!making) std::this_thread::yield();
-    const StopScope scope{[] { return true; }};
+    const base::StopScope scope{[] { return true; }};
     EXPECT_THROW((void)shared.get([] { return std::make_shared<const int>(2); }), Error);
     gaveUp = true;
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::scene

@@ -4,7 +4,7 @@
 
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::scene {
 namespace {
 
 TEST(TypicalBend, ofASphereIsItsFacets) {
@@ -33,4 +33,4 @@ TEST(TypicalBend, ofALargeMeshIsThatOfAPart) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::scene

@@ -9,7 +9,7 @@
 #include "base/expect_error.h"
 #include "base/temporary_folder.h"
 
-namespace inkedge {
+namespace inkedge::settings {
 namespace {
 
 using testing::HasSubstr;
@@ -71,4 +71,4 @@ TEST_F(ReadConfig, refusesWhatCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::settings

@@ -8,7 +8,7 @@
 
 #include <inkedge/setting_table.h>
 
-namespace inkedge {
+namespace inkedge::settings {
 namespace {
 
 using testing::ElementsAre;
@@ -79,4 +79,4 @@ TEST(LineTypes, haveNamesAndWhatIsNoneHasNone) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::settings

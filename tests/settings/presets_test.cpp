@@ -8,7 +8,7 @@
 
 #include "settings/setting_samples.h"
 
-namespace inkedge {
+namespace inkedge::settings {
 namespace {
 
 using namespace setting_samples;
@@ -84,4 +84,4 @@ TEST(Thresholds, areThoseThatTheManualStates) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::settings

@@ -15,7 +15,7 @@
 #include "base/expect_error.h"
 #include "settings/setting_samples.h"
 
-namespace inkedge {
+namespace inkedge::settings {
 namespace {
 
 using namespace setting_samples;
@@ -317,4 +317,4 @@ TEST(Name, ofEveryMapIsItsNameInTheTable) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::settings

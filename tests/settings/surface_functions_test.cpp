@@ -5,7 +5,7 @@
 #include <inkedge/error.h>
 #include <inkedge/setting_table.h>
 
-namespace inkedge {
+namespace inkedge::settings {
 namespace {
 
 using testing::ElementsAre;
@@ -115,4 +115,4 @@ TEST(FunctionSetting, hasTheModelLoadedWithWhatFunctionsRead) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::settings

@@ -10,7 +10,7 @@
 #include "base/expect_error.h"
 #include "settings/setting_samples.h"
 
-namespace inkedge {
+namespace inkedge::settings {
 namespace {
 
 using namespace setting_samples;
@@ -84,4 +84,4 @@ TEST(Validate, holdsEachPartToItsOwnRows) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::settings

@@ -2,14 +2,14 @@
 
 #include <gmock/gmock.h>
 
-namespace inkedge {
+namespace inkedge::trace {
 namespace {
 
 using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr Size size{8, 6};
-const Tile whole{size};
+const raster::Tile whole{size};
 
 StepCrossing crossingAt(glm::vec2 position, LineTypes types = LineType::Crease) {
     return {position, types, 0.5F, {0, 7}};
@@ -42,7 +42,7 @@ TEST(JoinCells, joinsTwoCrossingsByOnePiece) {
     EXPECT_EQ(pieces[0].ends, (std::array{glm::vec2{3.75F, 2.5F}, glm::vec2{4.25F, 3.5F}}));
     EXPECT_EQ(pieces[0].inverseDepths, (std::array{0.5F, 0.5F}));
     EXPECT_EQ(pieces[0].type, LineType::Crease);
-    EXPECT_EQ(pieces[0].face, (SceneFace{0, 7}));
+    EXPECT_EQ(pieces[0].face, (scene::SceneFace{0, 7}));
     EXPECT_EQ(joined(2, above, below, all, 2).at(0).ends[0], glm::vec2(1.875F, 1.25F)) << "output pixels";
 }
 
@@ -82,4 +82,4 @@ TEST(JoinCells, carriesLinesOverTheEdgeOfThePicture) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::trace

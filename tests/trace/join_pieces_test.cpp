@@ -6,7 +6,7 @@
 #include "lines/views.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::trace {
 namespace {
 
 using testing::SizeIs;
@@ -61,4 +61,4 @@ TEST_F(JoinPieces, knowsThePointsInTheWorld) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::trace

@@ -12,8 +12,6 @@
 
 namespace inkedge::gltf {
 
-using namespace load;
-
 namespace {
 
 constexpr std::uint64_t maximumElements = std::uint64_t{1} << 28;
@@ -96,8 +94,8 @@ ComponentFormat formatOf(Component component) {
         case Component::Float:
             return formatOf<float>("FLOAT");
     }
-    refuse(fmt::format("expected componentType 5120, 5121, 5122, 5123, 5125 or 5126, found {}",
-                       static_cast<int>(component)));
+    base::refuse(fmt::format("expected componentType 5120, 5121, 5122, 5123, 5125 or 5126, found {}",
+                             static_cast<int>(component)));
 }
 
 void checkExpected(const Accessor& accessor, const Expected& expected) {
@@ -108,7 +106,8 @@ void checkExpected(const Accessor& accessor, const Expected& expected) {
         if (!names.empty()) names += " or ";
         names += formatOf(component).name;
     }
-    refuse(fmt::format("expected {} of {}, found {} of {}", expected.type.name, names, accessor.type.name, found));
+    base::refuse(
+        fmt::format("expected {} of {}, found {} of {}", expected.type.name, names, accessor.type.name, found));
 }
 
 // The distance between elements; checks that all of them lie within their bytes.
@@ -116,11 +115,11 @@ std::uint64_t checkedStride(const Elements& elements, std::uint64_t count, std::
     const std::uint64_t stride = elements.stride == 0 ? elementSize : elements.stride;
     const std::uint64_t size = elements.bytes.size();
     if (stride < elementSize)
-        refuse(fmt::format("expected a byteStride of at least {}, found {}", elementSize, stride));
+        base::refuse(fmt::format("expected a byteStride of at least {}, found {}", elementSize, stride));
     const bool fits = count == 0 || (elements.offset <= size && size - elements.offset >= elementSize &&
                                      (size - elements.offset - elementSize) / stride >= count - 1);
     if (!fits)
-        refuse(fmt::format(
+        base::refuse(fmt::format(
             "expected {} elements of {} bytes, {} bytes apart, from byte {}, found a bufferView of {} bytes", count,
             elementSize, stride, elements.offset, size));
     return stride;
@@ -130,7 +129,7 @@ std::uint64_t checkedStride(const Elements& elements, std::uint64_t count, std::
 Source sourceOf(const Accessor& accessor, const Expected& expected) {
     checkExpected(accessor, expected);
     if (accessor.count > maximumElements)
-        refuse(fmt::format("expected at most {} elements, found {}", maximumElements, accessor.count));
+        base::refuse(fmt::format("expected at most {} elements, found {}", maximumElements, accessor.count));
     Source source{nullptr, 0, accessor.count, accessor.type.components};
     if (!accessor.elements) return source;
     const std::uint64_t elementSize = source.components * formatOf(accessor.component).size;
@@ -150,7 +149,7 @@ void readSparse(const Accessor& accessor, const Accessor::Sparse& sparse, std::v
     const std::vector<double> values = readNumbers(replacements, {accessor.type, {accessor.component}});
     for (std::size_t i = 0; i < at.size(); ++i) {
         if (!(at[i] < static_cast<double>(accessor.count)))
-            refuse(fmt::format("expected sparse indices below {}, found {}", accessor.count, at[i]));
+            base::refuse(fmt::format("expected sparse indices below {}, found {}", accessor.count, at[i]));
         std::transform(values.begin() + static_cast<std::ptrdiff_t>(i * components),
                        values.begin() + static_cast<std::ptrdiff_t>((i + 1) * components),
                        numbers.begin() + static_cast<std::ptrdiff_t>(static_cast<std::uint64_t>(at[i]) * components),
@@ -160,15 +159,16 @@ void readSparse(const Accessor& accessor, const Accessor::Sparse& sparse, std::v
 
 [[noreturn]] void refuseIndex(double number, std::size_t index, double restart, std::uint64_t vertexCount) {
     if (number == restart)
-        refuse(fmt::format("expected vertex indices, found the primitive restart value {} at index {}", number, index));
-    refuse(fmt::format("expected vertex indices below {}, found {} at index {}", vertexCount, number, index));
+        base::refuse(
+            fmt::format("expected vertex indices, found the primitive restart value {} at index {}", number, index));
+    base::refuse(fmt::format("expected vertex indices below {}, found {} at index {}", vertexCount, number, index));
 }
 
 }  // namespace
 
 std::span<const std::uint8_t> slice(std::span<const std::uint8_t> buffer, std::uint64_t offset, std::uint64_t length) {
     if (offset > buffer.size() || length > buffer.size() - offset)
-        refuse(
+        base::refuse(
             fmt::format("expected {} bytes from byte {}, found a buffer of {} bytes", length, offset, buffer.size()));
     return buffer.subspan(offset, length);
 }
@@ -185,7 +185,7 @@ std::vector<double> readNumbers(const Accessor& accessor, const Expected& expect
 
 std::vector<std::uint32_t> readIndices(const Accessor& accessor, std::uint64_t vertexCount) {
     const Source source = sourceOf(accessor, {scalar, {Component::Uint8, Component::Uint16, Component::Uint32}});
-    if (accessor.normalized) refuse("expected indices that are not normalized, found normalized ones");
+    if (accessor.normalized) base::refuse("expected indices that are not normalized, found normalized ones");
     std::vector<std::uint32_t> indices(source.count);
     if (source.start != nullptr && accessor.component == Component::Uint8)
         copyIntegers<std::uint8_t>(source, indices.data());

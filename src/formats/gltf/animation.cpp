@@ -11,8 +11,6 @@
 
 namespace inkedge::gltf {
 
-using namespace load;
-
 namespace {
 
 const Expected keyTimes{scalar, {Component::Float}};
@@ -27,15 +25,15 @@ constexpr std::size_t longestList = 10;  // of animations in a message
 const tinygltf::Animation& find(const tinygltf::Model& model, std::string_view wanted) {
     const auto named = std::ranges::find(model.animations, wanted, &tinygltf::Animation::name);
     if (named != model.animations.end()) return *named;
-    const std::optional<std::size_t> number = toNumber<std::size_t>(wanted);
+    const std::optional<std::size_t> number = formats::toNumber<std::size_t>(wanted);
     if (number && *number < model.animations.size()) return model.animations[*number];
     std::string list;
     for (std::size_t i = 0; i < std::min(model.animations.size(), longestList); ++i)
-        list += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, quote(model.animations[i].name));
+        list += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, base::quote(model.animations[i].name));
     if (model.animations.size() > longestList) list += ", ...";
-    throw Error{Error::Kind::Usage,
-                fmt::format("animation: expected {}, found {}",
-                            list.empty() ? "none, as the file has no animations" : "one of " + list, quote(wanted))};
+    throw Error{Error::Kind::Usage, fmt::format("animation: expected {}, found {}",
+                                                list.empty() ? "none, as the file has no animations" : "one of " + list,
+                                                base::quote(wanted))};
 }
 
 // The keys before and after a time, and how far the time is from the one to the other.
@@ -63,18 +61,19 @@ public:
           cubic_{source.interpolation == "CUBICSPLINE"},
           step_{source.interpolation == "STEP"} {
         if (!cubic_ && !step_ && source.interpolation != "LINEAR")
-            refuse("expected interpolation LINEAR, STEP or CUBICSPLINE, found " + quote(source.interpolation));
-        if (times_.empty()) refuse("expected keys, found none");
+            base::refuse("expected interpolation LINEAR, STEP or CUBICSPLINE, found " +
+                         base::quote(source.interpolation));
+        if (times_.empty()) base::refuse("expected keys, found none");
         for (std::size_t i = 0; i < times_.size(); ++i)
             if (!std::isfinite(times_[i]) || (i > 0 && !(times_[i] > times_[i - 1])))
-                refuse(fmt::format("expected times that rise, found {} at key {}", times_[i], i));
+                base::refuse(fmt::format("expected times that rise, found {} at key {}", times_[i], i));
         const std::size_t parts = times_.size() * (cubic_ ? 3 : 1);
         width_ = values_.size() / parts;
         if (width_ == 0 || values_.size() != width_ * parts)
-            refuse(fmt::format("expected the same number of values for each of {} keys, found {} in all", times_.size(),
-                               values_.size()));
+            base::refuse(fmt::format("expected the same number of values for each of {} keys, found {} in all",
+                                     times_.size(), values_.size()));
         for (const double value : values_)
-            if (!std::isfinite(value)) refuse("expected finite values, found one that is not");
+            if (!std::isfinite(value)) base::refuse("expected finite values, found one that is not");
     }
 
     [[nodiscard]] std::vector<double> at(double time, bool rotation) const {
@@ -144,7 +143,7 @@ bool apply(tinygltf::Model& model, const tinygltf::Animation& animation, const t
     const Sampler sampler{model, at(animation.samplers, channel.sampler, "a sampler"), target->expected};
     std::vector<double> values = sampler.at(time, target->path == "rotation");
     if (target->width != 0 && values.size() != target->width)
-        refuse(fmt::format("expected {} numbers a key, found {}", target->width, values.size()));
+        base::refuse(fmt::format("expected {} numbers a key, found {}", target->width, values.size()));
     tinygltf::Node& node = model.nodes[static_cast<std::size_t>(channel.target_node)];
     if (target->width != 0) node.matrix.clear();  // which an animated node must not have
     node.*(target->member) = std::move(values);
@@ -156,10 +155,10 @@ bool apply(tinygltf::Model& model, const tinygltf::Animation& animation, const t
 std::vector<std::string> poseNodes(tinygltf::Model& model, std::string_view wanted, double time) {
     const tinygltf::Animation& animation = find(model, wanted);
     const auto number = static_cast<std::size_t>(&animation - model.animations.data());
-    const std::string who = label("animation", number, animation.name);
+    const std::string who = base::label("animation", number, animation.name);
     std::size_t unread = 0;
     for (std::size_t i = 0; i < animation.channels.size(); ++i) {
-        within(who + ", " + label("channel", i), [&] {
+        base::within(who + ", " + base::label("channel", i), [&] {
             if (!apply(model, animation, animation.channels[i], time)) ++unread;
         });
     }

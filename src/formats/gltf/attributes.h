@@ -7,16 +7,16 @@ namespace inkedge::gltf {
 
 // KHR_mesh_quantization included.
 inline const Expected anyPosition{
-    gltf::vec3, {Component::Float, Component::Int8, Component::Uint8, Component::Int16, Component::Uint16}};
-inline const Expected anyNormal{gltf::vec3, {Component::Float, Component::Int8, Component::Int16}};
+    vec3, {Component::Float, Component::Int8, Component::Uint8, Component::Int16, Component::Uint16}};
+inline const Expected anyNormal{vec3, {Component::Float, Component::Int8, Component::Int16}};
 inline const Expected anyCoordinates{
-    gltf::vec2, {Component::Float, Component::Int8, Component::Uint8, Component::Int16, Component::Uint16}};
-inline const Expected anyColor{gltf::vec4, {Component::Float, Component::Uint8, Component::Uint16}};
-inline const Expected anyOpaqueColor{gltf::vec3, {Component::Float, Component::Uint8, Component::Uint16}};
-inline const Expected anyRotation{gltf::vec4, {Component::Float, Component::Int8, Component::Int16}};
-inline const Expected anyWeights{gltf::vec4, {Component::Float, Component::Uint8, Component::Uint16}};
-inline const Expected anyJoints{gltf::vec4, {Component::Uint8, Component::Uint16}};
-inline const Expected floatVec3{gltf::vec3, {Component::Float}};
-inline const Expected floatMat4{gltf::mat4, {Component::Float}};
+    vec2, {Component::Float, Component::Int8, Component::Uint8, Component::Int16, Component::Uint16}};
+inline const Expected anyColor{vec4, {Component::Float, Component::Uint8, Component::Uint16}};
+inline const Expected anyOpaqueColor{vec3, {Component::Float, Component::Uint8, Component::Uint16}};
+inline const Expected anyRotation{vec4, {Component::Float, Component::Int8, Component::Int16}};
+inline const Expected anyWeights{vec4, {Component::Float, Component::Uint8, Component::Uint16}};
+inline const Expected anyJoints{vec4, {Component::Uint8, Component::Uint16}};
+inline const Expected floatVec3{vec3, {Component::Float}};
+inline const Expected floatMat4{mat4, {Component::Float}};
 
 }  // namespace inkedge::gltf

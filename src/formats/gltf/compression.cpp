@@ -21,8 +21,6 @@
 
 namespace inkedge::gltf {
 
-using namespace load;
-
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -31,8 +29,8 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr std::array<const char*, 2> meshopts{"KHR_meshopt_compression", "EXT_meshopt_compression"};
 constexpr const char* draco = "KHR_draco_mesh_compression";
 
-const Module& moduleOf(std::string_view extension) {
-    return extension == draco ? static_cast<const Module&>(dracoModule) : meshoptModule;
+const modules::Module& moduleOf(std::string_view extension) {
+    return extension == draco ? static_cast<const modules::Module&>(dracoModule) : meshoptModule;
 }
 
 bool readsMeshopt() { return readsCompression(meshopts.front()); }
@@ -54,7 +52,7 @@ public:
     void run() {
         const std::size_t views = sizeOf(member(document_, "bufferViews"));
         for (std::size_t i = 0; i < views; ++i)
-            within(label("bufferView", i), [&] { readMeshopt(document_["bufferViews"][i]); });
+            base::within(base::label("bufferView", i), [&] { readMeshopt(document_["bufferViews"][i]); });
         const std::size_t meshes = sizeOf(member(document_, "meshes"));
         for (std::size_t i = 0; i < meshes; ++i) readMesh(i);
     }
@@ -65,12 +63,12 @@ private:
     void readMeshopt(Json& view) {
         const char* const name = meshoptOf(view);
         if (name == nullptr || !readsMeshopt()) {
-            if (liesInFallback(view)) refuse("expected data of its own, found a buffer that stands in for some");
+            if (liesInFallback(view)) base::refuse("expected data of its own, found a buffer that stands in for some");
             return;
         }
-        Bytes bytes = within(name, [&] { return decoded(extension(view, name)); });
+        Bytes bytes = base::within(name, [&] { return decoded(extension(view, name)); });
         if (const std::uint64_t length = number(view, "byteLength"); length != bytes.size())
-            refuse(fmt::format("expected a byteLength of {} as {} gives, found {}", bytes.size(), name, length));
+            base::refuse(fmt::format("expected a byteLength of {} as {} gives, found {}", bytes.size(), name, length));
         view["buffer"] = addBuffer(std::move(bytes));
         view.erase("byteOffset");
         view.erase("extensions");
@@ -92,8 +90,8 @@ private:
         for (std::size_t i = 0; i < primitives; ++i) {
             Json& primitive = document_["meshes"][mesh]["primitives"][i];
             if (extension(primitive, draco).is_null()) continue;
-            within(label("mesh", mesh, text(source, "name", "")) + ", " + label("primitive", i),
-                   [&] { readPrimitive(primitive); });
+            base::within(base::label("mesh", mesh, text(source, "name", "")) + ", " + base::label("primitive", i),
+                         [&] { readPrimitive(primitive); });
         }
     }
 
@@ -106,17 +104,17 @@ private:
             Json::array({extension(primitive, draco), primitive["attributes"], member(primitive, "indices"), mode});
         auto known = plain_.find(same);
         if (known == plain_.end())
-            known = plain_.emplace(same, within(draco, [&] { return plainForm(primitive, mode); })).first;
+            known = plain_.emplace(same, base::within(draco, [&] { return plainForm(primitive, mode); })).first;
         primitive.update(known->second);
         primitive.erase("extensions");
     }
 
     // The members of a primitive without the extension.
     Json plainForm(const Json& primitive, Mode mode) {
-        if (mode == Mode::TriangleFan) refuse("expected mode TRIANGLES or TRIANGLE_STRIP, found TRIANGLE_FAN");
+        if (mode == Mode::TriangleFan) base::refuse("expected mode TRIANGLES or TRIANGLE_STRIP, found TRIANGLE_FAN");
         const Json& compressed = extension(primitive, draco);
         const Json& ids = member(compressed, "attributes");
-        if (!ids.is_object()) refuse("expected attributes, found " + found(ids));
+        if (!ids.is_object()) base::refuse("expected attributes, found " + found(ids));
 
         DracoExpected expected;
         for (const auto& [name, id] : ids.items()) expected.attributes.push_back(attributeId(name, id));
@@ -127,7 +125,7 @@ private:
         Json attributes = primitive["attributes"];
         std::size_t i = 0;
         for (const auto& id : ids.items())
-            attributes[id.key()] = within(printable(id.key()), [&] {
+            attributes[id.key()] = base::within(base::printable(id.key()), [&] {
                 return addAttribute(attributes, id.key(), std::move(mesh.attributes[i++]), mesh.vertexCount);
             });
         return {{"attributes", attributes}, {"indices", addIndices(mesh.indices)}, {"mode", Mode::Triangles}};
@@ -135,7 +133,8 @@ private:
 
     static std::uint32_t attributeId(const std::string& name, const Json& id) {
         if (!id.is_number_unsigned() || id > std::numeric_limits<std::uint32_t>::max())
-            refuse(fmt::format("{}: expected the id of an attribute, found {}", printable(name), found(id)));
+            base::refuse(
+                fmt::format("{}: expected the id of an attribute, found {}", base::printable(name), found(id)));
         return id.get<std::uint32_t>();
     }
 
@@ -148,10 +147,11 @@ private:
         const bool vectorFits =
             attribute.components == 1 ? type == "SCALAR" : type == fmt::format("VEC{}", attribute.components);
         if (!vectorFits || number(accessor, "componentType") != static_cast<std::uint64_t>(component))
-            refuse(fmt::format("expected {} of componentType {} as the accessor says, found {} components of {}",
-                               printable(type), number(accessor, "componentType"), attribute.components, component));
+            base::refuse(fmt::format("expected {} of componentType {} as the accessor says, found {} components of {}",
+                                     base::printable(type), number(accessor, "componentType"), attribute.components,
+                                     component));
         if (const std::uint64_t count = number(accessor, "count"); count != vertexCount)
-            refuse(fmt::format("expected {} vertices as the accessor says, found {}", count, vertexCount));
+            base::refuse(fmt::format("expected {} vertices as the accessor says, found {}", count, vertexCount));
         accessor["bufferView"] = addView(std::move(attribute.bytes));
         accessor.erase("byteOffset");
         return add("accessors", std::move(accessor));
@@ -170,7 +170,7 @@ private:
         const Json& position = member(member(primitive, "attributes"), "POSITION");
         if (position.is_null()) return;
         if (entry(document_, "accessors", number(primitive["attributes"], "POSITION")).contains("bufferView")) return;
-        refuse(fmt::format("the geometry is compressed with {}, {}", draco, whyUnread(draco)));
+        base::refuse(fmt::format("the geometry is compressed with {}, {}", draco, whyUnread(draco)));
     }
 
     // ---- buffers
@@ -186,13 +186,13 @@ private:
     std::span<const std::uint8_t> bytesOf(const Json& view) const {
         const std::uint64_t buffer = number(view, "buffer");
         if (isFallback(entry(document_, "buffers", buffer)))
-            refuse("expected data, found a buffer that stands in for some");
+            base::refuse("expected data, found a buffer that stands in for some");
         return slice(buffers_.at(buffer), number(view, "byteOffset", 0), number(view, "byteLength"));
     }
 
     std::span<const std::uint8_t> bytesOfView(std::uint64_t view) const {
         const Json& source = entry(document_, "bufferViews", view);
-        return within(label("bufferView", view), [&] { return bytesOf(source); });
+        return base::within(base::label("bufferView", view), [&] { return bytesOf(source); });
     }
 
     std::size_t addBuffer(Bytes bytes) {
@@ -203,7 +203,7 @@ private:
     }
 
     std::size_t addView(Bytes bytes) {
-        if (bytes.empty()) refuse("expected at least one vertex and one triangle, found none");
+        if (bytes.empty()) base::refuse("expected at least one vertex and one triangle, found none");
         bytesLeft_ -= bytes.size();
         const std::size_t size = bytes.size();
         return add("bufferViews", {{"buffer", addBuffer(std::move(bytes))}, {"byteLength", size}});
@@ -227,11 +227,11 @@ bool isCompression(std::string_view extension) noexcept {
 }
 
 bool readsCompression(std::string_view extension) {
-    return isCompression(extension) && failureToOpen(moduleOf(extension)).empty();
+    return isCompression(extension) && modules::failureToOpen(moduleOf(extension)).empty();
 }
 
 std::string whyUnread(std::string_view extension) {
-    return fmt::format("which this build does not read: {}", failureToOpen(moduleOf(extension)));
+    return fmt::format("which this build does not read: {}", modules::failureToOpen(moduleOf(extension)));
 }
 
 void markFallbacks(Json& document, bool hasBinaryChunk) {

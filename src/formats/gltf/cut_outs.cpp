@@ -11,10 +11,6 @@
 
 namespace inkedge::gltf {
 
-using load::label;
-using load::refuse;
-using load::within;
-
 namespace {
 
 // The alpha of COLOR_0, one per vertex; empty: all are 1.
@@ -30,7 +26,7 @@ std::vector<double> vertexOpacities(const tinygltf::Model& model, const tinygltf
 }
 
 // Edges of a piece that lie on an edge of the triangle have its kinds.
-void addEdges(const std::vector<EdgeKinds>& of, std::size_t triangle, const CutOut::Piece& piece,
+void addEdges(const std::vector<EdgeKinds>& of, std::size_t triangle, const mesh::CutOut::Piece& piece,
               std::vector<EdgeKinds>& rest) {
     constexpr double nothing = 1e-9;  // what rounding leaves of a weight
     if (of.empty()) return;
@@ -45,7 +41,7 @@ void addEdges(const std::vector<EdgeKinds>& of, std::size_t triangle, const CutO
     }
 }
 
-void add(const Shape& part, std::size_t triangle, const CutOut::Piece& piece, Shape& rest) {
+void add(const Shape& part, std::size_t triangle, const mesh::CutOut::Piece& piece, Shape& rest) {
     const std::uint32_t* const corners = &part.indices[3 * triangle];
     const auto mixed = [&](const std::vector<glm::dvec3>& of, const glm::dvec3& weights) {
         return weights.x * of[corners[0]] + weights.y * of[corners[1]] + weights.z * of[corners[2]];
@@ -90,26 +86,26 @@ void CutOuts::apply(const Material& material, const tinygltf::Primitive& primiti
 
 void CutOuts::cutTriangle(const Material& material, const std::vector<glm::dvec2>& uvs, double opacity,
                           const Shape& part, std::size_t triangle, Shape& rest) {
-    constexpr CutOut::Piece whole{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}};
+    constexpr mesh::CutOut::Piece whole{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}};
     if (opacity < material.cutoff) return;
     const std::uint32_t* const corners = &part.indices[3 * triangle];
-    CutOut* const cutOut = uvs.empty() ? nullptr : find(*material.texture, material.cutoff / opacity);
+    mesh::CutOut* const cutOut = uvs.empty() ? nullptr : find(*material.texture, material.cutoff / opacity);
     if (cutOut == nullptr) return add(part, triangle, whole, rest);
-    for (const CutOut::Piece& piece : cutOut->cut({uvs[corners[0]], uvs[corners[1]], uvs[corners[2]]}))
+    for (const mesh::CutOut::Piece& piece : cutOut->cut({uvs[corners[0]], uvs[corners[1]], uvs[corners[2]]}))
         add(part, triangle, piece, rest);
 }
 
 // Null if the picture has no alpha or the threshold is 0.
-CutOut* CutOuts::find(const Texture& texture, double threshold) {
+mesh::CutOut* CutOuts::find(const Texture& texture, double threshold) {
     constexpr double opaque = 255.0;
-    if (!texture.image) refuse("expected its picture as PNG or JPEG, found it in another form only");
+    if (!texture.image) base::refuse("expected its picture as PNG or JPEG, found it in another form only");
     if (!(threshold > 0.0)) return nullptr;
     const Alpha& alpha = opacityMap(*texture.image);
     if (!alpha) return nullptr;
     auto& cutOut = cutOuts_[{*texture.image, texture.wrapS, texture.wrapT, threshold}];
     if (!cutOut)
-        cutOut = std::make_unique<CutOut>(*alpha, std::array{wrapOf(texture.wrapS), wrapOf(texture.wrapT)},
-                                          opaque * threshold);
+        cutOut = std::make_unique<mesh::CutOut>(*alpha, std::array{wrapOf(texture.wrapS), wrapOf(texture.wrapT)},
+                                                opaque * threshold);
     return cutOut.get();
 }
 
@@ -117,10 +113,10 @@ const CutOuts::Alpha& CutOuts::opacityMap(std::uint64_t image) {
     const auto known = maps_.find(image);
     if (known != maps_.end()) return known->second;
     if (image >= file_.images.size())
-        refuse(fmt::format("expected an image below {}, found {}", file_.images.size(), image));
-    return within(label("image", image), [&]() -> const Alpha& {
-        const load::Bytes bytes = pictureBytes(model_, input_, file_.images[image], bytesLeft_);
-        return maps_.emplace(image, decodeOpacity(bytes, maxPixels_)).first->second;
+        base::refuse(fmt::format("expected an image below {}, found {}", file_.images.size(), image));
+    return base::within(base::label("image", image), [&]() -> const Alpha& {
+        const base::Bytes bytes = pictureBytes(model_, input_, file_.images[image], bytesLeft_);
+        return maps_.emplace(image, images::decodeOpacity(bytes, maxPixels_)).first->second;
     });
 }
 

@@ -18,7 +18,7 @@ namespace inkedge::gltf {
 /// outlive this.
 class CutOuts {
 public:
-    CutOuts(const tinygltf::Model& model, const File& file, const load::ModelInput& input, const LoadLimits& limits)
+    CutOuts(const tinygltf::Model& model, const File& file, const formats::ModelInput& input, const LoadLimits& limits)
         : model_{model}, file_{file}, input_{input}, maxPixels_{limits.imagePixels}, bytesLeft_{file.bytesLeft} {}
 
     /// Keeps only the opaque parts of a primitive's triangles.
@@ -30,16 +30,16 @@ private:
 
     void cutTriangle(const Material&, const std::vector<glm::dvec2>& uvs, double opacity, const Shape& part,
                      std::size_t triangle, Shape& rest);
-    CutOut* find(const Texture&, double threshold);
+    mesh::CutOut* find(const Texture&, double threshold);
     const Alpha& opacityMap(std::uint64_t image);
 
     const tinygltf::Model& model_;
     const File& file_;
-    const load::ModelInput& input_;
+    const formats::ModelInput& input_;
     std::uint64_t maxPixels_;
     std::uint64_t bytesLeft_;
     std::map<std::uint64_t, Alpha> maps_;
-    std::map<std::tuple<std::uint64_t, Wrap, Wrap, double>, std::unique_ptr<CutOut>> cutOuts_;
+    std::map<std::tuple<std::uint64_t, Wrap, Wrap, double>, std::unique_ptr<mesh::CutOut>> cutOuts_;
 };
 
 }  // namespace inkedge::gltf

@@ -38,12 +38,12 @@ struct DecodedDraco {
 struct DracoFunctions {
     DecodedDraco (*decode)(std::span<const std::uint8_t> data, const DracoExpected&, std::uint64_t bytesLeft);
 };
-inline constexpr ModuleOf<DracoFunctions> dracoModule{{.purpose = "KHR_draco_mesh_compression",
-                                                       .file = "inkedge_draco.so",
-                                                       .symbol = "inkedge_draco_1",
-                                                       .library = "libdraco",
-                                                       .option = "INKEDGE_DRACO",
-                                                       .remedy = "give a model that is not compressed"}};
+inline constexpr modules::ModuleOf<DracoFunctions> dracoModule{{.purpose = "KHR_draco_mesh_compression",
+                                                                .file = "inkedge_draco.so",
+                                                                .symbol = "inkedge_draco_1",
+                                                                .library = "libdraco",
+                                                                .option = "INKEDGE_DRACO",
+                                                                .remedy = "give a model that is not compressed"}};
 
 /// @param bytesLeft  the maximum size of the result, in bytes
 /// @throws Error     (Kind::Input) if the data are no Draco mesh of bitstream 2.2, are damaged, lack an attribute, are
@@ -51,7 +51,8 @@ inline constexpr ModuleOf<DracoFunctions> dracoModule{{.purpose = "KHR_draco_mes
 [[nodiscard]] inline DracoMesh decodeDraco(std::span<const std::uint8_t> data, const DracoExpected& expected,
                                            std::uint64_t bytesLeft) {
     constexpr Error::Kind kind = Error::Kind::Input;
-    return expectNoFailure(functionsOf<dracoModule>(kind).decode(data, expected, bytesLeft), kind).mesh;
+    return modules::expectNoFailure(modules::functionsOf<dracoModule>(kind).decode(data, expected, bytesLeft), kind)
+        .mesh;
 }
 
 }  // namespace inkedge::gltf

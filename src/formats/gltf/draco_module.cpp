@@ -16,8 +16,6 @@
 
 namespace inkedge::gltf {
 
-using namespace load;
-
 namespace {
 
 // Draco allocates about 100 bytes per triangle as soon as it has read the number of triangles.
@@ -32,12 +30,13 @@ draco::DecoderBuffer bufferOver(std::span<const std::uint8_t> data) {
 draco::DracoHeader readHeader(draco::DecoderBuffer& buffer) {
     draco::DracoHeader header{};
     if (const draco::Status status = draco::PointCloudDecoder::DecodeHeader(&buffer, &header); !status.ok())
-        refuse("expected Draco data, found: " + printable(status.error_msg_string()));
+        base::refuse("expected Draco data, found: " + base::printable(status.error_msg_string()));
     if (header.version_major != draco::kDracoMeshBitstreamVersionMajor ||
         header.version_minor != draco::kDracoMeshBitstreamVersionMinor)
-        refuse(fmt::format("expected Draco bitstream 2.2, found {}.{}", header.version_major, header.version_minor));
+        base::refuse(
+            fmt::format("expected Draco bitstream 2.2, found {}.{}", header.version_major, header.version_minor));
     if (header.encoder_type != draco::TRIANGULAR_MESH)
-        refuse(fmt::format("expected a Draco mesh, found geometry of type {}", header.encoder_type));
+        base::refuse(fmt::format("expected a Draco mesh, found geometry of type {}", header.encoder_type));
     return header;
 }
 
@@ -50,7 +49,7 @@ std::uint32_t encodedTriangles(std::span<const std::uint8_t> data) {
     if ((header.flags & METADATA_FLAG_MASK) != 0) {
         draco::GeometryMetadata ignored;
         if (!draco::MetadataDecoder{}.DecodeGeometryMetadata(&buffer, &ignored))
-            refuse("expected Draco metadata, found damaged data");
+            base::refuse("expected Draco metadata, found damaged data");
     }
     std::uint8_t traversal = 0;
     std::uint32_t vertices = 0;
@@ -59,16 +58,16 @@ std::uint32_t encodedTriangles(std::span<const std::uint8_t> data) {
     if (header.encoder_method == draco::MESH_EDGEBREAKER_ENCODING)
         read = buffer.Decode(&traversal) && draco::DecodeVarint(&vertices, &buffer);
     if (!read || !draco::DecodeVarint(&triangles, &buffer))
-        refuse(fmt::format("expected Draco data, found {} bytes: they are truncated", data.size()));
+        base::refuse(fmt::format("expected Draco data, found {} bytes: they are truncated", data.size()));
     return triangles;
 }
 
 void checkTriangles(std::uint32_t found, const DracoExpected& expected) {
     if (expected.triangleCount && found != *expected.triangleCount)
-        refuse(fmt::format("expected {} triangles as the accessor of the indices says, found {}",
-                           *expected.triangleCount, found));
+        base::refuse(fmt::format("expected {} triangles as the accessor of the indices says, found {}",
+                                 *expected.triangleCount, found));
     if (found > maximumTriangles)
-        refuse(fmt::format("expected at most {} triangles in a Draco mesh, found {}", maximumTriangles, found));
+        base::refuse(fmt::format("expected at most {} triangles in a Draco mesh, found {}", maximumTriangles, found));
 }
 
 Component componentOf(draco::DataType type) {
@@ -86,20 +85,22 @@ Component componentOf(draco::DataType type) {
         case draco::DT_FLOAT32:
             return Component::Float;
         default:
-            refuse(fmt::format("expected a component type of glTF, found Draco's type {}", static_cast<int>(type)));
+            base::refuse(
+                fmt::format("expected a component type of glTF, found Draco's type {}", static_cast<int>(type)));
     }
 }
 
 void spend(std::uint64_t bytes, std::uint64_t& bytesLeft) {
     if (bytes > bytesLeft)
-        refuse(fmt::format("expected at most {} bytes more in decompressed data, found {}; raise max-decompressed-size",
-                           bytesLeft, bytes));
+        base::refuse(
+            fmt::format("expected at most {} bytes more in decompressed data, found {}; raise max-decompressed-size",
+                        bytesLeft, bytes));
     bytesLeft -= bytes;
 }
 
 DracoMesh::Attribute readAttribute(const draco::Mesh& mesh, std::uint32_t id, std::uint64_t& bytesLeft) {
     const draco::PointAttribute* const source = mesh.GetAttributeByUniqueId(id);
-    if (source == nullptr) refuse("expected an attribute of that id in the Draco mesh, found none");
+    if (source == nullptr) base::refuse("expected an attribute of that id in the Draco mesh, found none");
     const Component component = componentOf(source->data_type());
     const auto size = static_cast<std::size_t>(source->num_components() * draco::DataTypeLength(source->data_type()));
     const auto stride = static_cast<std::size_t>(source->byte_stride());
@@ -111,7 +112,7 @@ DracoMesh::Attribute readAttribute(const draco::Mesh& mesh, std::uint32_t id, st
     for (std::uint32_t point = 0; point < mesh.num_points(); ++point) {
         const std::size_t value = source->mapped_index(draco::PointIndex{point}).value();
         if (value >= source->size() || stored < size || value * stride > stored - size)
-            refuse(fmt::format("expected a value for vertex {}, found none", point));
+            base::refuse(fmt::format("expected a value for vertex {}, found none", point));
         std::memcpy(attribute.bytes.data() + point * size, source->buffer()->data() + value * stride, size);
     }
     return attribute;
@@ -131,14 +132,15 @@ DecodedDraco decode(std::span<const std::uint8_t> data, const DracoExpected& exp
     draco::DecoderBuffer buffer = bufferOver(data);
     draco::Decoder decoder;
     auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
-    if (!decoded.ok()) refuse("expected Draco data, found: " + printable(decoded.status().error_msg_string()));
+    if (!decoded.ok())
+        base::refuse("expected Draco data, found: " + base::printable(decoded.status().error_msg_string()));
     const std::unique_ptr<draco::Mesh> source = std::move(decoded).value();
     checkTriangles(source->num_faces(), expected);
 
     DracoMesh mesh{source->num_points(), readTriangles(*source, bytesLeft), {}};
     for (const std::uint32_t id : expected.attributes)
         mesh.attributes.push_back(
-            within(label("attribute", id), [&] { return readAttribute(*source, id, bytesLeft); }));
+            base::within(base::label("attribute", id), [&] { return readAttribute(*source, id, bytesLeft); }));
     return {std::move(mesh), {}};
 }
 
@@ -147,7 +149,7 @@ DecodedDraco decode(std::span<const std::uint8_t> data, const DracoExpected& exp
 extern "C" INKEDGE_API const DracoFunctions* inkedge_draco_1() noexcept {
     static constexpr DracoFunctions functions{
         [](std::span<const std::uint8_t> data, const DracoExpected& expected, std::uint64_t bytesLeft) {
-            return guarded([&] { return decode(data, expected, bytesLeft); });
+            return modules::guarded([&] { return decode(data, expected, bytesLeft); });
         }};
     return &functions;
 }

@@ -9,8 +9,6 @@
 
 namespace inkedge::gltf {
 
-using namespace load;
-
 namespace {
 
 constexpr const char* extensionName = "EXT_mesh_primitive_edge_visibility";
@@ -27,7 +25,7 @@ std::uint64_t keyOf(std::uint32_t a, std::uint32_t b) {
 
 int accessorIn(const tinygltf::Value& object, const char* name) {
     const tinygltf::Value& index = member(object, name);
-    if (!index.IsInt()) refuse(fmt::format("{}: expected the number of an accessor, found something else", name));
+    if (!index.IsInt()) base::refuse(fmt::format("{}: expected the number of an accessor, found something else", name));
     return index.GetNumberAsInt();
 }
 
@@ -38,7 +36,7 @@ std::vector<std::uint8_t> readVisibility(const tinygltf::Model& model, const tin
     const std::vector<double> bytes =
         readNumbers(model, accessorIn(extension, "visibility"), "visibility", {scalar, {Component::Uint8}});
     if (const std::size_t expected = (6 * triangles + 7) / 8; bytes.size() != expected)
-        refuse(
+        base::refuse(
             fmt::format("visibility: expected {} bytes for {} triangles, found {}", expected, triangles, bytes.size()));
     std::vector<std::uint8_t> edges(3 * triangles);
     for (std::size_t i = 0; i < edges.size(); ++i)
@@ -59,8 +57,8 @@ void readLineString(const tinygltf::Model& model, const tinygltf::Value& line, s
     for (std::size_t i = 0; i < indices.size(); ++i) {
         if (indices[i] == restart) continue;
         if (!(indices[i] < static_cast<double>(vertexCount)))
-            refuse(fmt::format("indices: expected vertex indices below {}, found {} at index {}", vertexCount,
-                               indices[i], i));
+            base::refuse(fmt::format("indices: expected vertex indices below {}, found {} at index {}", vertexCount,
+                                     indices[i], i));
         if (i > 0 && indices[i - 1] != restart && indices[i - 1] != indices[i])
             edges.push_back(
                 {keyOf(static_cast<std::uint32_t>(indices[i - 1]), static_cast<std::uint32_t>(indices[i]))});
@@ -68,11 +66,11 @@ void readLineString(const tinygltf::Model& model, const tinygltf::Value& line, s
 }
 
 std::vector<Edge> readLineStrings(const tinygltf::Model& model, const tinygltf::Value& lines, std::size_t vertexCount) {
-    if (!lines.IsArray()) refuse("lineStrings: expected an array, found something else");
+    if (!lines.IsArray()) base::refuse("lineStrings: expected an array, found something else");
     std::vector<Edge> edges;
     const auto& strings = lines.Get<tinygltf::Value::Array>();
     for (std::size_t i = 0; i < strings.size(); ++i)
-        within(label("line string", i), [&] { readLineString(model, strings[i], vertexCount, edges); });
+        base::within(base::label("line string", i), [&] { readLineString(model, strings[i], vertexCount, edges); });
     std::ranges::sort(edges, {}, &Edge::vertices);
     const auto same = [](const Edge& a, const Edge& b) { return a.vertices == b.vertices; };
     edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
@@ -103,10 +101,10 @@ EdgeVisibility readEdgeVisibility(const tinygltf::Model& model, const tinygltf::
                                   std::span<const std::uint32_t> corners, std::size_t vertexCount) {
     const auto found = primitive.extensions.find(extensionName);
     if (found == primitive.extensions.end()) return {};
-    return within(extensionName, [&] {
+    return base::within(extensionName, [&] {
         const tinygltf::Value& extension = found->second;
         if (!extension.Has("visibility") && !extension.Has("lineStrings"))
-            refuse("expected visibility or lineStrings, found neither");
+            base::refuse("expected visibility or lineStrings, found neither");
         const std::vector<std::uint32_t> triangles = triangleList(mode, {corners.begin(), corners.end()});
         EdgeVisibility edges;
         edges.kinds.resize(triangles.size());

@@ -19,8 +19,6 @@
 
 namespace inkedge::gltf {
 
-using namespace load;
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,12 +43,13 @@ Chunks splitGlb(std::span<const std::uint8_t> bytes) {
     constexpr std::uint32_t jsonChunk = 0x4e4f534a;
     constexpr std::uint32_t binaryChunk = 0x004e4942;
     if (bytes.size() < headerSize + chunkHeaderSize)
-        refuse(fmt::format("expected a .glb of at least 20 bytes, found {}: the file is truncated", bytes.size()));
+        base::refuse(
+            fmt::format("expected a .glb of at least 20 bytes, found {}: the file is truncated", bytes.size()));
     if (const std::uint32_t version = littleEndianAt(bytes, 4); version != 2)
-        refuse(fmt::format("expected version 2 of binary glTF, found version {}", version));
+        base::refuse(fmt::format("expected version 2 of binary glTF, found version {}", version));
     const std::uint32_t length = littleEndianAt(bytes, 8);
     if (length > bytes.size())
-        refuse(
+        base::refuse(
             fmt::format("expected {} bytes as the header says, found {}: the file is truncated", length, bytes.size()));
     bytes = bytes.first(length);
 
@@ -61,10 +60,10 @@ Chunks splitGlb(std::span<const std::uint8_t> bytes) {
         const std::uint32_t type = littleEndianAt(bytes, at + 4);
         at += chunkHeaderSize;
         if (size > bytes.size() - at)
-            refuse(fmt::format("expected {} bytes in chunk {}, found {}", size, chunk, bytes.size() - at));
+            base::refuse(fmt::format("expected {} bytes in chunk {}, found {}", size, chunk, bytes.size() - at));
         if (chunk == 0 && type != jsonChunk)
-            refuse(fmt::format("expected a JSON chunk first, found type 0x{:08x}", type));
-        if (chunk == 0) chunks.json = textOf(bytes.subspan(at, size));
+            base::refuse(fmt::format("expected a JSON chunk first, found type 0x{:08x}", type));
+        if (chunk == 0) chunks.json = base::textOf(bytes.subspan(at, size));
         if (chunk == 1 && type == binaryChunk) chunks.binary = bytes.subspan(at, size);
         at += size;
     }
@@ -97,7 +96,7 @@ void checkDepth(std::string_view text) {
             if (c == '\\') ++i;
         } else if (c == '{' || c == '[') {
             if (++depth > maximumDepth)
-                refuse(fmt::format("expected JSON nested at most {} deep, found deeper", maximumDepth));
+                base::refuse(fmt::format("expected JSON nested at most {} deep, found deeper", maximumDepth));
         } else if (c == '}' || c == ']') {
             --depth;
         }
@@ -121,10 +120,10 @@ Json parseJson(std::string_view text) {
     } catch (const Json::exception& error) {
         const std::string_view message = error.what();  // "[json.exception.parse_error.101] parse error at ..."
         const std::size_t end = message.find("] ");
-        refuse("expected JSON, found " +
-               printable(message.substr(end == std::string_view::npos ? 0 : end + 2).substr(0, 300)));
+        base::refuse("expected JSON, found " +
+                     base::printable(message.substr(end == std::string_view::npos ? 0 : end + 2).substr(0, 300)));
     }
-    if (!document.is_object()) refuse(fmt::format("expected a JSON object, found {}", document.type_name()));
+    if (!document.is_object()) base::refuse(fmt::format("expected a JSON object, found {}", document.type_name()));
     document.erase("extensions");
     simplify(document);
     return document;
@@ -140,9 +139,10 @@ void checkVersion(const Json& document) {
     const Json asset = document.value("asset", Json::object());
     const std::string version = stringIn(asset, "version");
     const std::string minimum = stringIn(asset, "minVersion");
-    if (version.empty()) refuse("expected glTF 2.0, found JSON without asset.version");
-    if (!version.starts_with("2.")) refuse("expected glTF 2.0, found version " + quote(version));
-    if (!minimum.empty() && minimum != "2.0") refuse("expected glTF 2.0, found minVersion " + quote(minimum));
+    if (version.empty()) base::refuse("expected glTF 2.0, found JSON without asset.version");
+    if (!version.starts_with("2.")) base::refuse("expected glTF 2.0, found version " + base::quote(version));
+    if (!minimum.empty() && minimum != "2.0")
+        base::refuse("expected glTF 2.0, found minVersion " + base::quote(minimum));
 }
 
 // tinygltf ignores an optional number that is below 0 or no number: such a number is refused here.
@@ -151,17 +151,19 @@ void checkExtents(const Json& object) {
     for (const char* name : {"byteOffset", "byteLength", "byteStride", "count"}) {
         const auto found = object.find(name);
         if (found != object.end() && !found->is_number_unsigned())
-            refuse(fmt::format("{}: expected a number of at least 0, found {}", name,
-                               printable(found->dump().substr(0, 80))));
+            base::refuse(fmt::format("{}: expected a number of at least 0, found {}", name,
+                                     base::printable(found->dump().substr(0, 80))));
     }
     for (const char* part : {"sparse", "indices", "values"})
-        if (const auto found = object.find(part); found != object.end()) within(part, [&] { checkExtents(*found); });
+        if (const auto found = object.find(part); found != object.end())
+            base::within(part, [&] { checkExtents(*found); });
 }
 
 void checkExtents(const Json& document, const char* list, const char* kind) {
     const auto found = document.find(list);
     if (found == document.end() || !found->is_array()) return;
-    for (std::size_t i = 0; i < found->size(); ++i) within(label(kind, i), [&] { checkExtents((*found)[i]); });
+    for (std::size_t i = 0; i < found->size(); ++i)
+        base::within(base::label(kind, i), [&] { checkExtents((*found)[i]); });
 }
 
 // Whether an extension is read, or does not change the shape.
@@ -178,10 +180,11 @@ bool isRead(std::string_view extension) {
 
 std::vector<std::string> extensionsIn(const Json& document, const char* list) {
     const Json extensions = document.value(list, Json::array());
-    if (!extensions.is_array()) refuse(fmt::format("{}: expected an array, found {}", list, extensions.type_name()));
+    if (!extensions.is_array())
+        base::refuse(fmt::format("{}: expected an array, found {}", list, extensions.type_name()));
     std::vector<std::string> names;
     for (const Json& entry : extensions) {
-        if (!entry.is_string()) refuse(fmt::format("{}: expected names, found {}", list, entry.type_name()));
+        if (!entry.is_string()) base::refuse(fmt::format("{}: expected names, found {}", list, entry.type_name()));
         names.push_back(entry.get<std::string>());
     }
     return names;
@@ -190,7 +193,7 @@ std::vector<std::string> extensionsIn(const Json& document, const char* list) {
 std::string listed(const std::vector<std::string>& names) {
     std::string list;
     for (const std::string& name : names)
-        list += (list.empty() ? "" : ", ") + printable(std::string_view{name}.substr(0, 80));
+        list += (list.empty() ? "" : ", ") + base::printable(std::string_view{name}.substr(0, 80));
     return list;
 }
 
@@ -199,8 +202,8 @@ void checkRequiredExtensions(const Json& document) {
     std::erase_if(unread, isRead);
     if (unread.empty()) return;
     if (std::ranges::all_of(unread, isCompression))
-        refuse(fmt::format("the geometry is compressed with {}, {}", listed(unread), whyUnread(unread.front())));
-    refuse("expected only required extensions that this version reads, found " + listed(unread));
+        base::refuse(fmt::format("the geometry is compressed with {}, {}", listed(unread), whyUnread(unread.front())));
+    base::refuse("expected only required extensions that this version reads, found " + listed(unread));
 }
 
 std::vector<std::string> warningsOf(std::vector<std::string> used) {
@@ -210,44 +213,46 @@ std::vector<std::string> warningsOf(std::vector<std::string> used) {
                         listed(used))};
 }
 
-Bytes bufferBytes(const ModelInput& input, const Json& buffer, std::optional<Bytes> binaryChunk,
-                  std::uint64_t& bytesLeft) {
+base::Bytes bufferBytes(const formats::ModelInput& input, const Json& buffer, std::optional<base::Bytes> binaryChunk,
+                        std::uint64_t& bytesLeft) {
     if (buffer.contains("uri")) {
         if (!buffer["uri"].is_string())
-            refuse(fmt::format("expected a string as uri, found {}", buffer["uri"].type_name()));
+            base::refuse(fmt::format("expected a string as uri, found {}", buffer["uri"].type_name()));
         return readUri(input, buffer["uri"].get_ref<const std::string&>(), bytesLeft);
     }
-    if (!binaryChunk) refuse("expected a uri or the binary chunk of a .glb, found neither");
+    if (!binaryChunk) base::refuse("expected a uri or the binary chunk of a .glb, found neither");
     return std::move(*binaryChunk);
 }
 
 // One byte for a buffer that nothing reads, as no buffer may be empty.
-Bytes standIn(Json& buffer, std::size_t number) {
+base::Bytes standIn(Json& buffer, std::size_t number) {
     constexpr std::string_view extension = "KHR_meshopt_compression";
-    if (!readsCompression(extension)) refuse("it stands in for data compressed with meshopt, " + whyUnread(extension));
+    if (!readsCompression(extension))
+        base::refuse("it stands in for data compressed with meshopt, " + whyUnread(extension));
     buffer["uri"] = std::to_string(number);
     buffer["byteLength"] = 1;
     return {0};
 }
 
 // Takes the bytes of the buffers, and replaces their URIs by numbers.
-std::vector<Bytes> takeBuffers(const ModelInput& input, Json& document, std::optional<Bytes> binaryChunk,
-                               std::uint64_t& bytesLeft) {
-    std::vector<Bytes> buffers;
+std::vector<base::Bytes> takeBuffers(const formats::ModelInput& input, Json& document,
+                                     std::optional<base::Bytes> binaryChunk, std::uint64_t& bytesLeft) {
+    std::vector<base::Bytes> buffers;
     if (!document.contains("buffers")) return buffers;
     Json& list = document["buffers"];
-    if (!list.is_array()) refuse(fmt::format("buffers: expected an array, found {}", list.type_name()));
+    if (!list.is_array()) base::refuse(fmt::format("buffers: expected an array, found {}", list.type_name()));
     for (Json& buffer : list) {
         const std::size_t number = buffers.size();
-        within(label("buffer", number), [&] {
-            if (!buffer.is_object()) refuse(fmt::format("expected an object, found {}", buffer.type_name()));
+        base::within(base::label("buffer", number), [&] {
+            if (!buffer.is_object()) base::refuse(fmt::format("expected an object, found {}", buffer.type_name()));
             const Json length = buffer.value("byteLength", Json{});
             if (!length.is_number_unsigned() || length == 0)
-                refuse("expected a byteLength over 0, found " + printable(length.dump().substr(0, 80)));
+                base::refuse("expected a byteLength over 0, found " + base::printable(length.dump().substr(0, 80)));
             if (isFallback(buffer)) return buffers.push_back(standIn(buffer, number));
-            Bytes bytes = bufferBytes(input, buffer, number == 0 ? std::move(binaryChunk) : std::nullopt, bytesLeft);
+            base::Bytes bytes =
+                bufferBytes(input, buffer, number == 0 ? std::move(binaryChunk) : std::nullopt, bytesLeft);
             if (bytes.size() < length.get<std::uint64_t>())
-                refuse(fmt::format("expected {} bytes, found {}", length.get<std::uint64_t>(), bytes.size()));
+                base::refuse(fmt::format("expected {} bytes, found {}", length.get<std::uint64_t>(), bytes.size()));
             bytes.resize(length.get<std::uint64_t>());
             buffer["uri"] = std::to_string(number);
             buffers.push_back(std::move(bytes));
@@ -264,22 +269,23 @@ bool looksLikeJson(std::string_view text) {
 
 }  // namespace
 
-Bytes readUri(const ModelInput& input, const std::string& uri, std::uint64_t& bytesLeft) {
+base::Bytes readUri(const formats::ModelInput& input, const std::string& uri, std::uint64_t& bytesLeft) {
     if (isDataUri(uri)) return decodeDataUri(uri);
     if (!input.isFile())
-        refuse("expected all data within a model in memory, embedded or as data URIs, found the file " + quote(uri));
+        base::refuse("expected all data within a model in memory, embedded or as data URIs, found the file " +
+                     base::quote(uri));
     const fs::path file = fileOfUri(input.name, uri);
-    return within(quote(uri), [&] { return readBytes(file, bytesLeft); });
+    return base::within(base::quote(uri), [&] { return base::readBytes(file, bytesLeft); });
 }
 
-File readFile(const ModelInput& input, const LoadLimits& limits) {
+File readFile(const formats::ModelInput& input, const LoadLimits& limits) {
     File file;
     file.bytesLeft = limits.fileSize;
-    Content bytes{input, file.bytesLeft};
-    const std::string_view content = textOf(bytes.bytes());
+    formats::Content bytes{input, file.bytesLeft};
+    const std::string_view content = base::textOf(bytes.bytes());
     const bool binary = content.starts_with("glTF");
     if (!binary && !looksLikeJson(content))
-        refuse(fmt::format("expected glTF 2.0 (.glb or .gltf), found {}", kindOf(content)));
+        base::refuse(fmt::format("expected glTF 2.0 (.glb or .gltf), found {}", base::kindOf(content)));
 
     const Chunks chunks = binary ? splitGlb(bytes.bytes()) : Chunks{content, {}};
     Json document = parseJson(chunks.json);
@@ -292,7 +298,7 @@ File readFile(const ModelInput& input, const LoadLimits& limits) {
     file.materials = readMaterials(document);
     file.images = readImages(document);
     for (const char* read : {"images", "materials", "samplers", "textures"}) document.erase(read);
-    std::optional<Bytes> binaryChunk;
+    std::optional<base::Bytes> binaryChunk;
     if (!chunks.binary.empty()) binaryChunk = std::move(bytes).keepOnly(chunks.binary);
     markFallbacks(document, binaryChunk.has_value());
     file.buffers = takeBuffers(input, document, std::move(binaryChunk), file.bytesLeft);

@@ -17,7 +17,7 @@ namespace inkedge::gltf {
 /// ones become the largest). The uri of buffer i is the number i. No geometry is compressed.
 struct File {
     std::string json;
-    std::vector<load::Bytes> buffers;  ///< each of the byteLength that the JSON gives
+    std::vector<base::Bytes> buffers;  ///< each of the byteLength that the JSON gives
     std::vector<Material> materials;   ///< removed from the JSON
     std::vector<Image> images;         ///< removed from the JSON; their pixels are not read yet
     std::vector<std::string> warnings;
@@ -30,11 +30,11 @@ struct File {
 /// @throws Error  (Kind::Input) if a file is missing, unreadable, truncated or no glTF 2.0, lies outside the model's
 ///                folder, all of them together, or what compressed data come to, are over the limits, an extension is
 ///                required that is not read, or compressed data are damaged
-[[nodiscard]] File readFile(const load::ModelInput&, const LoadLimits&);
+[[nodiscard]] File readFile(const formats::ModelInput&, const LoadLimits&);
 
 /// The bytes of a uri of the model: of a data URI, or of a file in the model's folder, whose size is subtracted from
 /// bytesLeft.
 /// @throws Error  (Kind::Input) as readFile(), or if a model in memory names a file
-[[nodiscard]] load::Bytes readUri(const load::ModelInput&, const std::string& uri, std::uint64_t& bytesLeft);
+[[nodiscard]] base::Bytes readUri(const formats::ModelInput&, const std::string& uri, std::uint64_t& bytesLeft);
 
 }  // namespace inkedge::gltf

@@ -11,8 +11,7 @@
 
 namespace inkedge::gltf {
 
-using load::refuse;
-using load::within;
+using base::refuse;
 
 std::vector<glm::dmat4> copiesOf(const tinygltf::Model& model, const tinygltf::Node& node, std::uint64_t maxCopies) {
     const auto extension = node.extensions.find("EXT_mesh_gpu_instancing");
@@ -24,8 +23,9 @@ std::vector<glm::dmat4> copiesOf(const tinygltf::Model& model, const tinygltf::N
         const tinygltf::Value& index = member(attributes, name);
         if (index.IsInt()) {
             if (const std::uint64_t copies = elementCount(model, index.GetNumberAsInt(), name); copies > maxCopies)
-                refuse(fmt::format("expected at most {} more instances in the scene, found {}; raise max-instances",
-                                   maxCopies, copies));
+                base::refuse(
+                    fmt::format("expected at most {} more instances in the scene, found {}; raise max-instances",
+                                maxCopies, copies));
             vectors = readVectors<Vector>(model, index.GetNumberAsInt(), name, expected);
             if (count && *count != vectors.size())
                 refuse(fmt::format("{}: expected as many instances as before, {}, found {}", name, *count,
@@ -36,7 +36,7 @@ std::vector<glm::dmat4> copiesOf(const tinygltf::Model& model, const tinygltf::N
             return vectors.empty() ? otherwise : vectors[i];
         };
     };
-    return within("EXT_mesh_gpu_instancing", [&] {
+    return base::within("EXT_mesh_gpu_instancing", [&] {
         const auto translation = read("TRANSLATION", floatVec3, glm::dvec3{0.0});
         const auto rotation = read("ROTATION", anyRotation, glm::dvec4{0, 0, 0, 1});
         const auto scale = read("SCALE", floatVec3, glm::dvec3{1.0});

@@ -6,9 +6,7 @@
 
 namespace inkedge::gltf {
 
-using namespace load;
-
-std::string found(const Json& value) { return printable(std::string_view{value.dump()}.substr(0, 80)); }
+std::string found(const Json& value) { return base::printable(std::string_view{value.dump()}.substr(0, 80)); }
 
 const Json& member(const Json& object, const char* key) {
     static const Json none;
@@ -20,14 +18,14 @@ std::uint64_t number(const Json& object, const char* key, std::optional<std::uin
     const Json& value = member(object, key);
     if (value.is_null() && otherwise) return *otherwise;
     if (!value.is_number_unsigned())
-        refuse(fmt::format("expected a number of at least 0 as {}, found {}", key, found(value)));
+        base::refuse(fmt::format("expected a number of at least 0 as {}, found {}", key, found(value)));
     return value.get<std::uint64_t>();
 }
 
 std::string text(const Json& object, const char* key, const char* otherwise) {
     const Json& value = member(object, key);
     if (value.is_null()) return otherwise;
-    if (!value.is_string()) refuse(fmt::format("expected a string as {}, found {}", key, found(value)));
+    if (!value.is_string()) base::refuse(fmt::format("expected a string as {}, found {}", key, found(value)));
     return value.get<std::string>();
 }
 
@@ -38,7 +36,7 @@ std::size_t sizeOf(const Json& list) { return list.is_array() ? list.size() : 0;
 const Json& entry(const Json& document, const char* list, std::uint64_t index) {
     const Json& all = member(document, list);
     if (index >= sizeOf(all))
-        refuse(fmt::format("expected an index of {} below {}, found {}", list, sizeOf(all), index));
+        base::refuse(fmt::format("expected an index of {} below {}, found {}", list, sizeOf(all), index));
     return all[index];
 }
 

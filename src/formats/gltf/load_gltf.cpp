@@ -31,23 +31,13 @@
 #include "formats/gltf/triangles.h"
 #include "images/decode_picture.h"
 
-namespace inkedge {
+namespace inkedge::gltf {
 namespace {
-
-using gltf::at;
-using gltf::finite;
-using gltf::nodeLabel;
-using gltf::Pose;
-using gltf::readAttribute;
-using gltf::Shape;
-using load::label;
-using load::refuse;
-using load::within;
 
 template <class T>
 std::vector<std::string> namesOf(const std::vector<T>& all) {
     std::vector<std::string> names;
-    for (const T& each : all) names.push_back(load::printable(each.name));
+    for (const T& each : all) names.push_back(base::printable(each.name));
     return names;
 }
 
@@ -63,24 +53,24 @@ std::uint64_t elementLimit(const tinygltf::Model& model) {
 
 class Loader {
 public:
-    Loader(const tinygltf::Model& model, const gltf::File& file, const load::ModelInput& input,
+    Loader(const tinygltf::Model& model, const File& file, const formats::ModelInput& input,
            const LoadSettings& settings)
         : model_{model},
           file_{file},
           input_{input},
           settings_{settings},
-          nodes_{gltf::nodeTransforms(model, settings.limits)},
+          nodes_{nodeTransforms(model, settings.limits)},
           sceneNodes_(model.nodes.size(), noNode),
           cutOuts_{model, file, input, settings.limits},
           elementsLeft_{std::min(settings.limits.vertices, elementLimit(model))} {}
 
     Scene::Data load() {
-        for (const gltf::Material& material : file_.materials)
+        for (const Material& material : file_.materials)
             data_.materials.push_back({material.name, material.doubleSided});
         if (settings_.paint) readPaints();
-        for (const auto& [number, shown] : gltf::nodesOfScene(model_, nodes_, settings_.scene)) {
+        for (const auto& [number, shown] : nodesOfScene(model_, nodes_, settings_.scene)) {
             addNode(number);
-            within(nodeLabel(model_, number), [&, node = number, visible = shown] {
+            base::within(nodeLabel(model_, number), [&, node = number, visible = shown] {
                 if (model_.nodes[node].camera != -1) addCamera(node);
                 if (model_.nodes[node].mesh != -1 && visible) addInstances(node);
             });
@@ -101,9 +91,10 @@ private:
     void addCamera(std::size_t node) {
         const int index = model_.nodes[node].camera;
         const tinygltf::Camera& source = at(model_.cameras, index, "a camera");
-        SceneCamera camera{nameOf(node, source.name), gltf::rigid(nodes_.toWorld[node]), SceneCamera{}.viewAngle, 0.0};
-        if (const std::optional<std::string> missing = gltf::readLens(source, camera))
-            warn(label("camera", static_cast<std::size_t>(index), source.name) + " is left out: expected " + *missing);
+        SceneCamera camera{nameOf(node, source.name), rigid(nodes_.toWorld[node]), SceneCamera{}.viewAngle, 0.0};
+        if (const std::optional<std::string> missing = readLens(source, camera))
+            warn(base::label("camera", static_cast<std::size_t>(index), source.name) + " is left out: expected " +
+                 *missing);
         else
             data_.cameras.push_back(std::move(camera));
     }
@@ -121,15 +112,16 @@ private:
         const std::uint32_t part = sceneNodes_[node];
         if (!pose.joints.empty())
             return addInstance({name, *drawn, glm::dmat4{1.0}, part});  // a skin holds its own transforms
-        for (const glm::dmat4& copy : gltf::copiesOf(model_, source, instancesLeft()))
+        for (const glm::dmat4& copy : copiesOf(model_, source, instancesLeft()))
             addInstance({name, *drawn, nodes_.toWorld[node] * copy, part});
     }
 
     void addInstance(Instance instance) {
-        if (!finite(instance.transform)) refuse("expected instances with finite transforms, found an infinite one");
+        if (!finite(instance.transform))
+            base::refuse("expected instances with finite transforms, found an infinite one");
         if (instancesLeft() == 0)
-            refuse(fmt::format("expected at most {} instances in the scene, found more; raise max-instances",
-                               settings_.limits.instances));
+            base::refuse(fmt::format("expected at most {} instances in the scene, found more; raise max-instances",
+                                     settings_.limits.instances));
         data_.instances.push_back(std::move(instance));
     }
 
@@ -137,16 +129,16 @@ private:
 
     std::vector<glm::dmat4> jointMatrices(int index) const {
         const tinygltf::Skin& source = at(model_.skins, index, "a skin");
-        return within(label("skin", static_cast<std::size_t>(index), source.name), [&] {
-            if (source.joints.empty()) refuse("expected joints, found none");
+        return base::within(base::label("skin", static_cast<std::size_t>(index), source.name), [&] {
+            if (source.joints.empty()) base::refuse("expected joints, found none");
             std::vector<glm::dmat4> joints;
             for (const int joint : source.joints) joints.push_back(at(nodes_.toWorld, joint, "a joint node"));
             if (source.inverseBindMatrices == -1) return joints;
             const std::vector<double> inverses =
-                gltf::readNumbers(model_, source.inverseBindMatrices, "inverseBindMatrices", gltf::floatMat4);
+                readNumbers(model_, source.inverseBindMatrices, "inverseBindMatrices", floatMat4);
             if (inverses.size() < joints.size() * 16)
-                refuse(fmt::format("expected an inverse bind matrix for each of {} joints, found {}", joints.size(),
-                                   inverses.size() / 16));
+                base::refuse(fmt::format("expected an inverse bind matrix for each of {} joints, found {}",
+                                         joints.size(), inverses.size() / 16));
             for (std::size_t i = 0; i < joints.size(); ++i) joints[i] *= glm::make_mat4(&inverses[i * 16]);
             return joints;
         });
@@ -167,18 +159,18 @@ private:
         const bool isNew = seen_.insert(index).second;
         Shape shape;
         for (std::size_t i = 0; i < source.primitives.size(); ++i) {
-            const std::string where = label("mesh", number, source.name) + ", " + label("primitive", i);
-            within(where, [&] {
-                const gltf::Mode mode{source.primitives[i].mode};
-                const std::string_view modeName = gltf::name(mode);
-                if (gltf::drawsTriangles(mode))
-                    gltf::append(shape, readPrimitive(source.primitives[i], pose, isNew ? where : std::string{}));
+            const std::string where = base::label("mesh", number, source.name) + ", " + base::label("primitive", i);
+            base::within(where, [&] {
+                const Mode mode{source.primitives[i].mode};
+                const std::string_view modeName = name(mode);
+                if (drawsTriangles(mode))
+                    append(shape, readPrimitive(source.primitives[i], pose, isNew ? where : std::string{}));
                 else if (isNew)
                     ++ignored_[modeName];
             });
         }
         if (shape.indices.empty()) return {};
-        data_.meshes.push_back(gltf::meshOf(std::move(shape), source.name));
+        data_.meshes.push_back(meshOf(std::move(shape), source.name));
         return static_cast<std::uint32_t>(data_.meshes.size() - 1);
     }
 
@@ -190,41 +182,41 @@ private:
             if (!warnedAs.empty()) warn(warnedAs + ": has no positions and is not drawn");
             return part;
         }
-        const gltf::Material* const material = materialOf(primitive);
+        const Material* const material = materialOf(primitive);
         if (material == nullptr && primitive.material != -1 && !warnedAs.empty())
             warn(fmt::format("{}: expected a material below {}, found {}", warnedAs, file_.materials.size(),
                              primitive.material));
         if (isIgnored(material)) return part;
-        spend(gltf::elementCount(model_, position->second, "POSITION"));
-        part.positions = gltf::readVectors<glm::dvec3>(model_, position->second, "POSITION", gltf::anyPosition);
+        spend(elementCount(model_, position->second, "POSITION"));
+        part.positions = readVectors<glm::dvec3>(model_, position->second, "POSITION", anyPosition);
         const std::size_t count = part.positions.size();
-        part.normals = readAttribute<glm::dvec3>(model_, primitive.attributes, "NORMAL", gltf::anyNormal, count);
+        part.normals = readAttribute<glm::dvec3>(model_, primitive.attributes, "NORMAL", anyNormal, count);
         part.authored = !part.normals.empty();
         part.normals.resize(count);
 
-        const gltf::Mode mode{primitive.mode};
+        const Mode mode{primitive.mode};
         std::vector<std::uint32_t> corners = cornersOf(primitive, count);
-        if (mode == gltf::Mode::Triangles && corners.size() % 3 != 0 && !warnedAs.empty())
+        if (mode == Mode::Triangles && corners.size() % 3 != 0 && !warnedAs.empty())
             warn(fmt::format("{}: expected a multiple of 3 corners, found {}: the last are not drawn", warnedAs,
                              corners.size()));
         readEdges(primitive, corners, part, warnedAs);
-        part.indices = gltf::triangleList(mode, std::move(corners));
+        part.indices = triangleList(mode, std::move(corners));
         spend(part.indices.size());
         if (settings_.textureCoordinates) readCoordinates(primitive, part);
         if (settings_.paint) readPaint(material, primitive, part);
         part.materials.assign(part.indices.size() / 3, static_cast<std::uint32_t>(primitive.material) + 1U);
-        gltf::morph(model_, primitive, pose.weights, part);
-        if (!pose.joints.empty()) gltf::skin(model_, primitive, pose.joints, part);
-        gltf::checkPositions(part.positions);
+        morph(model_, primitive, pose.weights, part);
+        if (!pose.joints.empty()) skin(model_, primitive, pose.joints, part);
+        checkPositions(part.positions);
         if (isCut(material)) cutOut(*material, primitive, part);
-        gltf::normalize(part.normals);
+        normalize(part.normals);
         return part;
     }
 
     void readEdges(const tinygltf::Primitive& primitive, const std::vector<std::uint32_t>& corners, Shape& part,
                    const std::string& warnedAs) {
-        gltf::EdgeVisibility edges =
-            gltf::readEdgeVisibility(model_, primitive, gltf::Mode{primitive.mode}, corners, part.positions.size());
+        EdgeVisibility edges =
+            readEdgeVisibility(model_, primitive, Mode{primitive.mode}, corners, part.positions.size());
         part.edges = std::move(edges.kinds);
         if (edges.lost > 0 && !warnedAs.empty())
             warn(fmt::format("{}: {} edges of its line strings belong to no triangle and are not drawn", warnedAs,
@@ -232,21 +224,21 @@ private:
     }
 
     void readCoordinates(const tinygltf::Primitive& primitive, Shape& part) {
-        const auto coordinates = readAttribute<glm::dvec2>(model_, primitive.attributes, "TEXCOORD_0",
-                                                           gltf::anyCoordinates, part.positions.size());
+        const auto coordinates = readAttribute<glm::dvec2>(model_, primitive.attributes, "TEXCOORD_0", anyCoordinates,
+                                                           part.positions.size());
         part.coordinates.reserve(coordinates.size());
         for (const glm::dvec2& c : coordinates) {
             if (const glm::vec2 f{c}; !std::isfinite(f.x) || !std::isfinite(f.y))
-                refuse(fmt::format("TEXCOORD_0: expected finite numbers, found ({}, {})", c.x, c.y));
+                base::refuse(fmt::format("TEXCOORD_0: expected finite numbers, found ({}, {})", c.x, c.y));
             part.coordinates.emplace_back(c);
         }
     }
 
-    void readPaint(const gltf::Material* material, const tinygltf::Primitive& primitive, Shape& part) {
+    void readPaint(const Material* material, const tinygltf::Primitive& primitive, Shape& part) {
         const std::size_t count = part.positions.size();
-        const std::vector<glm::dvec4> colors = gltf::vertexColors(model_, primitive, count);
+        const std::vector<glm::dvec4> colors = vertexColors(model_, primitive, count);
         std::vector<glm::dvec2> uvs;
-        if (material != nullptr && material->texture) uvs = gltf::uvsOf(model_, *material->texture, primitive, count);
+        if (material != nullptr && material->texture) uvs = uvsOf(model_, *material->texture, primitive, count);
         part.paint.resize(count);
         const auto finiteOrZero = [](float x) { return std::isfinite(x) ? x : 0.0F; };
         for (std::size_t i = 0; i < count; ++i) {
@@ -259,64 +251,63 @@ private:
 
     // Reads the materials' colours and pictures. A material whose picture cannot be read keeps its colour.
     void readPaints() {
-        std::map<std::uint64_t, std::shared_ptr<const Image<std::uint8_t>>> pictures;
+        std::map<std::uint64_t, std::shared_ptr<const inkedge::Image<std::uint8_t>>> pictures;
         std::uint64_t bytesLeft = file_.bytesLeft;
         for (std::size_t i = 0; i < file_.materials.size(); ++i) {
-            const gltf::Material& source = file_.materials[i];
-            Material& material = data_.materials[i];
+            const Material& source = file_.materials[i];
+            inkedge::Material& material = data_.materials[i];
             material.color = glm::vec4{source.color, source.opacity};
             try {
-                if (!source.unpainted.empty()) refuse(source.unpainted);
+                if (!source.unpainted.empty()) base::refuse(source.unpainted);
                 if (!source.texture) continue;
-                material.wrap = {gltf::wrapOf(source.texture->wrapS), gltf::wrapOf(source.texture->wrapT)};
-                const gltf::Image& image = gltf::imageOf(file_, *source.texture);
+                material.wrap = {wrapOf(source.texture->wrapS), wrapOf(source.texture->wrapT)};
+                const gltf::Image& image = imageOf(file_, *source.texture);
                 auto& picture = pictures[*source.texture->image];
                 if (!picture)
-                    picture = within(label("image", *source.texture->image), [&] {
-                        return std::make_shared<const Image<std::uint8_t>>(decodePicture(
-                            gltf::pictureBytes(model_, input_, image, bytesLeft), settings_.limits.imagePixels));
+                    picture = base::within(base::label("image", *source.texture->image), [&] {
+                        return std::make_shared<const inkedge::Image<std::uint8_t>>(images::decodePicture(
+                            pictureBytes(model_, input_, image, bytesLeft), settings_.limits.imagePixels));
                     });
                 material.picture = picture;
             } catch (const Error& error) {
-                warn(fmt::format("{} is drawn without its picture: {}", label("material", i, source.name),
+                warn(fmt::format("{} is drawn without its picture: {}", base::label("material", i, source.name),
                                  error.what()));
             }
         }
     }
 
     // Null if the primitive has no material, or one that the file does not have: the shape does not depend on it.
-    const gltf::Material* materialOf(const tinygltf::Primitive& primitive) const {
+    const Material* materialOf(const tinygltf::Primitive& primitive) const {
         if (primitive.material < -1)
-            refuse(fmt::format("expected a material of at least 0, found {}", primitive.material));
+            base::refuse(fmt::format("expected a material of at least 0, found {}", primitive.material));
         const auto number = static_cast<std::size_t>(primitive.material);
         return primitive.material == -1 || number >= file_.materials.size() ? nullptr : &file_.materials[number];
     }
 
-    bool isCut(const gltf::Material* material) const {
-        return settings_.alphaMask == AlphaMask::Cut && material != nullptr &&
-               material->alpha == gltf::Material::Alpha::Mask;
+    bool isCut(const Material* material) const {
+        return settings_.alphaMask == AlphaMask::Cut && material != nullptr && material->alpha == Material::Alpha::Mask;
     }
 
-    bool isIgnored(const gltf::Material* material) const {
+    bool isIgnored(const Material* material) const {
         return settings_.transparent == Transparent::Ignore && material != nullptr &&
-               material->alpha == gltf::Material::Alpha::Blend;
+               material->alpha == Material::Alpha::Blend;
     }
 
     // A cut-out whose picture cannot be read is drawn whole, with a warning.
-    void cutOut(const gltf::Material& material, const tinygltf::Primitive& primitive, Shape& part) {
+    void cutOut(const Material& material, const tinygltf::Primitive& primitive, Shape& part) {
         try {
             cutOuts_.apply(material, primitive, part);
             spend(part.indices.size());
         } catch (const Error& error) {
             if (!uncut_.insert(primitive.material).second) return;
             warn(fmt::format("{} is drawn without its cut-out: {}",
-                             label("material", static_cast<std::size_t>(primitive.material), material.name),
+                             base::label("material", static_cast<std::size_t>(primitive.material), material.name),
                              error.what()));
         }
     }
 
     std::vector<std::uint32_t> cornersOf(const tinygltf::Primitive& primitive, std::size_t vertexCount) const {
-        if (primitive.indices != -1) return gltf::readIndices(model_, primitive.indices, vertexCount);
+        if (primitive.indices != -1) return readIndices(model_, primitive.indices, vertexCount);
         std::vector<std::uint32_t> corners(vertexCount);
         std::iota(corners.begin(), corners.end(), 0U);
         return corners;
@@ -324,11 +315,12 @@ private:
 
     void spend(std::size_t elements) {
         if (elements > elementsLeft_ && elementLimit(model_) < settings_.limits.vertices)
-            refuse(fmt::format("expected at most {} vertices and indices from so small a file, found more",
-                               elementLimit(model_)));
+            base::refuse(fmt::format("expected at most {} vertices and indices from so small a file, found more",
+                                     elementLimit(model_)));
         if (elements > elementsLeft_)
-            refuse(fmt::format("expected at most {} vertices and indices in the scene, found more; raise max-vertices",
-                               settings_.limits.vertices));
+            base::refuse(
+                fmt::format("expected at most {} vertices and indices in the scene, found more; raise max-vertices",
+                            settings_.limits.vertices));
         elementsLeft_ -= elements;
     }
 
@@ -350,12 +342,12 @@ private:
     }
 
     const tinygltf::Model& model_;
-    const gltf::File& file_;
-    const load::ModelInput& input_;
+    const File& file_;
+    const formats::ModelInput& input_;
     const LoadSettings& settings_;
-    gltf::Nodes nodes_;
+    Nodes nodes_;
     std::vector<std::uint32_t> sceneNodes_;  // one per node of the file: its index in the scene
-    gltf::CutOuts cutOuts_;
+    CutOuts cutOuts_;
     Scene::Data data_;
     std::map<std::pair<int, std::vector<double>>, std::optional<std::uint32_t>> meshes_;  // by mesh and morph weights
     std::set<int> seen_;                               // meshes whose ignored primitives have been counted
@@ -366,14 +358,14 @@ private:
 
 }  // namespace
 
-Scene::Data loadGltf(const load::ModelInput& input, const LoadSettings& settings) {
-    return within(input.where(), [&] {
+Scene::Data loadGltf(const formats::ModelInput& input, const LoadSettings& settings) {
+    return base::within(input.where(), [&] {
         try {
-            gltf::File file = gltf::readFile(input, settings.limits);
-            tinygltf::Model model = gltf::parse(std::move(file.json), std::move(file.buffers));
+            File file = readFile(input, settings.limits);
+            tinygltf::Model model = parse(std::move(file.json), std::move(file.buffers));
             std::vector<std::string> warnings = std::move(file.warnings);
             if (!settings.animation.empty())
-                for (std::string& warning : gltf::poseNodes(model, settings.animation, settings.time))
+                for (std::string& warning : poseNodes(model, settings.animation, settings.time))
                     warnings.push_back(std::move(warning));
             Scene::Data data = Loader{model, file, input, settings}.load();
             data.source.scenes = namesOf(model.scenes);
@@ -384,11 +376,11 @@ Scene::Data loadGltf(const load::ModelInput& input, const LoadSettings& settings
         } catch (const Error&) {
             throw;
         } catch (const std::bad_alloc&) {
-            refuse("expected a model that fits into memory, found one that does not");
+            base::refuse("expected a model that fits into memory, found one that does not");
         } catch (const std::exception& error) {
-            refuse("expected glTF 2.0, found: " + load::printable(error.what()));
+            base::refuse("expected glTF 2.0, found: " + base::printable(error.what()));
         }
     });
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::gltf

@@ -4,7 +4,7 @@
 
 #include "formats/model_input.h"
 
-namespace inkedge {
+namespace inkedge::gltf {
 
 /// Reads a scene of a glTF 2.0 file, .glb or .gltf by its content. External buffers are read only from the model's own
 /// folder, which a model in memory does not have. The triangles of a mesh (lists, strips and fans) become one triangle
@@ -20,6 +20,6 @@ namespace inkedge {
 ///                inconsistent, or needs an extension that is not read; (Kind::Usage) if it has no scene or animation
 ///                as set; the message starts with the name as given
 /// Thread-safe.
-[[nodiscard]] Scene::Data loadGltf(const load::ModelInput&, const LoadSettings& settings = {});
+[[nodiscard]] Scene::Data loadGltf(const formats::ModelInput&, const LoadSettings& settings = {});
 
-}  // namespace inkedge
+}  // namespace inkedge::gltf

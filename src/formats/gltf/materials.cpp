@@ -8,14 +8,12 @@
 
 namespace inkedge::gltf {
 
-using namespace load;
-
 namespace {
 
 double real(const Json& object, const char* key, double otherwise) {
     const Json& value = member(object, key);
     if (value.is_null()) return otherwise;
-    if (!value.is_number()) refuse(fmt::format("expected a number as {}, found {}", key, found(value)));
+    if (!value.is_number()) base::refuse(fmt::format("expected a number as {}, found {}", key, found(value)));
     return value.get<double>();
 }
 
@@ -24,14 +22,14 @@ double realIn(const Json& object, const char* key, std::size_t i, double otherwi
     const Json& list = member(object, key);
     if (list.is_null()) return otherwise;
     if (i >= sizeOf(list) || !list[i].is_number())
-        refuse(fmt::format("expected over {} numbers as {}, found {}", i, key, found(list)));
+        base::refuse(fmt::format("expected over {} numbers as {}, found {}", i, key, found(list)));
     return list[i].get<double>();
 }
 
 Wrap wrapOf(const Json& sampler, const char* key) {
     const auto mode = static_cast<Wrap>(number(sampler, key, static_cast<std::uint64_t>(Wrap::Repeat)));
     if (mode != Wrap::Clamp && mode != Wrap::Mirror && mode != Wrap::Repeat)
-        refuse(fmt::format("expected 33071, 33648 or 10497 as {}, found {}", key, static_cast<int>(mode)));
+        base::refuse(fmt::format("expected 33071, 33648 or 10497 as {}, found {}", key, static_cast<int>(mode)));
     return mode;
 }
 
@@ -61,7 +59,7 @@ Material::Alpha alphaOf(const std::string& mode) {
     if (mode == "OPAQUE") return Material::Alpha::Opaque;
     if (mode == "MASK") return Material::Alpha::Mask;
     if (mode == "BLEND") return Material::Alpha::Blend;
-    refuse("expected OPAQUE, MASK or BLEND as alphaMode, found " + quote(mode));
+    base::refuse("expected OPAQUE, MASK or BLEND as alphaMode, found " + base::quote(mode));
 }
 
 // Reads factor and texture of the base colour.
@@ -99,7 +97,7 @@ std::vector<Material> readMaterials(const Json& document) {
     const Json& list = member(document, "materials");
     std::vector<Material> materials;
     for (std::size_t i = 0; i < sizeOf(list); ++i)
-        materials.push_back(within(label("material", i), [&] { return readMaterial(document, list[i]); }));
+        materials.push_back(base::within(base::label("material", i), [&] { return readMaterial(document, list[i]); }));
     return materials;
 }
 
@@ -107,7 +105,7 @@ std::vector<Image> readImages(const Json& document) {
     const Json& list = member(document, "images");
     std::vector<Image> images;
     for (std::size_t i = 0; i < sizeOf(list); ++i) {
-        within(label("image", i), [&] {
+        base::within(base::label("image", i), [&] {
             Image image{text(list[i], "uri", ""), {}};
             if (!member(list[i], "bufferView").is_null()) image.bufferView = number(list[i], "bufferView");
             images.push_back(std::move(image));

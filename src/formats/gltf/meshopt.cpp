@@ -16,28 +16,26 @@
 
 namespace inkedge::gltf {
 
-using namespace load;
-
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 using Data = std::span<const std::uint8_t>;
 
-const MeshoptFunctions& meshoptimizer() { return functionsOf<meshoptModule>(Error::Kind::Input); }
+const MeshoptFunctions& meshoptimizer() { return modules::functionsOf<meshoptModule>(Error::Kind::Input); }
 
 void checkLayout(const MeshoptData& view) {
-    if (view.count == 0) refuse("expected a count of at least 1, found 0");
+    if (view.count == 0) base::refuse("expected a count of at least 1, found 0");
     if (view.mode == "ATTRIBUTES") {
         if (view.stride == 0 || view.stride % 4 != 0 || view.stride > 256)
-            refuse(fmt::format("expected a byteStride of 4, 8, ... 256 in ATTRIBUTES, found {}", view.stride));
+            base::refuse(fmt::format("expected a byteStride of 4, 8, ... 256 in ATTRIBUTES, found {}", view.stride));
         return;
     }
     if (view.mode != "TRIANGLES" && view.mode != "INDICES")
-        refuse("expected mode ATTRIBUTES, TRIANGLES or INDICES, found " + quote(view.mode));
+        base::refuse("expected mode ATTRIBUTES, TRIANGLES or INDICES, found " + base::quote(view.mode));
     if (view.stride != 2 && view.stride != 4)
-        refuse(fmt::format("expected a byteStride of 2 or 4 in {}, found {}", view.mode, view.stride));
+        base::refuse(fmt::format("expected a byteStride of 2 or 4 in {}, found {}", view.mode, view.stride));
     if (view.mode == "TRIANGLES" && view.count % 3 != 0)
-        refuse(fmt::format("expected a count that is a multiple of 3 in TRIANGLES, found {}", view.count));
+        base::refuse(fmt::format("expected a count that is a multiple of 3 in TRIANGLES, found {}", view.count));
 }
 
 // How many bytes a byte of data stands for at most, by the largest block of zeros: version 0 of the vertex codec keeps
@@ -50,14 +48,14 @@ std::uint64_t highestRatio(const MeshoptData& view, Data data) {
 // Checks before memory is taken.
 void checkSize(const MeshoptData& view, Data data, std::uint64_t bytesLeft) {
     if (view.count > bytesLeft / view.stride)
-        refuse(
+        base::refuse(
             fmt::format("expected at most {} bytes more in decompressed data, found {} elements of {} bytes; "
                         "raise max-decompressed-size",
                         bytesLeft, view.count, view.stride));
     const std::uint64_t smallest = data.empty() ? 1 : view.count * view.stride / highestRatio(view, data);
     if (smallest > data.size())
-        refuse(fmt::format("expected compressed data of at least {} bytes for {} elements of {} bytes, found {}",
-                           smallest, view.count, view.stride, data.size()));
+        base::refuse(fmt::format("expected compressed data of at least {} bytes for {} elements of {} bytes, found {}",
+                                 smallest, view.count, view.stride, data.size()));
 }
 
 // ---- filters
@@ -112,12 +110,13 @@ MeshoptFunctions::Filter filterOf(const MeshoptData& view) {
     for (const Known& each : known) {
         if (view.filter != each.name) continue;
         if (each.filter != nullptr && view.mode != "ATTRIBUTES")
-            refuse(fmt::format("expected filter NONE in {}, found {}", view.mode, view.filter));
+            base::refuse(fmt::format("expected filter NONE in {}, found {}", view.mode, view.filter));
         if (!each.fits)
-            refuse(fmt::format("expected a byteStride that filter {} takes, found {}", view.filter, view.stride));
+            base::refuse(fmt::format("expected a byteStride that filter {} takes, found {}", view.filter, view.stride));
         return each.filter;
     }
-    refuse("expected filter NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL or COLOR, found " + quote(view.filter));
+    base::refuse("expected filter NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL or COLOR, found " +
+                 base::quote(view.filter));
 }
 
 // ---- modes
@@ -132,13 +131,13 @@ Bytes decode(const MeshoptData& view, Data data) {
     const bool unknown = failure == -1;
     if (unknown && vertices && data[0] == vertexCodecVersion1) return decodeVertices(data, view.count, view.stride);
     if (unknown)
-        refuse(fmt::format("expected data that start with {}, found 0x{:02x}",
-                           vertices                 ? "0xa0 or 0xa1"
-                           : view.mode == "INDICES" ? "0xd0 or 0xd1"
-                                                    : "0xe0 or 0xe1",
-                           data[0]));
-    refuse(fmt::format("expected {} elements in {} bytes, found data that do not decode (error {})", view.count,
-                       data.size(), failure));
+        base::refuse(fmt::format("expected data that start with {}, found 0x{:02x}",
+                                 vertices                 ? "0xa0 or 0xa1"
+                                 : view.mode == "INDICES" ? "0xd0 or 0xd1"
+                                                          : "0xe0 or 0xe1",
+                                 data[0]));
+    base::refuse(fmt::format("expected {} elements in {} bytes, found data that do not decode (error {})", view.count,
+                             data.size(), failure));
 }
 
 }  // namespace

@@ -33,12 +33,12 @@ struct MeshoptFunctions {
     Filter quaternion;
     Filter exponential;
 };
-inline constexpr ModuleOf<MeshoptFunctions> meshoptModule{{.purpose = "meshopt compression",
-                                                           .file = "inkedge_meshopt.so",
-                                                           .symbol = "inkedge_meshopt_2",
-                                                           .library = "libmeshoptimizer",
-                                                           .option = "INKEDGE_MESHOPT",
-                                                           .remedy = "give a model that is not compressed"}};
+inline constexpr modules::ModuleOf<MeshoptFunctions> meshoptModule{{.purpose = "meshopt compression",
+                                                                    .file = "inkedge_meshopt.so",
+                                                                    .symbol = "inkedge_meshopt_2",
+                                                                    .library = "libmeshoptimizer",
+                                                                    .option = "INKEDGE_MESHOPT",
+                                                                    .remedy = "give a model that is not compressed"}};
 
 /// Decompresses count * stride bytes.
 /// @param bytesLeft  the maximum size of the result, in bytes

@@ -9,8 +9,6 @@
 
 namespace inkedge::gltf {
 
-using namespace load;
-
 namespace {
 
 using Buffers = std::vector<std::vector<std::uint8_t>>;
@@ -52,7 +50,7 @@ std::string firstError(std::string_view errors) {
     while (!errors.empty()) {
         const std::string_view line = errors.substr(0, errors.find('\n'));
         if (!line.empty() && !line.starts_with("'inverseBindMatrices' property is missing"))
-            return printable(line.substr(0, 300));
+            return base::printable(line.substr(0, 300));
         errors.remove_prefix(std::min(errors.size(), line.size() + 1));
     }
     return {};
@@ -60,7 +58,7 @@ std::string firstError(std::string_view errors) {
 
 Elements elementsOf(const tinygltf::Model& model, int bufferView, std::uint64_t offset, std::uint64_t stride) {
     const tinygltf::BufferView& view = at(model.bufferViews, bufferView, "a bufferView");
-    return within(label("bufferView", static_cast<std::size_t>(bufferView)), [&] {
+    return base::within(base::label("bufferView", static_cast<std::size_t>(bufferView)), [&] {
         const tinygltf::Buffer& buffer = at(model.buffers, view.buffer, "a buffer");
         return Elements{slice(buffer.data, view.byteOffset, view.byteLength), offset, stride};
     });
@@ -89,7 +87,7 @@ ElementType elementType(int type) {
 void checkBare(const tinygltf::Model& model, std::uint64_t count) {
     std::uint64_t bytes = 1U << 16U;
     for (const tinygltf::Buffer& buffer : model.buffers) bytes = std::max<std::uint64_t>(bytes, buffer.data.size());
-    if (count > bytes) refuse(fmt::format("expected at most {} elements without data, found {}", bytes, count));
+    if (count > bytes) base::refuse(fmt::format("expected at most {} elements without data, found {}", bytes, count));
 }
 
 // The file's numbers have been checked to be at least 0.
@@ -115,10 +113,10 @@ Accessor describe(const tinygltf::Model& model, const tinygltf::Accessor& source
 // Puts the name and the use of an accessor before the message of an error.
 template <class Read>
 auto withAccessor(const tinygltf::Model& model, int index, std::string_view use, Read&& read) {
-    return within(std::string{use}, [&] {
+    return base::within(std::string{use}, [&] {
         const tinygltf::Accessor& source = at(model.accessors, index, "an accessor");
-        return within(label("accessor", static_cast<std::size_t>(index)),
-                      [&] { return read(describe(model, source)); });
+        return base::within(base::label("accessor", static_cast<std::size_t>(index)),
+                            [&] { return read(describe(model, source)); });
     });
 }
 
@@ -126,7 +124,7 @@ auto withAccessor(const tinygltf::Model& model, int index, std::string_view use,
 
 tinygltf::Model parse(std::string json, Buffers buffers) {
     if (json.size() > std::numeric_limits<unsigned int>::max())
-        refuse(fmt::format("expected less than 4 GiB of JSON, found {} bytes", json.size()));
+        base::refuse(fmt::format("expected less than 4 GiB of JSON, found {} bytes", json.size()));
     tinygltf::TinyGLTF parser;
     parser.SetFsCallbacks(servedFrom(buffers));
     tinygltf::Model model;
@@ -136,7 +134,7 @@ tinygltf::Model parse(std::string json, Buffers buffers) {
         parser.LoadASCIIFromString(&model, &errors, &warnings, json.data(), static_cast<unsigned int>(json.size()), "");
     // tinygltf reports some errors, but succeeds without the element.
     const std::string error = firstError(errors);
-    if (!parsed || !error.empty()) refuse("expected glTF 2.0, found: " + error);
+    if (!parsed || !error.empty()) base::refuse("expected glTF 2.0, found: " + error);
     return model;
 }
 
@@ -146,7 +144,7 @@ const tinygltf::Value& member(const tinygltf::Value& object, const char* key) {
 }
 
 std::string nodeLabel(const tinygltf::Model& model, std::size_t node) {
-    return label("node", node, model.nodes[node].name);
+    return base::label("node", node, model.nodes[node].name);
 }
 
 bool finite(const glm::dmat4& matrix) {
@@ -169,7 +167,7 @@ std::vector<std::uint32_t> readIndices(const tinygltf::Model& model, int accesso
 }
 
 std::uint64_t elementCount(const tinygltf::Model& model, int accessor, std::string_view use) {
-    return within(std::string{use}, [&] { return at(model.accessors, accessor, "an accessor").count; });
+    return base::within(std::string{use}, [&] { return at(model.accessors, accessor, "an accessor").count; });
 }
 
 }  // namespace inkedge::gltf

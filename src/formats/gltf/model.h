@@ -33,7 +33,7 @@ namespace inkedge::gltf {
 template <class T>
 const T& at(const std::vector<T>& all, int index, std::string_view kind) {
     if (index < 0 || static_cast<std::size_t>(index) >= all.size())
-        load::refuse(fmt::format("expected {} below {}, found {}", kind, all.size(), index));
+        base::refuse(fmt::format("expected {} below {}, found {}", kind, all.size(), index));
     return all[static_cast<std::size_t>(index)];
 }
 
@@ -79,7 +79,7 @@ std::vector<Vector> readAttribute(const tinygltf::Model& model, const std::map<s
     if (attribute == attributes.end()) return {};
     std::vector<Vector> vectors = readVectors<Vector>(model, attribute->second, name, expected);
     if (vectors.size() != count)
-        load::refuse(
+        base::refuse(
             fmt::format("{}: expected as many elements as POSITION has, {}, found {}", name, count, vectors.size()));
     return vectors;
 }

@@ -9,13 +9,11 @@
 
 namespace inkedge::gltf {
 
-using namespace load;
-
 namespace {
 
 const std::vector<double>& sized(const std::vector<double>& numbers, std::size_t size, std::string_view property) {
     if (!numbers.empty() && numbers.size() != size)
-        refuse(fmt::format("expected {} numbers as {}, found {}", size, property, numbers.size()));
+        base::refuse(fmt::format("expected {} numbers as {}, found {}", size, property, numbers.size()));
     return numbers;
 }
 
@@ -24,7 +22,7 @@ glm::dmat4 affine(const std::vector<double>& numbers) {
     glm::dmat4 matrix = glm::make_mat4(numbers.data());
     const glm::dvec4 last = glm::row(matrix, 3);
     if (!(glm::length(last - glm::dvec4{0, 0, 0, 1}) <= rounding))
-        refuse(
+        base::refuse(
             fmt::format("expected a matrix with last row 0 0 0 1, found {} {} {} {}", last.x, last.y, last.z, last.w));
     return glm::row(matrix, 3, glm::dvec4{0, 0, 0, 1});
 }
@@ -45,11 +43,11 @@ std::vector<int> parentsOf(const tinygltf::Model& model) {
     std::vector<int> parents(model.nodes.size(), -1);
     for (std::size_t node = 0; node < model.nodes.size(); ++node) {
         for (const int child : model.nodes[node].children) {
-            within(nodeLabel(model, node), [&] { at(model.nodes, child, "a child node"); });
+            base::within(nodeLabel(model, node), [&] { at(model.nodes, child, "a child node"); });
             int& parent = parents[static_cast<std::size_t>(child)];
             if (parent != -1)
-                refuse(fmt::format("{}: expected one parent, found nodes {} and {}",
-                                   nodeLabel(model, static_cast<std::size_t>(child)), parent, node));
+                base::refuse(fmt::format("{}: expected one parent, found nodes {} and {}",
+                                         nodeLabel(model, static_cast<std::size_t>(child)), parent, node));
             parent = static_cast<int>(node);
         }
     }
@@ -58,7 +56,7 @@ std::vector<int> parentsOf(const tinygltf::Model& model) {
 
 [[noreturn]] void refuseCycle(const tinygltf::Model& model, const std::vector<int>& parents, std::size_t below) {
     for (std::size_t step = 0; step < parents.size(); ++step) below = static_cast<std::size_t>(parents[below]);
-    refuse(nodeLabel(model, below) + ": expected a tree of nodes, found a node among its own descendants");
+    base::refuse(nodeLabel(model, below) + ": expected a tree of nodes, found a node among its own descendants");
 }
 
 bool isHidden(const tinygltf::Node& node) {
@@ -92,7 +90,8 @@ glm::dmat4 compose(const glm::dvec3& translation, const glm::dvec4& rotation, co
 
 Nodes nodeTransforms(const tinygltf::Model& model, const LoadLimits& limits) {
     if (model.nodes.size() > limits.nodes)
-        refuse(fmt::format("expected at most {} nodes, found {}; raise max-nodes", limits.nodes, model.nodes.size()));
+        base::refuse(
+            fmt::format("expected at most {} nodes, found {}; raise max-nodes", limits.nodes, model.nodes.size()));
     Nodes nodes{parentsOf(model), std::vector<glm::dmat4>(model.nodes.size())};
     const std::vector<int>& parents = nodes.parents;
     std::vector<std::uint64_t> depths(model.nodes.size(), 0);  // 0: not reached
@@ -103,13 +102,13 @@ Nodes nodeTransforms(const tinygltf::Model& model, const LoadLimits& limits) {
         const std::size_t node = order[i];
         const auto parent = static_cast<std::size_t>(parents[node]);
         depths[node] = parents[node] == -1 ? 1 : depths[parent] + 1;
-        within(nodeLabel(model, node), [&] {
+        base::within(nodeLabel(model, node), [&] {
             if (depths[node] > limits.nodeDepth)
-                refuse(fmt::format("expected nodes at most {} deep, found deeper; raise max-node-depth",
-                                   limits.nodeDepth));
+                base::refuse(fmt::format("expected nodes at most {} deep, found deeper; raise max-node-depth",
+                                         limits.nodeDepth));
             const glm::dmat4 local = localTransform(model.nodes[node]);
             nodes.toWorld[node] = parents[node] == -1 ? local : nodes.toWorld[parent] * local;
-            if (!finite(nodes.toWorld[node])) refuse("expected a finite transform, found an infinite one");
+            if (!finite(nodes.toWorld[node])) base::refuse("expected a finite transform, found an infinite one");
         });
         for (const int child : model.nodes[node].children) order.push_back(static_cast<std::size_t>(child));
     }
@@ -133,7 +132,7 @@ std::vector<DrawnNode> nodesOfScene(const tinygltf::Model& model, const Nodes& n
         at(model.nodes, next.back(), "a node of the scene");
         const auto node = static_cast<std::size_t>(next.back());
         next.pop_back();
-        if (reached[node]) refuse(nodeLabel(model, node) + ": expected it once in the scene, found it twice");
+        if (reached[node]) base::refuse(nodeLabel(model, node) + ": expected it once in the scene, found it twice");
         reached[node] = true;
         const int parent = nodes.parents[node];
         hidden[node] = isHidden(model.nodes[node]) || (parent != -1 && hidden[static_cast<std::size_t>(parent)]);

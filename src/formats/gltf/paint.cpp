@@ -10,8 +10,6 @@
 
 namespace inkedge::gltf {
 
-using load::refuse;
-
 TextureWrap wrapOf(Wrap wrap) {
     switch (wrap) {
         case Wrap::Clamp:
@@ -24,19 +22,19 @@ TextureWrap wrapOf(Wrap wrap) {
     return TextureWrap::Repeat;
 }
 
-load::Bytes pictureBytes(const tinygltf::Model& model, const load::ModelInput& input, const Image& source,
+base::Bytes pictureBytes(const tinygltf::Model& model, const formats::ModelInput& input, const Image& source,
                          std::uint64_t& bytesLeft) {
     if (!source.bufferView) return readUri(input, source.uri, bytesLeft);
     if (*source.bufferView > std::numeric_limits<int>::max())
-        refuse(fmt::format("expected a bufferView, found {}", *source.bufferView));
+        base::refuse(fmt::format("expected a bufferView, found {}", *source.bufferView));
     const auto view = viewBytes(model, static_cast<int>(*source.bufferView));
     return {view.begin(), view.end()};
 }
 
 const Image& imageOf(const File& file, const Texture& texture) {
-    if (!texture.image) refuse("expected its picture as PNG or JPEG, found it in another form only");
+    if (!texture.image) base::refuse("expected its picture as PNG or JPEG, found it in another form only");
     if (*texture.image >= file.images.size())
-        refuse(fmt::format("expected an image below {}, found {}", file.images.size(), *texture.image));
+        base::refuse(fmt::format("expected an image below {}, found {}", file.images.size(), *texture.image));
     return file.images[*texture.image];
 }
 

@@ -16,7 +16,7 @@ namespace inkedge::gltf {
 
 /// The bytes of a picture's file. The size of a file beside the model is subtracted from bytesLeft.
 /// @throws Error  (Kind::Input) if it is missing or larger
-[[nodiscard]] load::Bytes pictureBytes(const tinygltf::Model&, const load::ModelInput&, const Image&,
+[[nodiscard]] base::Bytes pictureBytes(const tinygltf::Model&, const formats::ModelInput&, const Image&,
                                        std::uint64_t& bytesLeft);
 
 /// The picture of a texture.

@@ -15,10 +15,6 @@
 
 namespace inkedge::gltf {
 
-using load::label;
-using load::refuse;
-using load::within;
-
 namespace {
 
 void addScaled(std::vector<glm::dvec3>& vectors, const std::vector<glm::dvec3>& offsets, double weight) {
@@ -33,7 +29,7 @@ glm::dmat4 blend(const std::vector<glm::dmat4>& joints, const glm::dvec4& chosen
     for (int i = 0; i < 4; ++i) {
         if (shares[i] == 0.0) continue;
         if (chosen[i] >= static_cast<double>(joints.size()))
-            refuse(fmt::format("JOINTS_0: expected joints below {}, found {}", joints.size(), chosen[i]));
+            base::refuse(fmt::format("JOINTS_0: expected joints below {}, found {}", joints.size(), chosen[i]));
         matrix += shares[i] * joints[static_cast<std::size_t>(chosen[i])];
     }
     return matrix;
@@ -71,7 +67,7 @@ void morph(const tinygltf::Model& model, const tinygltf::Primitive& primitive, c
            Shape& part) {
     for (std::size_t i = 0; i < weights.size() && i < primitive.targets.size(); ++i) {
         if (weights[i] == 0.0) continue;
-        within(label("target", i), [&] {
+        base::within(base::label("target", i), [&] {
             const std::size_t count = part.positions.size();
             const auto read = [&](const char* attribute, const Expected& expected) {
                 return readAttribute<glm::dvec3>(model, primitive.targets[i], attribute, expected, count);
@@ -88,7 +84,7 @@ void skin(const tinygltf::Model& model, const tinygltf::Primitive& primitive, co
     const auto chosen = readAttribute<glm::dvec4>(model, primitive.attributes, "JOINTS_0", anyJoints, count);
     const auto weights = readAttribute<glm::dvec4>(model, primitive.attributes, "WEIGHTS_0", anyWeights, count);
     if (chosen.size() != count || weights.size() != count)
-        refuse("expected JOINTS_0 and WEIGHTS_0 in a mesh with a skin, found one of them missing");
+        base::refuse("expected JOINTS_0 and WEIGHTS_0 in a mesh with a skin, found one of them missing");
     for (std::size_t i = 0; i < count; ++i) {
         const glm::dmat4 toWorld = blend(joints, chosen[i], weights[i]);
         part.positions[i] = glm::dvec3{toWorld * glm::dvec4{part.positions[i], 1.0}};
@@ -101,7 +97,7 @@ void checkPositions(const std::vector<glm::dvec3>& positions) {
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const glm::dvec3& p = positions[i];
         if (!(std::abs(p.x) <= largest && std::abs(p.y) <= largest && std::abs(p.z) <= largest))
-            refuse(fmt::format("expected finite positions, found ({}, {}, {}) at vertex {}", p.x, p.y, p.z, i));
+            base::refuse(fmt::format("expected finite positions, found ({}, {}, {}) at vertex {}", p.x, p.y, p.z, i));
     }
 }
 

@@ -9,14 +9,12 @@
 
 namespace inkedge::gltf {
 
-using namespace load;
-
 std::string_view name(Mode mode) {
     constexpr std::array<std::string_view, 7> names{"POINTS",    "LINES",          "LINE_LOOP",   "LINE_STRIP",
                                                     "TRIANGLES", "TRIANGLE_STRIP", "TRIANGLE_FAN"};
     const int number = static_cast<int>(mode);
     if (number < 0 || number >= static_cast<int>(names.size()))
-        refuse(fmt::format("expected a mode from 0 to 6, found {}", number));
+        base::refuse(fmt::format("expected a mode from 0 to 6, found {}", number));
     return names[static_cast<std::size_t>(number)];
 }
 

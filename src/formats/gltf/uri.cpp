@@ -10,8 +10,6 @@
 
 namespace inkedge::gltf {
 
-using namespace load;
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -36,14 +34,14 @@ std::vector<std::uint8_t> decodeBase64(std::string_view text) {
     int count = 0;
     for (const char character : text) {
         const std::uint8_t value = values[static_cast<unsigned char>(character)];
-        if (value == notBase64) refuse(fmt::format("expected base64, found {}", quote({&character, 1})));
+        if (value == notBase64) base::refuse(fmt::format("expected base64, found {}", base::quote({&character, 1})));
         bits = (bits << 6 | value) & 0xffff;
         count += 6;
         if (count < 8) continue;
         count -= 8;
         bytes.push_back(static_cast<std::uint8_t>(bits >> count));
     }
-    if (count == 6) refuse("expected base64 in groups of four, found a single character at its end");
+    if (count == 6) base::refuse("expected base64 in groups of four, found a single character at its end");
     return bytes;
 }
 
@@ -61,11 +59,12 @@ std::string percentDecoded(std::string_view uri) {
         if (character == '%') {
             const int high = i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
             const int low = i + 2 < uri.size() ? hexDigit(uri[i + 2]) : -1;
-            if (high < 0 || low < 0) refuse("expected two hexadecimal digits after %, found " + quote(uri.substr(i)));
+            if (high < 0 || low < 0)
+                base::refuse("expected two hexadecimal digits after %, found " + base::quote(uri.substr(i)));
             character = static_cast<char>(high * 16 + low);
             i += 2;
         }
-        if (character == '\0') refuse("expected a file name, found a zero byte in " + quote(uri));
+        if (character == '\0') base::refuse("expected a file name, found a zero byte in " + base::quote(uri));
         text += character;
     }
     return text;
@@ -87,7 +86,7 @@ bool isDataUri(std::string_view uri) noexcept { return uri.starts_with("data:");
 std::vector<std::uint8_t> decodeDataUri(std::string_view uri) {
     const std::size_t comma = uri.find(',');
     if (comma == std::string_view::npos || !uri.substr(0, comma).ends_with(";base64"))
-        refuse("expected a data URI in base64, found " + quote(uri));
+        base::refuse("expected a data URI in base64, found " + base::quote(uri));
     return decodeBase64(uri.substr(comma + 1));
 }
 
@@ -95,13 +94,14 @@ fs::path fileOfUri(const fs::path& model, std::string_view uri) {
     constexpr std::string_view outside = "expected a file within the model's folder, found ";
     const fs::path relative = percentDecoded(uri);
     if (hasScheme(uri) || relative.is_absolute() || startsWith(relative.lexically_normal(), ".."))
-        refuse(std::string{outside} + quote(uri));
+        base::refuse(std::string{outside} + base::quote(uri));
 
     std::error_code failure;
     const fs::path folder = fs::canonical(model.has_parent_path() ? model.parent_path() : fs::path{"."}, failure);
     const fs::path file = failure ? fs::path{} : fs::canonical(folder / relative, failure);
-    if (failure) refuse(fmt::format("expected the file {}, found: {}", quote(uri), failure.message()));
-    if (!startsWith(file, folder)) refuse(std::string{outside} + quote(uri) + ", a link that leads out of it");
+    if (failure) base::refuse(fmt::format("expected the file {}, found: {}", base::quote(uri), failure.message()));
+    if (!startsWith(file, folder))
+        base::refuse(std::string{outside} + base::quote(uri) + ", a link that leads out of it");
     return file;
 }
 

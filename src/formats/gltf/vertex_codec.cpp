@@ -10,8 +10,6 @@
 
 namespace inkedge::gltf {
 
-using load::refuse;
-
 namespace {
 
 constexpr std::size_t groupSize = 16;      // elements whose deltas have one bit length
@@ -28,8 +26,8 @@ public:
 
     Bytes take(std::size_t count) {
         if (count > bytes_.size() - at_)
-            refuse(fmt::format("expected {} bytes of vertex data from byte {}, found {}", count, at_,
-                               bytes_.size() - at_));
+            base::refuse(fmt::format("expected {} bytes of vertex data from byte {}, found {}", count, at_,
+                                     bytes_.size() - at_));
         at_ += count;
         return bytes_.subspan(at_ - count, count);
     }
@@ -110,7 +108,7 @@ void addDeltas(std::uint8_t mode, const std::array<std::uint8_t, channelSize>& d
 void checkModes(Bytes modes) {
     for (const std::uint8_t mode : modes)
         if (const unsigned kind = mode & 15U; kind > 2 || (kind < 2 && mode != kind))
-            refuse(fmt::format("expected channel modes 0, 1 and 2, found 0x{:02x}", mode));
+            base::refuse(fmt::format("expected channel modes 0, 1 and 2, found 0x{:02x}", mode));
 }
 
 // Reads a block, whose elements continue from the last one.
@@ -137,7 +135,7 @@ std::vector<std::uint8_t> decodeVertices(std::span<const std::uint8_t> data, std
     const std::size_t tail = stride + stride / channelSize;
     const std::size_t padded = std::max(tail, smallestTail);
     if (data.size() < 1 + padded)
-        refuse(fmt::format("expected at least {} bytes of vertex data, found {}", 1 + padded, data.size()));
+        base::refuse(fmt::format("expected at least {} bytes of vertex data, found {}", 1 + padded, data.size()));
     const Bytes first = data.last(tail).first(stride);
     const Bytes modes = data.last(stride / channelSize);
     checkModes(modes);
@@ -150,7 +148,8 @@ std::vector<std::uint8_t> decodeVertices(std::span<const std::uint8_t> data, std
         readBlock(stream, modes, last,
                   std::span{elements}.subspan(i * stride, std::min(blockSize, count - i) * stride));
     if (stream.left() != 0)
-        refuse(fmt::format("expected vertex data to end with {} elements, found {} bytes more", count, stream.left()));
+        base::refuse(
+            fmt::format("expected vertex data to end with {} elements, found {} bytes more", count, stream.left()));
     return elements;
 }
 

@@ -7,7 +7,7 @@
 
 #include "mesh/twice_area.h"
 
-namespace inkedge::load {
+namespace inkedge::polygons {
 
 void CornerTree::build(std::span<const glm::dvec2> points, std::vector<std::uint32_t> chosen) {
     points_ = points;
@@ -86,10 +86,11 @@ std::uint32_t CornerTree::within(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, std::
             const glm::dvec2 p = points_[order_[i]];
             ++steps;
             if (p == a || p == b || p == c) continue;
-            if (twiceArea(a, b, p) >= 0.0 && twiceArea(b, c, p) >= 0.0 && twiceArea(c, a, p) >= 0.0) return order_[i];
+            if (mesh::twiceArea(a, b, p) >= 0.0 && mesh::twiceArea(b, c, p) >= 0.0 && mesh::twiceArea(c, a, p) >= 0.0)
+                return order_[i];
         }
     }
     return none;
 }
 
-}  // namespace inkedge::load
+}  // namespace inkedge::polygons

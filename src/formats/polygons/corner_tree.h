@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-namespace inkedge::load {
+namespace inkedge::polygons {
 
 /// A tree over points in the plane that finds a point in a triangle. Points can be removed.
 class CornerTree {
@@ -42,4 +42,4 @@ private:
     std::vector<Node> nodes_;
 };
 
-}  // namespace inkedge::load
+}  // namespace inkedge::polygons

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace inkedge::load {
+namespace inkedge::polygons {
 
 /// The formats that loadPolygons() reads.
 enum class PolygonFormat { Obj, Stl, Ply };
@@ -22,4 +22,4 @@ enum class Coordinates { Skip, Read };
     return "";
 }
 
-}  // namespace inkedge::load
+}  // namespace inkedge::polygons

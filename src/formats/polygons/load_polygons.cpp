@@ -21,26 +21,21 @@
 #include "formats/polygons/polygons.h"
 #include "formats/polygons/stl.h"
 
-namespace inkedge {
+namespace inkedge::polygons {
 namespace {
 
-using load::Coordinates;
-using load::PolygonFile;
-using load::PolygonFormat;
-using load::refuse;
-
-PolygonFile readFile(const load::ModelInput& input, PolygonFormat format, const LoadLimits& limits,
+PolygonFile readFile(const formats::ModelInput& input, PolygonFormat format, const LoadLimits& limits,
                      Coordinates coordinates) {
     std::uint64_t bytesLeft = limits.fileSize;
-    const load::Content content{input, bytesLeft};
+    const formats::Content content{input, bytesLeft};
     const std::span<const std::uint8_t> bytes = content.bytes();
     switch (format) {
         case PolygonFormat::Obj:
-            return load::readObj(load::textOf(bytes), coordinates);
+            return readObj(base::textOf(bytes), coordinates);
         case PolygonFormat::Stl:
-            return load::readStl(bytes);
+            return readStl(bytes);
         case PolygonFormat::Ply:
-            return load::readPly(load::textOf(bytes), coordinates);
+            return readPly(base::textOf(bytes), coordinates);
     }
     return {};
 }
@@ -58,7 +53,7 @@ public:
 
     Scene::Data build(const std::string& name, std::uint64_t maxElements) {
         if (vertexCount() + file_.corners.size() > maxElements)
-            refuse(
+            base::refuse(
                 fmt::format("expected at most {} vertices and corners, found more; raise max-vertices", maxElements));
         measure();
         checkFaces();
@@ -92,7 +87,8 @@ private:
             const glm::dvec3 p = position(i);
             const double size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
             if (!(size <= double{std::numeric_limits<float>::max()}) || std::isnan(p.x + p.y + p.z))
-                refuse(fmt::format("expected finite positions, found ({}, {}, {}) at vertex {}", p.x, p.y, p.z, i));
+                base::refuse(
+                    fmt::format("expected finite positions, found ({}, {}, {}) at vertex {}", p.x, p.y, p.z, i));
             low_ = glm::min(low_, p);
             high_ = glm::max(high_, p);
         }
@@ -132,15 +128,15 @@ private:
         for (std::size_t face = 0; face < file_.faceCount; ++face)
             for (const std::size_t end = corner + sizeOf(face); corner < end; ++corner)
                 if (file_.corners[corner] >= count)
-                    refuse(fmt::format("expected vertices below {}, found {} in face {}", count, file_.corners[corner],
-                                       face));
+                    base::refuse(fmt::format("expected vertices below {}, found {} in face {}", count,
+                                             file_.corners[corner], face));
     }
 
     void checkCoordinates() const {
         for (std::size_t i = 0; i < file_.textureCoordinates.size(); ++i)
             if (const glm::vec2 c = file_.textureCoordinates[i]; !std::isfinite(c.x) || !std::isfinite(c.y))
-                refuse(fmt::format("expected finite texture coordinates, found ({}, {}) at vertex {}", c.x, 1.0F - c.y,
-                                   i));
+                base::refuse(fmt::format("expected finite texture coordinates, found ({}, {}) at vertex {}", c.x,
+                                         1.0F - c.y, i));
     }
 
     // ---- faces
@@ -174,19 +170,19 @@ private:
 
     void cutPolygons() {
         mesh_.indices.reserve(file_.corners.size());
-        load::PolygonCutter cutter;
+        PolygonCutter cutter;
         std::vector<glm::dvec3> points;
         std::size_t first = 0;
         for (std::size_t face = 0; face < file_.faceCount; first += sizeOf(face), ++face) {
             const std::span<const std::uint32_t> corners{&file_.corners[first], sizeOf(face)};
             points.clear();
             for (const std::uint32_t corner : corners) points.push_back(position(corner));
-            for (const load::PolygonCutter::Triangle& t : cutter.cut(points)) addPart(face, corners, t);
+            for (const PolygonCutter::Triangle& t : cutter.cut(points)) addPart(face, corners, t);
         }
     }
 
     // Adds a triangle of a face. An edge that does not lead to the next corner of the face only cuts the face.
-    void addPart(std::size_t face, std::span<const std::uint32_t> corners, const load::PolygonCutter::Triangle& part) {
+    void addPart(std::size_t face, std::span<const std::uint32_t> corners, const PolygonCutter::Triangle& part) {
         const std::uint32_t a = corners[part[0]];
         const std::uint32_t b = corners[part[1]];
         const std::uint32_t c = corners[part[2]];
@@ -243,16 +239,16 @@ private:
 
 }  // namespace
 
-Scene::Data loadPolygons(const load::ModelInput& input, PolygonFormat format, const LoadLimits& limits,
+Scene::Data loadPolygons(const formats::ModelInput& input, PolygonFormat format, const LoadLimits& limits,
                          Coordinates coordinates) {
-    return load::within(input.where(), [&] {
+    return base::within(input.where(), [&] {
         try {
             return Builder{readFile(input, format, limits, coordinates), format}.build(input.name.stem().string(),
                                                                                        limits.vertices);
         } catch (const std::bad_alloc&) {
-            refuse("expected a model that fits into memory, found one that does not");
+            base::refuse("expected a model that fits into memory, found one that does not");
         }
     });
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::polygons

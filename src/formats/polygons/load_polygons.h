@@ -5,7 +5,7 @@
 #include "formats/model_input.h"
 #include "formats/polygons/format.h"
 
-namespace inkedge {
+namespace inkedge::polygons {
 
 /// Reads an OBJ, STL (binary or text) or PLY file, once. No other file is opened, be it named in the file or not.
 ///
@@ -24,8 +24,7 @@ namespace inkedge {
 ///                has a position that is not finite or a face without its vertices; the message starts with the name as
 ///                given
 /// Thread-safe.
-[[nodiscard]] Scene::Data loadPolygons(const load::ModelInput&, load::PolygonFormat format,
-                                       const LoadLimits& limits = {},
-                                       load::Coordinates coordinates = load::Coordinates::Skip);
+[[nodiscard]] Scene::Data loadPolygons(const formats::ModelInput&, PolygonFormat format, const LoadLimits& limits = {},
+                                       Coordinates coordinates = Coordinates::Skip);
 
-}  // namespace inkedge
+}  // namespace inkedge::polygons

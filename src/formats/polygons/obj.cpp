@@ -14,7 +14,7 @@
 #include "base/message.h"
 #include "formats/text.h"
 
-namespace inkedge::load {
+namespace inkedge::polygons {
 namespace {
 
 // The v, vt and vn that a corner names, each counted from 1; 0: none.
@@ -34,12 +34,13 @@ public:
         try {
             for (line_ = 1; !rest_.empty(); ++line_) readLine(takeLine());
         } catch (const Error& error) {
-            throw Error{error.kind(), label("line", line_) + ": " + error.what()};
+            throw Error{error.kind(), base::label("line", line_) + ": " + error.what()};
         }
-        within(label("line", position_.line), [&] { checkIndex(position_, positions_.size(), "a vertex"); });
-        within(label("line", normal_.line), [&] { checkIndex(normal_, normals_.size(), "a normal"); });
-        within(label("line", texture_.line), [&] { checkIndex(texture_, textures_.size(), "a vt"); });
-        if (file_.faceCount + file_.points + file_.lines == 0) refuse("expected faces, found none");
+        base::within(base::label("line", position_.line),
+                     [&] { checkIndex(position_, positions_.size(), "a vertex"); });
+        base::within(base::label("line", normal_.line), [&] { checkIndex(normal_, normals_.size(), "a normal"); });
+        base::within(base::label("line", texture_.line), [&] { checkIndex(texture_, textures_.size(), "a vt"); });
+        if (file_.faceCount + file_.points + file_.lines == 0) base::refuse("expected faces, found none");
         fillVertices();
         return std::move(file_);
     }
@@ -65,7 +66,7 @@ private:
     // A # starts a comment only at the start of a word: names may hold a #.
     static std::string_view withoutComment(std::string_view line) {
         for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1))
-            if (at == 0 || isBlank(line[at - 1])) return line.substr(0, at);
+            if (at == 0 || formats::isBlank(line[at - 1])) return line.substr(0, at);
         return line;
     }
 
@@ -85,7 +86,7 @@ private:
     }
 
     void readLine(std::string_view line) {
-        const std::string_view keyword = takeWord(line);
+        const std::string_view keyword = formats::takeWord(line);
         if (keyword == "v") return positions_.push_back(readVector("v", line));
         if (keyword == "vn") return normals_.push_back(glm::vec3{readVector("vn", line)});
         if (keyword == "vt" && coordinates_ == Coordinates::Read) return readTexture(line);
@@ -97,7 +98,7 @@ private:
 
     static std::uint64_t countWords(std::string_view line) {
         std::uint64_t count = 0;
-        while (!takeWord(line).empty()) ++count;
+        while (!formats::takeWord(line).empty()) ++count;
         return count;
     }
 
@@ -108,11 +109,11 @@ private:
     static glm::dvec3 readVector(std::string_view keyword, std::string_view line) {
         glm::dvec3 vector{0.0};
         for (int i = 0; i < 3; ++i) {
-            const std::string_view word = takeWord(line);
-            const std::optional<double> number = toNumber<double>(word);
+            const std::string_view word = formats::takeWord(line);
+            const std::optional<double> number = formats::toNumber<double>(word);
             if (!isFinite(number))
-                refuse(fmt::format("expected three finite numbers after {}, found {} and {}", keyword, i,
-                                   word.empty() ? "no more" : quote(word)));
+                base::refuse(fmt::format("expected three finite numbers after {}, found {} and {}", keyword, i,
+                                         word.empty() ? "no more" : base::quote(word)));
             vector[i] = *number;
         }
         return vector;
@@ -122,11 +123,11 @@ private:
     void readTexture(std::string_view line) {
         glm::vec2 texture{0.0F};
         for (int i = 0; i < 2; ++i) {
-            const std::string_view word = takeWord(line);
-            const std::optional<double> number = i == 1 && word.empty() ? 0.0 : toNumber<double>(word);
+            const std::string_view word = formats::takeWord(line);
+            const std::optional<double> number = i == 1 && word.empty() ? 0.0 : formats::toNumber<double>(word);
             if (!isFinite(number))
-                refuse(fmt::format("expected one to three finite numbers after vt, found {} and {}", i,
-                                   word.empty() ? "no more" : quote(word)));
+                base::refuse(fmt::format("expected one to three finite numbers after vt, found {} and {}", i,
+                                         word.empty() ? "no more" : base::quote(word)));
             texture[i] = static_cast<float>(*number);
         }
         textures_.emplace_back(texture.x, 1.0F - texture.y);
@@ -136,7 +137,7 @@ private:
         corners_.clear();
         bool allNormals = true;
         bool allTextures = true;
-        for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
+        for (std::string_view word = formats::takeWord(line); !word.empty(); word = formats::takeWord(line)) {
             corners_.push_back(corner(word));
             allNormals = allNormals && corners_.back().normal != 0;
             allTextures = allTextures && corners_.back().texture != 0;
@@ -176,8 +177,8 @@ private:
         const std::string_view position = takePart(word);
         const std::string_view texture = takePart(word);
         const std::string_view normal = takePart(word);
-        if (!word.empty() || (!texture.empty() && !toNumber<std::int64_t>(texture)))
-            refuse("expected a corner like 7, 7/8, 7/8/9 or 7//9, found " + quote(whole));
+        if (!word.empty() || (!texture.empty() && !formats::toNumber<std::int64_t>(texture)))
+            base::refuse("expected a corner like 7, 7/8, 7/8/9 or 7//9, found " + base::quote(whole));
         Vertex found;
         found.position = index(position, positions_.size(), "a vertex", position_);
         if (!normal.empty()) found.normal = index(normal, normals_.size(), "a normal", normal_);
@@ -196,10 +197,11 @@ private:
     // element that comes later: the highest is checked at the end. An index that no file of this size can have is only
     // noted.
     std::uint32_t index(std::string_view text, std::uint64_t count, std::string_view kind, Highest& highest) const {
-        const std::optional<std::int64_t> number = toNumber<std::int64_t>(text);
-        if (!number) refuse(fmt::format("expected the number of {}, found {}", kind, quote(text)));
+        const std::optional<std::int64_t> number = formats::toNumber<std::int64_t>(text);
+        if (!number) base::refuse(fmt::format("expected the number of {}, found {}", kind, base::quote(text)));
         const std::int64_t counted = *number < 0 ? static_cast<std::int64_t>(count) + 1 + *number : *number;
-        if (counted <= 0) refuse(fmt::format("expected {} from 1 or from -1 to -{}, found {}", kind, count, *number));
+        if (counted <= 0)
+            base::refuse(fmt::format("expected {} from 1 or from -1 to -{}, found {}", kind, count, *number));
         const auto found = static_cast<std::uint64_t>(counted);
         if (found > highest.number) highest = {found, line_};
         return found > maxElements_ ? 1 : static_cast<std::uint32_t>(found);
@@ -207,12 +209,12 @@ private:
 
     static void checkIndex(const Highest& highest, std::uint64_t count, std::string_view kind) {
         if (highest.number > count)
-            refuse(fmt::format("expected {} from 1 to {}, found {}", kind, count, highest.number));
+            base::refuse(fmt::format("expected {} from 1 to {}, found {}", kind, count, highest.number));
     }
 
     void useMaterial(std::string_view line) {
         const auto next = static_cast<std::uint32_t>(materials_.size() + 1);
-        material_ = materials_.try_emplace(std::string{takeWord(line)}, next).first->second;
+        material_ = materials_.try_emplace(std::string{formats::takeWord(line)}, next).first->second;
     }
 
     // Fills the vertices, once all elements are known.
@@ -255,8 +257,8 @@ private:
 
 PolygonFile readObj(std::string_view content, Coordinates coordinates) {
     if (const std::size_t zero = content.find('\0'); zero != std::string_view::npos)
-        refuse(fmt::format("expected OBJ, found a zero byte at byte {}", zero));
+        base::refuse(fmt::format("expected OBJ, found a zero byte at byte {}", zero));
     return Reader{content, coordinates}.read();
 }
 
-}  // namespace inkedge::load
+}  // namespace inkedge::polygons

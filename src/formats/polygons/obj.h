@@ -5,7 +5,7 @@
 #include "formats/polygons/format.h"
 #include "formats/polygons/polygon_file.h"
 
-namespace inkedge::load {
+namespace inkedge::polygons {
 
 /// Reads an OBJ file. Corners that name the same v, vt and vn are one vertex; vertices are numbered in the order of
 /// their first use. A face has normals if all its corners have them, and so for texture coordinates if they are needed.
@@ -14,4 +14,4 @@ namespace inkedge::load {
 ///                it is needed, is malformed; the message names the line
 [[nodiscard]] PolygonFile readObj(std::string_view content, Coordinates coordinates = Coordinates::Skip);
 
-}  // namespace inkedge::load
+}  // namespace inkedge::polygons

@@ -16,7 +16,7 @@
 #include "base/read_file.h"
 #include "formats/text.h"
 
-namespace inkedge::load {
+namespace inkedge::polygons {
 namespace {
 
 // ---- the header
@@ -62,7 +62,7 @@ std::string_view takeLine(std::string_view& rest) {
 Encoding encodingOf(std::string_view name) {
     const auto* const known = std::ranges::find(encodings, name);
     if (known == encodings.end())
-        refuse("expected format ascii, binary_little_endian or binary_big_endian, found " + quote(name));
+        base::refuse("expected format ascii, binary_little_endian or binary_big_endian, found " + base::quote(name));
     return static_cast<Encoding>(known - encodings.begin());
 }
 
@@ -75,42 +75,43 @@ Type typeOf(std::string_view name) {
     };
     for (const Type& type : types)
         if (name == type.name || name == type.otherName) return type;
-    refuse("expected a type of PLY, found " + quote(name));
+    base::refuse("expected a type of PLY, found " + base::quote(name));
 }
 
 Element readElement(std::string_view line) {
-    const std::string_view name = takeWord(line);
-    const std::string_view number = takeWord(line);
-    const std::optional<std::uint64_t> count = toNumber<std::uint64_t>(number);
+    const std::string_view name = formats::takeWord(line);
+    const std::string_view number = formats::takeWord(line);
+    const std::optional<std::uint64_t> count = formats::toNumber<std::uint64_t>(number);
     if (!count || *count > std::numeric_limits<std::uint32_t>::max())
-        refuse(fmt::format("expected the number of elements {}, found {}", quote(name), quote(number)));
+        base::refuse(
+            fmt::format("expected the number of elements {}, found {}", base::quote(name), base::quote(number)));
     return {name, *count, {}};
 }
 
 Property readProperty(std::string_view line) {
-    const std::string_view type = takeWord(line);
+    const std::string_view type = formats::takeWord(line);
     Property property;
     if (type == "list") {
-        property.length = typeOf(takeWord(line));
+        property.length = typeOf(formats::takeWord(line));
         if (!property.length->isInteger)
-            refuse("expected an integer as a list's length, found " + quote(property.length->name));
+            base::refuse("expected an integer as a list's length, found " + base::quote(property.length->name));
     }
-    property.type = typeOf(property.length ? takeWord(line) : type);
-    property.name = takeWord(line);
+    property.type = typeOf(property.length ? formats::takeWord(line) : type);
+    property.name = formats::takeWord(line);
     return property;
 }
 
 void readLine(std::string_view line, Header& header) {
-    const std::string_view keyword = takeWord(line);
+    const std::string_view keyword = formats::takeWord(line);
     if (keyword == "format") {
-        header.encoding = encodingOf(takeWord(line));
+        header.encoding = encodingOf(formats::takeWord(line));
     } else if (keyword == "element") {
         header.elements.push_back(readElement(line));
     } else if (keyword == "property") {
-        if (header.elements.empty()) refuse("expected an element before its properties, found none");
+        if (header.elements.empty()) base::refuse("expected an element before its properties, found none");
         header.elements.back().properties.push_back(readProperty(line));
     } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
-        refuse("expected format, element, property, comment or end_header, found " + quote(keyword));
+        base::refuse("expected format, element, property, comment or end_header, found " + base::quote(keyword));
     }
 }
 
@@ -118,14 +119,14 @@ void readLine(std::string_view line, Header& header) {
 Header takeHeader(std::string_view& content) {
     const std::string_view whole = content;
     std::string_view line = takeLine(content);
-    if (takeWord(line) != "ply") refuse(fmt::format("expected PLY, found {}", kindOf(whole)));
+    if (formats::takeWord(line) != "ply") base::refuse(fmt::format("expected PLY, found {}", base::kindOf(whole)));
     Header header;
     for (std::size_t number = 2;; ++number) {
-        if (content.empty()) refuse("expected end_header, found the end of the file: it is truncated");
+        if (content.empty()) base::refuse("expected end_header, found the end of the file: it is truncated");
         line = takeLine(content);
         std::string_view words = line;
-        if (takeWord(words) == "end_header") return header;
-        within(label("line", number), [&] { readLine(line, header); });
+        if (formats::takeWord(words) == "end_header") return header;
+        base::within(base::label("line", number), [&] { readLine(line, header); });
     }
 }
 
@@ -166,28 +167,28 @@ std::optional<std::size_t> slotOf(const Property& property, Coordinates coordina
 }
 
 void checkElement(const Element& element) {
-    if (element.properties.empty()) refuse("expected properties, found none");
+    if (element.properties.empty()) base::refuse("expected properties, found none");
     if (element.name == "vertex")
         for (const char* coordinate : {"x", "y", "z"})
             if (!hasNumber(element, coordinate))
-                refuse(fmt::format("expected the property {}, found none", coordinate));
+                base::refuse(fmt::format("expected the property {}, found none", coordinate));
     if (isFaces(element) && std::ranges::count_if(element.properties, isIndexList) != 1)
-        refuse("expected one list vertex_indices of integers, found none or several");
+        base::refuse("expected one list vertex_indices of integers, found none or several");
 }
 
 void checkHeader(const Header& header) {
-    if (!header.encoding) refuse("expected a format in the header, found none");
+    if (!header.encoding) base::refuse("expected a format in the header, found none");
     bool hasVertices = false;
     bool hasFaces = false;
     for (const Element& element : header.elements) {
-        within("element " + quote(element.name), [&] {
+        base::within("element " + base::quote(element.name), [&] {
             bool* const has = element.name == "vertex" ? &hasVertices : (isFaces(element) ? &hasFaces : nullptr);
-            if (has != nullptr && *has) refuse("expected it once, found it twice");
+            if (has != nullptr && *has) base::refuse("expected it once, found it twice");
             if (has != nullptr) *has = true;
             checkElement(element);
         });
     }
-    if (!hasVertices) refuse("expected elements 'vertex', found none");
+    if (!hasVertices) base::refuse("expected elements 'vertex', found none");
 }
 
 // ---- the data
@@ -201,8 +202,8 @@ public:
 
     std::uint64_t takeLength(const Type&) {
         const std::string_view word = nextWord();
-        const std::optional<std::uint64_t> length = toNumber<std::uint64_t>(word);
-        if (!length) refuse("expected the length of a list, found " + quote(word));
+        const std::optional<std::uint64_t> length = formats::toNumber<std::uint64_t>(word);
+        if (!length) base::refuse("expected the length of a list, found " + base::quote(word));
         return *length;
     }
     std::int64_t takeInteger(const Type& type) { return take<std::int64_t>(type); }
@@ -215,7 +216,7 @@ public:
 
 private:
     std::string_view nextWord() {
-        const std::string_view word = takeWord(rest_);
+        const std::string_view word = formats::takeWord(rest_);
         if (word.empty()) throw EndOfData{};
         return word;
     }
@@ -223,8 +224,8 @@ private:
     template <class Number>
     Number take(const Type& type) {
         const std::string_view word = nextWord();
-        const std::optional<Number> number = toNumber<Number>(word);
-        if (!number) refuse(fmt::format("expected a number of type {}, found {}", type.name, quote(word)));
+        const std::optional<Number> number = formats::toNumber<Number>(word);
+        if (!number) base::refuse(fmt::format("expected a number of type {}, found {}", type.name, base::quote(word)));
         return *number;
     }
 
@@ -237,7 +238,7 @@ public:
 
     std::uint64_t takeLength(const Type& type) {
         const std::int64_t length = takeInteger(type);
-        if (length < 0) refuse("expected the length of a list, found a negative number");
+        if (length < 0) base::refuse("expected the length of a list, found a negative number");
         return static_cast<std::uint64_t>(length);
     }
     std::int64_t takeInteger(const Type& type) {
@@ -292,8 +293,8 @@ public:
                 try {
                     readElement(element);
                 } catch (const EndOfData&) {
-                    refuse(fmt::format("expected {} elements {}, found data for {}: the file is truncated",
-                                       element.count, quote(element.name), i));
+                    base::refuse(fmt::format("expected {} elements {}, found data for {}: the file is truncated",
+                                             element.count, base::quote(element.name), i));
                 }
             }
         }
@@ -356,7 +357,7 @@ private:
         for (std::uint64_t length = data_.takeLength(*property.length); length > 0; --length) {
             const std::int64_t index = data_.takeInteger(property.type);
             if (index < -1 || index > std::numeric_limits<std::int32_t>::max())
-                refuse(fmt::format("expected vertices from 0, or -1 between strips, found {}", index));
+                base::refuse(fmt::format("expected vertices from 0, or -1 between strips, found {}", index));
             if (index == -1) {
                 count = 0;
                 continue;
@@ -397,4 +398,4 @@ PolygonFile readPly(std::string_view content, Coordinates coordinates) {
     return Reader{BinaryData{content, *header.encoding}, coordinates}.read(header, hasDoubles(header));
 }
 
-}  // namespace inkedge::load
+}  // namespace inkedge::polygons

@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-namespace inkedge::load {
+namespace inkedge::polygons {
 
 /// What an OBJ, STL or PLY file says of its surface. Indices are not yet checked.
 struct PolygonFile {
@@ -39,4 +39,4 @@ struct PolygonFile {
     }
 };
 
-}  // namespace inkedge::load
+}  // namespace inkedge::polygons

@@ -5,7 +5,7 @@
 #include "base/message.h"
 #include "mesh/twice_area.h"
 
-namespace inkedge::load {
+namespace inkedge::polygons {
 namespace {
 
 // Newell's sum: the normal of a polygon, with twice its area as length.
@@ -82,7 +82,7 @@ void PolygonCutter::flatten(std::span<const glm::dvec3> corners) {
 }
 
 double PolygonCutter::area(std::uint32_t corner) const {
-    return twiceArea(flat_[previous_[corner]], flat_[corner], flat_[next_[corner]]);
+    return mesh::twiceArea(flat_[previous_[corner]], flat_[corner], flat_[next_[corner]]);
 }
 
 // The first ear from a corner on. A corner that is no ear is looked at again when its triangle has changed, or when the
@@ -139,8 +139,9 @@ void PolygonCutter::cutOff(std::uint32_t ear) {
 }
 
 void PolygonCutter::spend(std::uint64_t steps) {
-    if (steps > stepsLeft_) refuse("expected polygons that are simple to cut into triangles, found very complex ones");
+    if (steps > stepsLeft_)
+        base::refuse("expected polygons that are simple to cut into triangles, found very complex ones");
     stepsLeft_ -= steps;
 }
 
-}  // namespace inkedge::load
+}  // namespace inkedge::polygons

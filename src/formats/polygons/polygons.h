@@ -12,7 +12,7 @@
 
 #include "formats/polygons/corner_tree.h"
 
-namespace inkedge::load {
+namespace inkedge::polygons {
 
 /// Cuts the polygons of one file into triangles, one after the other.
 ///
@@ -52,4 +52,4 @@ private:
     std::uint64_t stepsLeft_ = 200'000'000;
 };
 
-}  // namespace inkedge::load
+}  // namespace inkedge::polygons

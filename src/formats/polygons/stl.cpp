@@ -14,7 +14,7 @@
 #include "base/read_file.h"
 #include "formats/text.h"
 
-namespace inkedge::load {
+namespace inkedge::polygons {
 namespace {
 
 using ByteSpan = std::span<const std::uint8_t>;
@@ -42,8 +42,8 @@ public:
     explicit TextReader(std::string_view content) : rest_{content} {}
 
     PolygonFile read() {
-        for (std::string_view word = takeWord(rest_); !word.empty(); word = takeWord(rest_)) {
-            if (!is(word, "solid")) refuse("expected solid or the end of the file, found " + quote(word));
+        for (std::string_view word = formats::takeWord(rest_); !word.empty(); word = formats::takeWord(rest_)) {
+            if (!is(word, "solid")) base::refuse("expected solid or the end of the file, found " + base::quote(word));
             skipLine();
             readSolid();
         }
@@ -54,7 +54,7 @@ private:
     void readSolid() {
         try {
             for (;; ++facet_) {
-                const std::string_view word = takeWord(rest_);
+                const std::string_view word = formats::takeWord(rest_);
                 if (is(word, "endsolid")) return skipLine();
                 if (word.empty() && file_.faceCount > 0) {
                     file_.warnings.emplace_back("expected endsolid, found the end of the file: it may be truncated");
@@ -63,13 +63,13 @@ private:
                 readFacet(word);
             }
         } catch (const Error& error) {
-            throw Error{error.kind(), label("facet", facet_) + ": " + error.what()};
+            throw Error{error.kind(), base::label("facet", facet_) + ": " + error.what()};
         }
     }
 
     void readFacet(std::string_view first) {
         if (first.empty()) refuseEnd();
-        if (!is(first, "facet")) refuse("expected facet or endsolid, found " + quote(first));
+        if (!is(first, "facet")) base::refuse("expected facet or endsolid, found " + base::quote(first));
         expect("normal");
         for (int i = 0; i < 3; ++i) static_cast<void>(nextWord());
         expect("outer");
@@ -89,24 +89,26 @@ private:
 
     void expect(std::string_view word) {
         if (const std::string_view found = nextWord(); !is(found, word))
-            refuse(fmt::format("expected {}, found {}", word, quote(found)));
+            base::refuse(fmt::format("expected {}, found {}", word, base::quote(found)));
     }
 
     double nextNumber() {
         const std::string_view word = nextWord();
-        const std::optional<double> number = toNumber<double>(word);
+        const std::optional<double> number = formats::toNumber<double>(word);
         if (!number || !(std::abs(*number) <= double{std::numeric_limits<float>::max()}))
-            refuse("expected a finite number, found " + quote(word));
+            base::refuse("expected a finite number, found " + base::quote(word));
         return *number;
     }
 
     std::string_view nextWord() {
-        const std::string_view word = takeWord(rest_);
+        const std::string_view word = formats::takeWord(rest_);
         if (word.empty()) refuseEnd();
         return word;
     }
 
-    [[noreturn]] static void refuseEnd() { refuse("expected endsolid, found the end of the file: it is truncated"); }
+    [[noreturn]] static void refuseEnd() {
+        base::refuse("expected endsolid, found the end of the file: it is truncated");
+    }
 
     void skipLine() { rest_.remove_prefix(std::min(rest_.find_first_of("\r\n"), rest_.size())); }
 
@@ -122,7 +124,7 @@ std::size_t triangleCount(ByteSpan bytes, PolygonFile& file) {
     const std::size_t found = (bytes.size() - dataStart) / triangleSize;
     if (said != 0 && size <= bytes.size()) return said;
     if (found == 0 || (bytes.size() - dataStart) % triangleSize != 0)
-        refuse(
+        base::refuse(
             fmt::format("expected {} bytes for the {} triangles that the header says, found {}: the file is "
                         "truncated or no STL",
                         size, said, bytes.size()));
@@ -158,19 +160,20 @@ PolygonFile readBinary(ByteSpan bytes) {
 
 PolygonFile readStl(ByteSpan bytes) {
     constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
-    std::string_view content = textOf(bytes);
+    std::string_view content = base::textOf(bytes);
     const bool exact = bytes.size() > dataStart && binarySize(bytes) == bytes.size();
     if (!exact && content.find('\0') == std::string_view::npos) {
         if (content.starts_with(byteOrderMark)) content.remove_prefix(byteOrderMark.size());
-        if (!is(trimmed(content).substr(0, 5), "solid")) refuse(fmt::format("expected STL, found {}", kindOf(content)));
+        if (!is(formats::trimmed(content).substr(0, 5), "solid"))
+            base::refuse(fmt::format("expected STL, found {}", base::kindOf(content)));
         PolygonFile file = TextReader{content}.read();
-        if (file.faceCount == 0) refuse("expected facets, found none");
+        if (file.faceCount == 0) base::refuse("expected facets, found none");
         return file;
     }
     if (bytes.size() < dataStart)
-        refuse(fmt::format("expected an STL file of at least {} bytes, found {}", dataStart, bytes.size()));
-    if (bytes.size() == dataStart && binarySize(bytes) == dataStart) refuse("expected facets, found none");
+        base::refuse(fmt::format("expected an STL file of at least {} bytes, found {}", dataStart, bytes.size()));
+    if (bytes.size() == dataStart && binarySize(bytes) == dataStart) base::refuse("expected facets, found none");
     return readBinary(bytes);
 }
 
-}  // namespace inkedge::load
+}  // namespace inkedge::polygons

@@ -5,7 +5,7 @@
 
 #include "formats/polygons/polygon_file.h"
 
-namespace inkedge::load {
+namespace inkedge::polygons {
 
 /// Reads an STL file, binary or text. Facet normals are left out. There is a warning if a text ends after a whole
 /// facet, and if the header of a binary file says no facets or more than there are. O(n).
@@ -13,4 +13,4 @@ namespace inkedge::load {
 ///                message then names the facet
 [[nodiscard]] PolygonFile readStl(std::span<const std::uint8_t> bytes);
 
-}  // namespace inkedge::load
+}  // namespace inkedge::polygons

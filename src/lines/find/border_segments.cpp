@@ -22,17 +22,17 @@ struct Cover {
 };
 constexpr std::uint32_t noBorder = ~0U;
 
-std::vector<std::vector<Cover>> findCovers(const Scene& scene, Borders& borders) {
+std::vector<std::vector<Cover>> findCovers(const Scene& scene, scene::Borders& borders) {
     const double straightCosine = -std::cos(glm::radians(scene.creaseAngle()));
     constexpr double foldedBack = 0.999;  // over this cosine two layers end together: no surface goes on
     std::vector<std::vector<Cover>> covers(borders.edges().size());
     for (std::uint32_t i = 0; i < covers.size(); ++i) {
-        const BorderEdge& border = borders.edges()[i];
+        const scene::BorderEdge& border = borders.edges()[i];
         borders.forEachNear(i, [&](std::uint32_t j) {
-            const BorderEdge& other = borders.edges()[j];
+            const scene::BorderEdge& other = borders.edges()[j];
             const double cosine = glm::dot(border.into, other.into);
             if (cosine > foldedBack) return;
-            const auto shared = runAlong(border, other, borders.tolerance());
+            const auto shared = scene::runAlong(border, other, borders.tolerance());
             if (!shared) return;
             const bool bends = cosine > straightCosine;
             covers[i].push_back({shared->from[0], shared->to[0], j, bends});
@@ -42,9 +42,9 @@ std::vector<std::vector<Cover>> findCovers(const Scene& scene, Borders& borders)
     return covers;
 }
 
-bool isMarkedBorder(const Scene& scene, const BorderEdge& edge) {
+bool isMarkedBorder(const Scene& scene, const scene::BorderEdge& edge) {
     const Mesh& mesh = scene.meshes()[scene.instances()[edge.instance].mesh];
-    return isOfKind(mesh, edge.halfEdge, noHalfEdge, EdgeKind::Marked);
+    return mesh::isOfKind(mesh, edge.halfEdge, mesh::noHalfEdge, EdgeKind::Marked);
 }
 
 // Adds the borders of faces that are too thin to say where the surface goes on.
@@ -53,7 +53,7 @@ void addThinBorders(const Scene& scene, std::span<const MeshEdges> meshes, std::
         const std::uint32_t mesh = scene.instances()[i].mesh;
         for (const std::uint32_t h : meshes[mesh].thinBorders) {
             segments.push_back({i, h, 0.0, 1.0});
-            segments.back().marked = isMarked(scene.meshes()[mesh], topologyOf(scene, mesh), h);
+            segments.back().marked = isMarked(scene.meshes()[mesh], scene::topologyOf(scene, mesh), h);
         }
     }
 }
@@ -61,12 +61,13 @@ void addThinBorders(const Scene& scene, std::span<const MeshEdges> meshes, std::
 }  // namespace
 
 std::vector<BorderSegment> findBorderSegments(const Scene& scene, std::span<const MeshEdges> meshes) {
-    Borders borders{instancedMeshesOf(scene),
-                    [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& { return meshes[mesh].faceNormals; }};
+    scene::Borders borders{scene::instancedMeshesOf(scene), [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& {
+                               return meshes[mesh].faceNormals;
+                           }};
     const std::vector<std::vector<Cover>> covers = findCovers(scene, borders);
     std::vector<BorderSegment> segments;
     for (std::uint32_t i = 0; i < covers.size(); ++i) {
-        const BorderEdge& edge = borders.edges()[i];
+        const scene::BorderEdge& edge = borders.edges()[i];
         const bool marked = isMarkedBorder(scene, edge);
         const auto add = [&](double from, double to) {
             segments.push_back({edge.instance, edge.halfEdge, from, to});
@@ -81,7 +82,7 @@ std::vector<BorderSegment> findBorderSegments(const Scene& scene, std::span<cons
             const double from = std::max(cover.from, reached);
             reached = std::max(reached, cover.to);
             if (cover.to <= from || cover.other == noBorder) continue;
-            const BorderEdge& other = borders.edges()[cover.other];
+            const scene::BorderEdge& other = borders.edges()[cover.other];
             segments.push_back({edge.instance,
                                 edge.halfEdge,
                                 from,

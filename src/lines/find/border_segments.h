@@ -19,7 +19,7 @@ struct BorderSegment {
     std::uint32_t halfEdge;
     double from;  ///< shares of the edge's length
     double to;
-    SceneFace other{~0U, 0};  ///< the face on the other side, where the surface goes on; none: the surface ends
+    scene::SceneFace other{~0U, 0};  ///< the face on the other side, where the surface goes on; none: the surface ends
     /// With another face: a point of that face off the edge, world space less the centre of the bounds.
     glm::dvec3 otherInner{0.0};
     bool bends = false;   ///< with another face: whether the faces bend by more than the crease angle

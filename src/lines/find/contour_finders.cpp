@@ -61,7 +61,7 @@ double bendOf(const MeshEdges& edges, std::uint32_t e) {
 std::vector<std::uint32_t> drawSamples(const MeshEdges& edges) {
     const std::size_t count = edges.shared.halfEdges.size();
     std::vector<float> weights(count);
-    inRanges(count, [&](std::size_t begin, std::size_t end) {
+    base::inRanges(count, [&](std::size_t begin, std::size_t end) {
         for (std::size_t e = begin; e < end; ++e)
             weights[e] = static_cast<float>(bendOf(edges, static_cast<std::uint32_t>(e)));
     });
@@ -90,11 +90,11 @@ struct ContourSearch::Samples {
     }
 };
 
-ContourSearch::ContourSearch(const Mesh& mesh, const MeshTopology& topology, const MeshEdges& edges)
+ContourSearch::ContourSearch(const Mesh& mesh, const mesh::MeshTopology& topology, const MeshEdges& edges)
     : mesh_{mesh}, topology_{topology}, edges_{edges} {
     const std::size_t count = edges.faceNormals.size();
     for (std::vector<float>* const part : {&planes_.x, &planes_.y, &planes_.z, &planes_.offset}) part->resize(count);
-    inRanges(count, [&](std::size_t begin, std::size_t end) {
+    base::inRanges(count, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
             const glm::dvec3 normal = edges.faceNormals[t];
             planes_.x[t] = static_cast<float>(normal.x);
@@ -128,7 +128,7 @@ std::vector<std::uint8_t> ContourSearch::findFacing(const MeshEye& eye) const {
     const float size = std::abs(to.x) + std::abs(to.y) + std::abs(to.z) + scale * planes_.largestOffset;
     const float doubt = 8.0F * FLT_EPSILON * size + FLT_MIN;
     std::vector<std::uint8_t> facing(planes_.x.size());
-    inRanges(facing.size(), [&](std::size_t rangeBegin, std::size_t rangeEnd) {
+    base::inRanges(facing.size(), [&](std::size_t rangeBegin, std::size_t rangeEnd) {
         for (std::size_t begin = rangeBegin; begin < rangeEnd; begin += blockSize) {
             const std::size_t end = std::min(begin + blockSize, rangeEnd);
             std::array<float, blockSize> heights;
@@ -155,7 +155,7 @@ std::vector<std::uint32_t> ContourSearch::findDiffering(const std::vector<std::u
     const MeshEdges::Shared& shared = edges_.shared;
     std::mutex mutex;
     std::vector<std::pair<std::size_t, std::vector<std::uint32_t>>> pieces;
-    inRanges(shared.halfEdges.size(), [&](std::size_t begin, std::size_t end) {
+    base::inRanges(shared.halfEdges.size(), [&](std::size_t begin, std::size_t end) {
         std::vector<std::uint32_t> found;
         const auto differs = [&](std::size_t e) -> std::uint8_t {
             return facing[shared.faces[2 * e]] ^ facing[shared.faces[2 * e + 1]] ^ shared.against[e];
@@ -256,7 +256,7 @@ private:
     template <class Visit>
     void eachBeside(std::uint32_t edge, Visit visit) const {
         const std::uint32_t h = search_.edges_.shared.halfEdges[edge];
-        for (const std::uint32_t corner : {h, nextHalfEdge(h)})
+        for (const std::uint32_t corner : {h, mesh::nextHalfEdge(h)})
             for (const std::uint32_t beside : samples_.at(search_.topology_.points[corner])) visit(beside);
     }
 
@@ -309,7 +309,7 @@ const ContourSearch::Samples& ContourSearch::samples() const {
         for (std::uint32_t e = 0; e < shared.halfEdges.size(); ++e) {
             const std::uint32_t h = shared.halfEdges[e];
             visit(topology_.points[h], e);
-            visit(topology_.points[nextHalfEdge(h)], e);
+            visit(topology_.points[mesh::nextHalfEdge(h)], e);
         }
     };
     eachEnd([&](std::uint32_t point, std::uint32_t) { ++made->pointBegins[point + 1]; });

@@ -43,7 +43,7 @@ struct ContourMemory {
 class ContourSearch {
 public:
     /// @param edges  of the mesh; all three must outlive this
-    ContourSearch(const Mesh&, const MeshTopology&, const MeshEdges& edges);
+    ContourSearch(const Mesh&, const mesh::MeshTopology&, const MeshEdges& edges);
     ~ContourSearch();
 
     [[nodiscard]] const MeshEdges& edges() const noexcept { return edges_; }
@@ -91,7 +91,7 @@ private:
     [[nodiscard]] bool isContour(const MeshEye&, std::uint32_t edge) const;
 
     const Mesh& mesh_;
-    const MeshTopology& topology_;
+    const mesh::MeshTopology& topology_;
     const MeshEdges& edges_;
     Planes planes_;
     mutable std::mutex mutex_;  // guards the data that are made on first use

@@ -21,7 +21,7 @@ public:
                    const CurveChoice& choice, std::vector<Segment>& to)
         : instance_{instance},
           mesh_{scene.meshes()[scene.instances()[instance].mesh]},
-          topology_{topologyOf(scene, scene.instances()[instance].mesh)},
+          topology_{scene::topologyOf(scene, scene.instances()[instance].mesh)},
           search_{edges.search},
           edges_{edges.search.edges()},
           screen_{screen},
@@ -55,7 +55,7 @@ private:
     [[nodiscard]] glm::dvec3 toWorld(glm::dvec3 p) const { return glm::dvec3{toWorld_ * glm::dvec4{p, 1.0}}; }
     // The vector from the eye to a point: x - C.
     [[nodiscard]] glm::dvec3 view(glm::dvec3 p) const { return eye_.view(p); }
-    [[nodiscard]] SceneFace face(std::uint32_t t) const { return {instance_, t}; }
+    [[nodiscard]] scene::SceneFace face(std::uint32_t t) const { return {instance_, t}; }
     [[nodiscard]] bool hidesItsBack(std::uint32_t t) const { return choice_.eyeOutside && edges_.closed[t] != 0; }
 
     [[nodiscard]] bool keepsHidden() const { return choice_.hidden != HiddenLines::None; }
@@ -75,7 +75,7 @@ private:
             if (!mayBeSmooth(e)) continue;
             const std::uint32_t h = edges_.shared.halfEdges[e];
             const glm::dvec3 from = toWorld(position(h));
-            const glm::dvec3 to = toWorld(position(nextHalfEdge(h)));
+            const glm::dvec3 to = toWorld(position(mesh::nextHalfEdge(h)));
             if (screen_.depth(from) <= screen_.near()) continue;
             Mean& mean = means[topology_.patches[h / 3]];
             mean.pixels += glm::length(to - from) / screen_.footprint(from);
@@ -85,15 +85,15 @@ private:
             smooth_[patch] = means[patch].count > 0 && means[patch].pixels <= smoothEdge * means[patch].count;
     }
 
-    Segment& add(Curve curve, std::uint32_t halfEdge, SceneFace other) {
+    Segment& add(Curve curve, std::uint32_t halfEdge, scene::SceneFace other) {
         Segment& segment = to_.emplace_back();
         segment.curve = curve;
         segment.occludes = curve == Curve::Contour || curve == Curve::Boundary;
-        const std::uint32_t end = nextHalfEdge(halfEdge);
+        const std::uint32_t end = mesh::nextHalfEdge(halfEdge);
         segment.faces = {face(halfEdge / 3), other};
         segment.ends = {toWorld(position(halfEdge)), toWorld(position(end))};
         segment.keys = {pointKey(instance_, topology_.points[halfEdge]), pointKey(instance_, topology_.points[end])};
-        segment.inner = toWorld(position(nextHalfEdge(end)));
+        segment.inner = toWorld(position(mesh::nextHalfEdge(end)));
         return segment;
     }
 
@@ -104,7 +104,7 @@ private:
         if (!hidesItsBack(t)) return false;
         const std::uint32_t other = topology_.twins[h];
         if (edges_.faceNormals[other / 3] == glm::dvec3{0.0}) return false;  // too thin to say
-        const glm::dvec3 opposite = position(nextHalfEdge(nextHalfEdge(other)));
+        const glm::dvec3 opposite = position(mesh::nextHalfEdge(mesh::nextHalfEdge(other)));
         return glm::dot(edges_.faceNormals[t], opposite - position(h)) * edges_.closed[t] > 0.0;
     }
 
@@ -126,9 +126,9 @@ private:
     // The third point of one of an edge's two faces: of the face that is seen less edge-on.
     [[nodiscard]] glm::dvec3 innerOf(std::uint32_t h) const {
         const glm::dvec3 from = position(h);
-        const glm::dvec3 side = glm::cross(position(nextHalfEdge(h)) - from, view(from));
-        const glm::dvec3 one = position(nextHalfEdge(nextHalfEdge(h)));
-        const glm::dvec3 other = position(nextHalfEdge(nextHalfEdge(topology_.twins[h])));
+        const glm::dvec3 side = glm::cross(position(mesh::nextHalfEdge(h)) - from, view(from));
+        const glm::dvec3 one = position(mesh::nextHalfEdge(mesh::nextHalfEdge(h)));
+        const glm::dvec3 other = position(mesh::nextHalfEdge(mesh::nextHalfEdge(topology_.twins[h])));
         const bool first = std::abs(glm::dot(side, one - from)) >= std::abs(glm::dot(side, other - from));
         return toWorld(first ? one : other);
     }
@@ -202,8 +202,8 @@ private:
     // Whether the two faces at a seam lie to one side of it in the picture: the seam is then a contour.
     [[nodiscard]] bool bothToOneSide(const BorderSegment& part) const {
         const glm::dvec3 from = toWorld(position(part.halfEdge));
-        const glm::dvec3 to = toWorld(position(nextHalfEdge(part.halfEdge)));
-        const glm::dvec3 inner = toWorld(position(nextHalfEdge(nextHalfEdge(part.halfEdge))));
+        const glm::dvec3 to = toWorld(position(mesh::nextHalfEdge(part.halfEdge)));
+        const glm::dvec3 inner = toWorld(position(mesh::nextHalfEdge(mesh::nextHalfEdge(part.halfEdge))));
         const glm::dvec3 side = glm::cross(to - from, screen_.ray(from));
         return (glm::dot(side, inner - from) > 0.0) == (glm::dot(side, part.otherInner - from) > 0.0);
     }
@@ -215,13 +215,13 @@ private:
             const std::uint32_t end = edges_.manyBegins[i + 1];
             const std::uint32_t first = edges_.many[begin];
             const glm::dvec3 from = position(first);
-            const glm::dvec3 side = glm::cross(position(nextHalfEdge(first)) - from, view(from));
+            const glm::dvec3 side = glm::cross(position(mesh::nextHalfEdge(first)) - from, view(from));
             bool left = false;
             bool right = false;
             bool marked = false;
             for (std::uint32_t k = begin; k < end; ++k) {
                 const std::uint32_t h = edges_.many[k];
-                const double distance = glm::dot(side, position(nextHalfEdge(nextHalfEdge(h))) - from);
+                const double distance = glm::dot(side, position(mesh::nextHalfEdge(mesh::nextHalfEdge(h))) - from);
                 left = left || distance > 0.0;
                 right = right || distance < 0.0;
                 marked = marked || isMarked(h);
@@ -234,7 +234,7 @@ private:
 
     void addIsolines() {
         for (const IsolineSegment& line : isolines_) {
-            const SceneFace other = faceBeside(line);
+            const scene::SceneFace other = faceBeside(line);
             const bool hidden = isBack(line.triangle) && (other == noFace || isBack(other.triangle));
             if (hidden && !keepsHidden()) continue;
             Segment& segment = to_.emplace_back();
@@ -250,11 +250,12 @@ private:
     }
 
     // The other face at the edge that a line follows.
-    [[nodiscard]] SceneFace faceBeside(const IsolineSegment& line) const {
+    [[nodiscard]] scene::SceneFace faceBeside(const IsolineSegment& line) const {
         for (int k = 0; k < 3; ++k) {
             if (line.weights[0][k] != 0.0 || line.weights[1][k] != 0.0) continue;
-            const std::uint32_t twin = topology_.twins[nextHalfEdge(3 * line.triangle + static_cast<std::uint32_t>(k))];
-            if (isHalfEdge(twin)) return face(twin / 3);
+            const std::uint32_t twin =
+                topology_.twins[mesh::nextHalfEdge(3 * line.triangle + static_cast<std::uint32_t>(k))];
+            if (mesh::isHalfEdge(twin)) return face(twin / 3);
         }
         return noFace;
     }
@@ -262,7 +263,7 @@ private:
     // Equation 2 at each vertex: n . (x - C).
     void computeViewDots() {
         viewDots_.resize(mesh_.positions.size());
-        inRanges(viewDots_.size(), [&](std::size_t begin, std::size_t end) {
+        base::inRanges(viewDots_.size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 viewDots_[i] = glm::dot(glm::dvec3{mesh_.normals[i]}, view(glm::dvec3{mesh_.positions[i]}));
         });
@@ -279,9 +280,10 @@ private:
     };
 
     void addRefinedContours() {
-        const auto projection = screen_.orthographic() ? Projection::Orthographic : Projection::Perspective;
+        const auto projection = screen_.orthographic() ? mesh::Projection::Orthographic : mesh::Projection::Perspective;
         const glm::dvec3 eye = eye_.orthographic ? eye_.direction : eye_.position + mesh_.origin;
-        const RefinedContourMesh refined = refineNear(mesh_, *choice_.control, eye, projection, choice_.refinement);
+        const mesh::RefinedContourMesh refined =
+            mesh::refineNear(mesh_, *choice_.control, eye, projection, choice_.refinement);
         std::unordered_map<std::uint64_t, std::uint32_t> edges;
         for (std::size_t t = 0; t < refined.controlTriangles.size(); ++t) {
             Facet facet{refined.controlTriangles[t], {}, {}, 0.0, {}, longestEdge(refined.controlTriangles[t])};
@@ -304,7 +306,7 @@ private:
     [[nodiscard]] double longestEdge(std::uint32_t t) const {
         double longest = 0.0;
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
-            longest = std::max(longest, glm::length(position(nextHalfEdge(h)) - position(h)));
+            longest = std::max(longest, glm::length(position(mesh::nextHalfEdge(h)) - position(h)));
         return longest;
     }
 
@@ -325,7 +327,7 @@ private:
                 facet.corners[k] = position(h);
                 facet.viewDots[k] = viewDots_[corners[k]];
                 normals += glm::dvec3{mesh_.normals[corners[k]]};
-                facet.edges[k] = edgeKey(instance_, isHalfEdge(twin) ? std::min(h, twin) : h);
+                facet.edges[k] = edgeKey(instance_, mesh::isHalfEdge(twin) ? std::min(h, twin) : h);
             }
             facet.planeViewDot = viewDotOfPlane(facet.corners, normals);
             addSmoothContour(facet);
@@ -346,7 +348,7 @@ private:
         Segment segment;
         segment.hidden = hidden;
         segment.occludes = false;  // the mesh contour of the faces does
-        segment.faces = {SceneFace{instance_, face}, noFace};
+        segment.faces = {scene::SceneFace{instance_, face}, noFace};
         std::size_t found = 0;
         std::uint32_t inner = 0;
         for (std::uint32_t k = 0; k < 3; ++k) {
@@ -376,7 +378,7 @@ private:
 
     std::uint32_t instance_;
     const Mesh& mesh_;
-    const MeshTopology& topology_;
+    const mesh::MeshTopology& topology_;
     const ContourSearch& search_;
     const MeshEdges& edges_;
     const Screen& screen_;

@@ -20,8 +20,8 @@ namespace inkedge::lines {
 struct CurveChoice {
     Contour contour = Contour::Auto;
     ContourFinder finder = ContourFinder::Every;
-    int refinement = 0;                    ///< levels of subdivision near smooth contours
-    const ControlMesh* control = nullptr;  ///< of the mesh; with a refinement
+    int refinement = 0;                          ///< levels of subdivision near smooth contours
+    const mesh::ControlMesh* control = nullptr;  ///< of the mesh; with a refinement
     /// None: lines that a closed component itself hides are not found.
     HiddenLines hidden = HiddenLines::None;
     bool eyeOutside = true;  ///< the eye and the near plane are outside the scene: closed components hide their backs

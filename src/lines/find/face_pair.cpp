@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-namespace inkedge {
+namespace inkedge::lines {
 namespace {
 
 constexpr double besides =
@@ -101,7 +101,7 @@ std::optional<FacePair::Around> FacePair::around(const FaceSide& side, const Sid
     }
     const std::uint32_t half = 3 * face.triangle + static_cast<std::uint32_t>(edge);
     const std::uint32_t twin = side.topology->twins[half];
-    if (!isHalfEdge(twin) || side.topology->creases[half]) return {};
+    if (!mesh::isHalfEdge(twin) || side.topology->creases[half]) return {};
     if (side.tree->normals[twin / 3] == glm::dvec3{0.0}) return {};
     const SideFace other = faceOf(side, twin / 3);
     const auto angleTo = [&](const SideFace& of, std::uint32_t apex) {
@@ -132,4 +132,4 @@ bool FacePair::isFirst(const Around& a, const Around& b) const {
     return true;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::lines

@@ -15,7 +15,7 @@
 #include "lines/find/intersections.h"
 #include "mesh/topology.h"
 
-namespace inkedge {
+namespace inkedge::lines {
 
 /// Radians: faces that meet at less do not cross; and its cosine.
 inline constexpr double minCrossingAngle = glm::radians(minIntersectionAngle);
@@ -24,7 +24,7 @@ inline const double maxCrossingCosine = std::cos(minCrossingAngle);
 /// A mesh as one of the two sides that may cross.
 struct FaceSide {
     const FaceTree* tree;
-    const MeshTopology* topology;
+    const mesh::MeshTopology* topology;
     glm::dmat4 transform;  ///< into the space in which the two are compared
 };
 
@@ -105,4 +105,4 @@ private:
     bool sameMesh_;
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::lines

@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace inkedge {
+namespace inkedge::lines {
 namespace {
 
 struct Keyed {
@@ -27,11 +27,11 @@ std::uint64_t spread(std::uint64_t x) {
 
 class Builder {
 public:
-    Builder(const Mesh& mesh, const MeshTopology& topology, double maxAngle)
+    Builder(const Mesh& mesh, const mesh::MeshTopology& topology, double maxAngle)
         : mesh_{mesh}, topology_{topology}, widest_{static_cast<float>(maxAngle)} {}
 
     FaceTree build() {
-        tree_.normals = makeFaceNormals(mesh_);
+        tree_.normals = mesh::makeFaceNormals(mesh_);
         fillPoints();
         sortFaces();
         if (!keys_.empty()) {
@@ -169,7 +169,7 @@ private:
     static constexpr float rounding = 5e-4F;  // radians: the error of acos() of a float near 1
 
     const Mesh& mesh_;
-    const MeshTopology& topology_;
+    const mesh::MeshTopology& topology_;
     float widest_;
     FaceTree tree_;
     std::vector<Keyed> keys_;
@@ -177,8 +177,8 @@ private:
 
 }  // namespace
 
-FaceTree buildFaceTree(const Mesh& mesh, const MeshTopology& topology, double maxAngle) {
+FaceTree buildFaceTree(const Mesh& mesh, const mesh::MeshTopology& topology, double maxAngle) {
     return Builder{mesh, topology, maxAngle}.build();
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::lines

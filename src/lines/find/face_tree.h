@@ -10,7 +10,7 @@
 
 #include "mesh/topology.h"
 
-namespace inkedge {
+namespace inkedge::lines {
 
 /// The faces of a mesh in a tree of boxes. Each box has a cone around the normals of its faces, so that a search for
 /// crossing faces can skip nodes that are nearly flat. Repeated faces and those without a normal are left out.
@@ -38,6 +38,6 @@ struct FaceTree {
 
 /// @param maxAngle  radians: wider cones are not kept
 /// O(n log n)
-[[nodiscard]] FaceTree buildFaceTree(const Mesh&, const MeshTopology&, double maxAngle);
+[[nodiscard]] FaceTree buildFaceTree(const Mesh&, const mesh::MeshTopology&, double maxAngle);
 
-}  // namespace inkedge
+}  // namespace inkedge::lines

@@ -16,7 +16,7 @@
 #include "scene/box_tree.h"
 #include "scene/prepared.h"
 
-namespace inkedge {
+namespace inkedge::lines {
 namespace {
 
 constexpr std::size_t maxSegments = 10'000'000;
@@ -39,8 +39,8 @@ void numberEnds(SideCrossings& crossing, double tolerance) {
     for (const FaceCrossing& found : crossing.segments)
         for (const glm::dvec3& end : found.ends) points.emplace_back(end - origin);
     // A point so far away that the weld tolerance, which is a share of the box, is the tolerance. No end is there.
-    points.emplace_back(glm::vec3{static_cast<float>(tolerance / weldTolerance)});
-    const Weld weld = weldByPosition(points);
+    points.emplace_back(glm::vec3{static_cast<float>(tolerance / mesh::weldTolerance)});
+    const mesh::Weld weld = mesh::weldByPosition(points);
     crossing.nodes.assign(weld.point.begin(), weld.point.end() - 1);
     crossing.nodeCount = weld.pointCount - 1;
 }
@@ -69,14 +69,14 @@ private:
 
     void buildTrees() {
         trees_.resize(scene_.meshes().size());
-        onEach(trees_.size(), [&](std::size_t i) {
-            trees_[i] = buildFaceTree(scene_.meshes()[i], topologyOf(scene_, i), minCrossingAngle);
-            sides_[i] = {&trees_[i], &topologyOf(scene_, i), glm::dmat4{1.0}};
+        base::onEach(trees_.size(), [&](std::size_t i) {
+            trees_[i] = buildFaceTree(scene_.meshes()[i], scene::topologyOf(scene_, i), minCrossingAngle);
+            sides_[i] = {&trees_[i], &scene::topologyOf(scene_, i), glm::dmat4{1.0}};
         });
     }
 
     [[nodiscard]] double toleranceOf(std::uint32_t mesh) const {
-        return weldTolerance * lengthOfDiagonal(scene_.meshBox(mesh));
+        return mesh::weldTolerance * lengthOfDiagonal(scene_.meshBox(mesh));
     }
 
     void findWithinMeshes() {
@@ -126,7 +126,7 @@ private:
             instances.push_back(i);
             boxes.push_back(boxOfInstance(i));
         }
-        const BoxTree tree{boxes};
+        const scene::BoxTree tree{boxes};
         std::uint64_t stepsLeft = 100'000'000 + 1000 * std::uint64_t{boxes.size()};
         for (std::size_t i = 0; i < boxes.size(); ++i) {
             const std::size_t before = pairs_.size();
@@ -160,7 +160,8 @@ private:
         std::vector<TaskCrossings> parts;
         for (std::size_t i = 0; i < pairings.size(); ++i)
             for (const TreePair::Task& task : pairings[i].tasks()) parts.push_back({i, task, {}});
-        onEach(parts.size(), [&](std::size_t i) { parts[i].found = pairings[parts[i].pairing].find(parts[i].task); });
+        base::onEach(parts.size(),
+                     [&](std::size_t i) { parts[i].found = pairings[parts[i].pairing].find(parts[i].task); });
 
         std::vector<SideCrossings> crossings(pairings.size());
         for (TaskCrossings& part : parts) {
@@ -168,7 +169,7 @@ private:
             segments.insert(segments.end(), part.found.begin(), part.found.end());
             part.found = std::vector<FaceCrossing>{};
         }
-        onEach(crossings.size(), [&](std::size_t i) {
+        base::onEach(crossings.size(), [&](std::size_t i) {
             std::ranges::sort(crossings[i].segments, {}, [](const FaceCrossing& f) { return std::pair{f.a, f.b}; });
             numberEnds(crossings[i], 2.0 * tolerances[i]);
         });
@@ -213,4 +214,4 @@ private:
 
 std::vector<IntersectionSegment> findIntersections(const Scene& scene) { return Finder{scene}.find(); }
 
-}  // namespace inkedge
+}  // namespace inkedge::lines

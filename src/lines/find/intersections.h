@@ -10,12 +10,12 @@
 
 #include "scene/scene_face.h"
 
-namespace inkedge {
+namespace inkedge::lines {
 
 /// The segment along which two faces cross.
 struct IntersectionSegment {
-    SceneFace a;
-    SceneFace b;                     ///< after a by instance, then by triangle
+    scene::SceneFace a;
+    scene::SceneFace b;              ///< after a by instance, then by triangle
     std::array<glm::dvec3, 2> ends;  ///< world space less the middle of Scene::bounds(); never equal
     /// One per end: segments of the same two instances with the same number are joined there. 0, 1, 2, ... with no
     /// number left out.
@@ -41,4 +41,4 @@ inline constexpr double minIntersectionAngle = 15.0;
 /// @throws std::bad_alloc
 [[nodiscard]] std::vector<IntersectionSegment> findIntersections(const Scene&);
 
-}  // namespace inkedge
+}  // namespace inkedge::lines

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace inkedge {
+namespace inkedge::lines {
 namespace {
 
 constexpr double sameShare = 1e-4;  // of an edge's length: float coordinates on two sides of a seam differ by less
@@ -19,7 +19,7 @@ struct EdgePoint {
 
 class Finder {
 public:
-    Finder(const Mesh& mesh, const MeshTopology& topology) : mesh_{mesh}, topology_{topology} {}
+    Finder(const Mesh& mesh, const mesh::MeshTopology& topology) : mesh_{mesh}, topology_{topology} {}
 
     std::vector<IsolineSegment> find(Isolines steps) {
         for (std::uint32_t t = 0; t < topology_.originals.size(); ++t) {
@@ -143,16 +143,16 @@ private:
     }
 
     const Mesh& mesh_;
-    const MeshTopology& topology_;
+    const mesh::MeshTopology& topology_;
     std::vector<IsolineSegment> segments_;
     std::vector<std::array<EdgePoint, 2>> ends_;  // one pair per segment: its ends
 };
 
 }  // namespace
 
-std::vector<IsolineSegment> findIsolines(const Mesh& mesh, const MeshTopology& topology, Isolines steps) {
+std::vector<IsolineSegment> findIsolines(const Mesh& mesh, const mesh::MeshTopology& topology, Isolines steps) {
     if (mesh.textureCoordinates.empty()) return {};
     return Finder{mesh, topology}.find(steps);
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::lines

@@ -11,7 +11,7 @@
 
 #include "mesh/topology.h"
 
-namespace inkedge {
+namespace inkedge::lines {
 
 /// A segment of a face along which a texture coordinate has the value of one of its steps.
 struct IsolineSegment {
@@ -34,6 +34,6 @@ inline constexpr double maxStepsPerFace = 1000.0;
 ///
 /// Ordered by triangle, coordinate and step. A mesh without texture coordinates has none. Pure, thread-safe,
 /// O(n log n).
-[[nodiscard]] std::vector<IsolineSegment> findIsolines(const Mesh&, const MeshTopology&, Isolines steps);
+[[nodiscard]] std::vector<IsolineSegment> findIsolines(const Mesh&, const mesh::MeshTopology&, Isolines steps);
 
-}  // namespace inkedge
+}  // namespace inkedge::lines

@@ -10,36 +10,36 @@
 
 namespace inkedge::lines {
 
-bool isMarked(const Mesh& mesh, const MeshTopology& topology, std::uint32_t halfEdge) {
-    return isOfKind(mesh, halfEdge, topology.twins[halfEdge], EdgeKind::Marked);
+bool isMarked(const Mesh& mesh, const mesh::MeshTopology& topology, std::uint32_t halfEdge) {
+    return mesh::isOfKind(mesh, halfEdge, topology.twins[halfEdge], EdgeKind::Marked);
 }
 
 namespace {
 
-bool takesPart(const MeshTopology& topology, std::uint32_t t) {
+bool takesPart(const mesh::MeshTopology& topology, std::uint32_t t) {
     const std::uint32_t* const p = &topology.points[3 * std::size_t{t}];
     return topology.originals[t] == t && p[0] != p[1] && p[1] != p[2] && p[2] != p[0];
 }
 
-bool sameNormals(const Mesh& mesh, const MeshTopology& topology, std::uint32_t halfEdge, std::uint32_t twin) {
+bool sameNormals(const Mesh& mesh, const mesh::MeshTopology& topology, std::uint32_t halfEdge, std::uint32_t twin) {
     constexpr float same = 0.9999F;  // cosine of an angle under a degree
     const bool opposite = topology.points[halfEdge] != topology.points[twin];
-    const std::uint32_t atStart = opposite ? nextHalfEdge(twin) : twin;
-    const std::uint32_t atEnd = opposite ? twin : nextHalfEdge(twin);
+    const std::uint32_t atStart = opposite ? mesh::nextHalfEdge(twin) : twin;
+    const std::uint32_t atEnd = opposite ? twin : mesh::nextHalfEdge(twin);
     const auto agree = [&](std::uint32_t a, std::uint32_t b) {
         if (mesh.indices[a] == mesh.indices[b]) return true;
         return glm::dot(mesh.normals[mesh.indices[a]], mesh.normals[mesh.indices[b]]) > same;
     };
-    return agree(halfEdge, atStart) && agree(nextHalfEdge(halfEdge), atEnd);
+    return agree(halfEdge, atStart) && agree(mesh::nextHalfEdge(halfEdge), atEnd);
 }
 
 // Collects the half-edges of edges that many faces share. Those of one edge follow each other.
-void collectMany(const MeshTopology& topology, MeshEdges& edges) {
+void collectMany(const mesh::MeshTopology& topology, MeshEdges& edges) {
     auto& many = edges.many;
     for (std::uint32_t h = 0; h < topology.twins.size(); ++h)
-        if (topology.twins[h] == manyHalfEdges) many.push_back(h);
+        if (topology.twins[h] == mesh::manyHalfEdges) many.push_back(h);
     const auto ends = [&](std::uint32_t h) {
-        return std::minmax(topology.points[h], topology.points[nextHalfEdge(h)]);
+        return std::minmax(topology.points[h], topology.points[mesh::nextHalfEdge(h)]);
     };
     std::ranges::sort(many, [&](std::uint32_t a, std::uint32_t b) {
         const auto ea = ends(a);
@@ -59,20 +59,21 @@ struct Whole {
     bool against = false;  // whether the face is wound against the thin one
 };
 
-Whole wholeOf(const Mesh& mesh, const MeshTopology& topology, const std::vector<glm::dvec3>& normals, std::uint32_t t) {
+Whole wholeOf(const Mesh& mesh, const mesh::MeshTopology& topology, const std::vector<glm::dvec3>& normals,
+              std::uint32_t t) {
     constexpr int maxThin = 32;  // thin faces in a row
     Whole whole{t};
     const auto length = [&](std::uint32_t h) {
-        return glm::length(mesh.positions[mesh.indices[nextHalfEdge(h)]] - mesh.positions[mesh.indices[h]]);
+        return glm::length(mesh.positions[mesh.indices[mesh::nextHalfEdge(h)]] - mesh.positions[mesh.indices[h]]);
     };
-    std::uint32_t entry = noHalfEdge;
+    std::uint32_t entry = mesh::noHalfEdge;
     for (int step = 0; step < maxThin && normals[whole.face] == glm::dvec3{0.0}; ++step) {
-        std::uint32_t longest = noHalfEdge;
+        std::uint32_t longest = mesh::noHalfEdge;
         for (std::uint32_t h = 3 * whole.face; h < 3 * whole.face + 3; ++h) {
-            if (!isHalfEdge(topology.twins[h]) || h == entry) continue;
-            if (longest == noHalfEdge || length(h) > length(longest)) longest = h;
+            if (!mesh::isHalfEdge(topology.twins[h]) || h == entry) continue;
+            if (longest == mesh::noHalfEdge || length(h) > length(longest)) longest = h;
         }
-        if (longest == noHalfEdge) break;
+        if (longest == mesh::noHalfEdge) break;
         entry = topology.twins[longest];
         if (topology.points[longest] == topology.points[entry]) whole.against = !whole.against;
         whole.face = entry / 3;
@@ -82,7 +83,8 @@ Whole wholeOf(const Mesh& mesh, const MeshTopology& topology, const std::vector<
 
 // Adds an edge that two faces share. If thin faces lie between them it looks for the two faces beyond, and whether they
 // meet in a crease.
-void addShared(const Mesh& mesh, const MeshTopology& topology, std::uint32_t h, double creaseCosine, MeshEdges& edges) {
+void addShared(const Mesh& mesh, const mesh::MeshTopology& topology, std::uint32_t h, double creaseCosine,
+               MeshEdges& edges) {
     const std::uint32_t twin = topology.twins[h];
     const auto isThin = [&](std::uint32_t t) { return edges.faceNormals[t] == glm::dvec3{0.0}; };
     bool against = topology.points[h] == topology.points[twin];
@@ -114,17 +116,18 @@ void addShared(const Mesh& mesh, const MeshTopology& topology, std::uint32_t h, 
 
 }  // namespace
 
-MeshEdges findEdges(const Mesh& mesh, const MeshTopology& topology, double creaseAngle) {
+MeshEdges findEdges(const Mesh& mesh, const mesh::MeshTopology& topology, double creaseAngle) {
     const double creaseCosine = std::cos(glm::radians(creaseAngle));
     MeshEdges edges;
-    edges.faceNormals = makeFaceNormals(mesh);
+    edges.faceNormals = mesh::makeFaceNormals(mesh);
     for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
-        if (isHalfEdge(topology.twins[h]) && h < topology.twins[h]) addShared(mesh, topology, h, creaseCosine, edges);
-        const bool thin = topology.twins[h] == noHalfEdge && edges.faceNormals[h / 3] == glm::dvec3{0.0};
+        if (mesh::isHalfEdge(topology.twins[h]) && h < topology.twins[h])
+            addShared(mesh, topology, h, creaseCosine, edges);
+        const bool thin = topology.twins[h] == mesh::noHalfEdge && edges.faceNormals[h / 3] == glm::dvec3{0.0};
         if (thin && takesPart(topology, h / 3)) edges.thinBorders.push_back(h);
     }
     collectMany(topology, edges);
-    edges.closed = componentOrientations(mesh, topology);
+    edges.closed = mesh::componentOrientations(mesh, topology);
     return edges;
 }
 

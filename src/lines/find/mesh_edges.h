@@ -35,10 +35,10 @@ struct MeshEdges {
 };
 
 /// Whether the file marks a half-edge, or its twin.
-[[nodiscard]] bool isMarked(const Mesh&, const MeshTopology&, std::uint32_t halfEdge);
+[[nodiscard]] bool isMarked(const Mesh&, const mesh::MeshTopology&, std::uint32_t halfEdge);
 
 /// @param creaseAngle  degrees
 /// O(n).
-[[nodiscard]] MeshEdges findEdges(const Mesh&, const MeshTopology&, double creaseAngle);
+[[nodiscard]] MeshEdges findEdges(const Mesh&, const mesh::MeshTopology&, double creaseAngle);
 
 }  // namespace inkedge::lines

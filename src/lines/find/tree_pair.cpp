@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-namespace inkedge {
+namespace inkedge::lines {
 namespace {
 
 // Only a mass of faces that overlap each other needs more than these.
@@ -162,4 +162,4 @@ bool TreePair::partAlongAxes(std::uint32_t first, std::uint32_t second) const {
            lowOfQ.y > highOfP.y + margin_ || lowOfP.z > highOfQ.z + margin_ || lowOfQ.z > highOfP.z + margin_;
 }
 
-}  // namespace inkedge
+}  // namespace inkedge::lines

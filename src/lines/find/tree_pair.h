@@ -9,7 +9,7 @@
 #include "lines/find/face_pair.h"
 #include "lines/find/face_tree.h"
 
-namespace inkedge {
+namespace inkedge::lines {
 
 /// Two sides and the pairs of nodes in which their faces may cross.
 class TreePair {
@@ -67,4 +67,4 @@ private:
     float margin_ = 0.0F;
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::lines

@@ -99,7 +99,7 @@ std::vector<Crossing> findCrossings(std::span<const Segment> segments, std::span
 
     std::vector<Crossing> crossings;
     for (std::uint32_t s = 0; s < segments.size(); ++s) {
-        if (s % segmentsBetweenLooks == 0) stopIfAsked();
+        if (s % segmentsBetweenLooks == 0) base::stopIfAsked();
         if (!segments[s].drawn) continue;
         const ScreenSegment& own = screenSegments[s];
         const glm::dvec2 along = own.ends[1].pixel - own.ends[0].pixel;

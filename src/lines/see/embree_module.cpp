@@ -166,7 +166,7 @@ private:
 
 extern "C" INKEDGE_API const RayMaker* inkedge_embree_1() noexcept {
     static constexpr RayMaker functions{[](std::span<const RayMesh> meshes, std::span<const RayInstance> instances) {
-        return guarded([&] { return MadeRays{std::make_unique<EmbreeRays>(meshes, instances), {}}; });
+        return modules::guarded([&] { return MadeRays{std::make_unique<EmbreeRays>(meshes, instances), {}}; });
     }};
     return &functions;
 }

@@ -22,7 +22,7 @@ std::unique_ptr<Rays> raysOf(const Scene& scene) {
     std::vector<RayMesh> meshes;
     for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
         const Mesh& mesh = scene.meshes()[i];
-        meshes.push_back({mesh.positions, mesh.indices, topologyOf(scene, i).originals});
+        meshes.push_back({mesh.positions, mesh.indices, scene::topologyOf(scene, i).originals});
     }
     std::vector<RayInstance> instances;
     for (const Instance& instance : scene.instances()) {
@@ -32,7 +32,7 @@ std::unique_ptr<Rays> raysOf(const Scene& scene) {
         instances.push_back({instance.mesh, glm::mat4x3{transform}});
     }
     constexpr Error::Kind kind = Error::Kind::Runtime;
-    return expectNoFailure(functionsOf<embreeModule>(kind).make(meshes, instances), kind).rays;
+    return modules::expectNoFailure(modules::functionsOf<embreeModule>(kind).make(meshes, instances), kind).rays;
 }
 
 }  // namespace
@@ -65,9 +65,9 @@ struct RayCaster::State {
     }
 
     // Where the way meets the plane of a face, in double precision; for a face seen edge-on the single precision value.
-    [[nodiscard]] double planeAt(const Way& way, SceneFace face, float single) const {
+    [[nodiscard]] double planeAt(const Way& way, scene::SceneFace face, float single) const {
         constexpr double edgeOn = 1e-4;  // cosine
-        const WorldTriangles triangles{scene, scene.instances()[face.instance], scene.bounds().centre};
+        const scene::WorldTriangles triangles{scene, scene.instances()[face.instance], scene.bounds().centre};
         const auto corners = triangles.triangle(face.triangle);
         const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         const double slope = glm::dot(normal, way.along);
@@ -84,7 +84,7 @@ RayCaster::RayCaster(const Scene& scene)
 
 RayCaster::~RayCaster() = default;
 
-bool RayCaster::hides(const Screen& screen, glm::dvec3 point, std::span<const SceneFace> own,
+bool RayCaster::hides(const Screen& screen, glm::dvec3 point, std::span<const scene::SceneFace> own,
                       const Slack& slack) const {
     constexpr int maxHits =
         64;  // own faces and those at the point itself; only piles of faces at one position have more
@@ -97,7 +97,7 @@ bool RayCaster::hides(const Screen& screen, glm::dvec3 point, std::span<const Sc
     for (int i = 0; i < maxHits && begin < end; ++i) {
         const std::optional<RayHit> hit = state_->rays->first(State::rayAlong(way, begin, end));
         if (!hit) return false;
-        const SceneFace face{hit->instance, hit->triangle};
+        const scene::SceneFace face{hit->instance, hit->triangle};
         const bool counts = std::ranges::find(own, face) == own.end();
         if (counts && state_->planeAt(way, face, hit->at) < end - (slack.of(face) - alike) / length) return true;
         begin = std::nextafter(static_cast<double>(hit->at) * (1.0 + 1e-6) + 1e-7, 2.0);
@@ -105,15 +105,16 @@ bool RayCaster::hides(const Screen& screen, glm::dvec3 point, std::span<const Sc
     return false;
 }
 
-std::optional<glm::dvec3> RayCaster::firstNormal(glm::dvec3 from, glm::dvec3 to, std::span<const SceneFace> own) const {
+std::optional<glm::dvec3> RayCaster::firstNormal(glm::dvec3 from, glm::dvec3 to,
+                                                 std::span<const scene::SceneFace> own) const {
     constexpr int maxHits = 8;
     double begin = 0.0;
     for (int i = 0; i < maxHits && begin < 1.0; ++i) {
         const std::optional<RayHit> hit = state_->rays->first(State::rayAlong({from, to - from, 0.0}, begin, 1.0));
         if (!hit) return {};
-        const SceneFace face{hit->instance, hit->triangle};
+        const scene::SceneFace face{hit->instance, hit->triangle};
         if (std::ranges::find(own, face) == own.end()) {
-            const WorldTriangles triangles{state_->scene, state_->scene.instances()[face.instance], {}};
+            const scene::WorldTriangles triangles{state_->scene, state_->scene.instances()[face.instance], {}};
             const auto corners = triangles.triangle(face.triangle);
             const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
             const double length = glm::length(normal);

@@ -28,7 +28,7 @@ public:
     /// @param own    faces that do not count
     /// @param slack  how much nearer than that a face must be
     /// Thread-safe.
-    [[nodiscard]] bool hides(const Screen&, glm::dvec3 point, std::span<const SceneFace> own,
+    [[nodiscard]] bool hides(const Screen&, glm::dvec3 point, std::span<const scene::SceneFace> own,
                              const Slack& slack = {}) const;
 
     /// Whether the ray through a point meets any face beyond the near plane, before or behind the point. Thread-safe.
@@ -37,7 +37,7 @@ public:
     /// The normal, of either side, of the first face between one point and another. Thread-safe.
     /// @param own  faces that do not count
     [[nodiscard]] std::optional<glm::dvec3> firstNormal(glm::dvec3 from, glm::dvec3 to,
-                                                        std::span<const SceneFace> own) const;
+                                                        std::span<const scene::SceneFace> own) const;
 
 private:
     struct State;

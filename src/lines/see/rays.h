@@ -64,11 +64,11 @@ struct RayMaker {
     /// arguments.
     MadeRays (*make)(std::span<const RayMesh>, std::span<const RayInstance>);
 };
-inline constexpr ModuleOf<RayMaker> embreeModule{{.purpose = "lines from object space",
-                                                  .file = "inkedge_embree.so",
-                                                  .symbol = "inkedge_embree_1",
-                                                  .library = "Embree",
-                                                  .option = "INKEDGE_EMBREE",
-                                                  .remedy = "use --lines-from image"}};
+inline constexpr modules::ModuleOf<RayMaker> embreeModule{{.purpose = "lines from object space",
+                                                           .file = "inkedge_embree.so",
+                                                           .symbol = "inkedge_embree_1",
+                                                           .library = "Embree",
+                                                           .option = "INKEDGE_EMBREE",
+                                                           .remedy = "use --lines-from image"}};
 
 }  // namespace inkedge::lines

@@ -14,12 +14,12 @@ struct MeshComponents {
     std::uint32_t count = 0;
 };
 
-MeshComponents componentsOf(const MeshTopology& topology) {
+MeshComponents componentsOf(const mesh::MeshTopology& topology) {
     const auto faces = static_cast<std::uint32_t>(topology.originals.size());
-    UnionFind whole{faces};
+    base::UnionFind whole{faces};
     for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
         const std::uint32_t twin = topology.twins[h];
-        if (isHalfEdge(twin) && h < twin) whole.unite(h / 3, twin / 3);
+        if (mesh::isHalfEdge(twin) && h < twin) whole.unite(h / 3, twin / 3);
     }
     MeshComponents components;
     components.ofFaces.resize(faces);
@@ -35,7 +35,7 @@ MeshComponents componentsOf(const MeshTopology& topology) {
 SurfaceComponents::SurfaceComponents(const Scene& scene, std::span<const BorderSegment> borders) {
     std::vector<std::uint32_t> counts;
     for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
-        MeshComponents components = componentsOf(topologyOf(scene, i));
+        MeshComponents components = componentsOf(scene::topologyOf(scene, i));
         ofFaces_.push_back(std::move(components.ofFaces));
         counts.push_back(components.count);
     }
@@ -45,8 +45,8 @@ SurfaceComponents::SurfaceComponents(const Scene& scene, std::span<const BorderS
         begins_.push_back(total);
         total += counts[instance.mesh];
     }
-    UnionFind joined{total};
-    const auto number = [&](SceneFace face) {
+    base::UnionFind joined{total};
+    const auto number = [&](scene::SceneFace face) {
         return begins_[face.instance] + ofFaces_[meshes_[face.instance]][face.triangle];
     };
     for (const BorderSegment& border : borders)

@@ -20,7 +20,7 @@ public:
     SurfaceComponents(const Scene&, std::span<const BorderSegment> borders);
 
     /// The number of a face's component.
-    [[nodiscard]] std::uint32_t of(SceneFace face) const noexcept {
+    [[nodiscard]] std::uint32_t of(scene::SceneFace face) const noexcept {
         return components_[begins_[face.instance] + ofFaces_[meshes_[face.instance]][face.triangle]];
     }
 
@@ -39,7 +39,7 @@ struct Slack {
     double length = 0.0;                            ///< world units or pixel footprints, as the user of it says
     const SurfaceComponents* components = nullptr;  ///< null: the slack is for every face
     std::uint32_t component = 0;
-    [[nodiscard]] double of(SceneFace face) const noexcept {
+    [[nodiscard]] double of(scene::SceneFace face) const noexcept {
         return components == nullptr || components->of(face) == component ? length : 0.0;
     }
 };

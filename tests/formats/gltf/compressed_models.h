@@ -91,7 +91,7 @@ private:
 inline Scene::Data loaded(const Model& model) {
     const TemporaryFolder folder;
     put(folder / "a.glb", model.glb());
-    return loadGltf({folder / "a.glb"});
+    return gltf::loadGltf({folder / "a.glb"});
 }
 
 inline std::string refusal(const Model& model) {

@@ -8,7 +8,7 @@
 #include "scene/prepared.h"
 #include "scenes.h"
 
-namespace inkedge {
+namespace inkedge::gltf {
 namespace {
 
 using namespace gltf_files;
@@ -115,8 +115,8 @@ TEST_F(EdgeVisibility, HiddenEdgesAreNoCreases) {
             {"visibility", model.accessor(packed({2, visibility, 2, again, 2, 2}), "SCALAR")}};
         model.root({{"mesh", model.mesh(primitive)}});
         const Scene scene{load(model)};
-        EXPECT_EQ(topologyOf(scene, 0).creases[1], visibility == 2) << int{visibility};
-        EXPECT_EQ(topologyOf(scene, 0).patchCount, visibility == 2 ? 2U : 1U);
+        EXPECT_EQ(scene::topologyOf(scene, 0).creases[1], visibility == 2) << int{visibility};
+        EXPECT_EQ(scene::topologyOf(scene, 0).patchCount, visibility == 2 ? 2U : 1U);
     }
 }
 
@@ -125,7 +125,8 @@ std::vector<glm::dvec3> middlesOfMarked(const Mesh& mesh) {
     std::vector<glm::dvec3> middles;
     for (std::uint32_t h = 0; h < mesh.edges.size(); ++h)
         if (mesh.edges[h].has(EdgeKind::Marked))
-            middles.push_back(0.5 * (position(mesh, mesh.indices[h]) + position(mesh, mesh.indices[nextHalfEdge(h)])));
+            middles.push_back(0.5 *
+                              (position(mesh, mesh.indices[h]) + position(mesh, mesh.indices[mesh::nextHalfEdge(h)])));
     return middles;
 }
 
@@ -147,7 +148,7 @@ TEST_F(EdgeVisibility, StaysWithItsEdges) {
     LoadSettings settings;
     settings.backFaces = BackFaces::Material;
     const Scene scene{load(model, settings), settings};
-    EXPECT_EQ(oneSidedTriangles(scene, 0), 2U);
+    EXPECT_EQ(scene::oneSidedTriangles(scene, 0), 2U);
     const std::vector<glm::dvec3> expected{{-1, 0, 0}, {-1, 1, 0}, {-1, 0, 0}, {-1, 1, 0}};
     expectNear(middlesOfMarked(scene.meshes()[0]), expected);
 }
@@ -191,4 +192,4 @@ TEST_F(EdgeVisibility, ThatIsMalformedIsRefused) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::gltf

@@ -158,7 +158,7 @@ protected:
     }
 
     [[nodiscard]] Scene::Data load(const Model& model, const LoadSettings& settings = {}) const {
-        return loadGltf({write("model.gltf", model.gltf())}, settings);
+        return gltf::loadGltf({write("model.gltf", model.gltf())}, settings);
     }
 
     // The message with which a file is refused, less the path and ": " that it must start with.
@@ -166,7 +166,7 @@ protected:
                                              Error::Kind kind = Error::Kind::Input) {
         using namespace testing;
         try {
-            static_cast<void>(loadGltf({file}, settings));
+            static_cast<void>(gltf::loadGltf({file}, settings));
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), kind);
             const std::string message = error.what();

@@ -15,7 +15,7 @@
 #include "formats/gltf/compressed_models.h"
 #include "formats/gltf/draco.h"
 
-namespace inkedge {
+namespace inkedge::gltf {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -162,10 +162,10 @@ TEST(LoadDraco, refusesMoreTrianglesThanItHasMemoryFor) {
     data.insert(data.begin() + 11, huge.begin(), huge.end());
     expectError(Error::Kind::Input, HasSubstr("expected at most 16777216 triangles in a Draco mesh, found 1342177279"),
                 [&] {
-                    static_cast<void>(gltf::decodeDraco(data, {{7}, {}}, 1 << 30));
+                    static_cast<void>(decodeDraco(data, {{7}, {}}, 1 << 30));
                 });
     expectError(Error::Kind::Input, HasSubstr("expected at most 100 bytes more"), [&] {
-        static_cast<void>(gltf::decodeDraco(encodeDraco(Grid{5}, {}), {{7}, {}}, 100));
+        static_cast<void>(decodeDraco(encodeDraco(Grid{5}, {}), {{7}, {}}, 100));
     });
 }
 
@@ -189,4 +189,4 @@ TEST(LoadCompressed, survivesEveryChangedByte) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::gltf

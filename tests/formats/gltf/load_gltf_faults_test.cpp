@@ -94,7 +94,7 @@ TEST_F(LoadGltf, survivesEveryChangedByte) {
             std::string changed = content;
             changed[i] = byte;
             try {
-                for (const Mesh& mesh : loadGltf({write("model.glb", changed)}).meshes)
+                for (const Mesh& mesh : gltf::loadGltf({write("model.glb", changed)}).meshes)
                     for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.positions.size());
             } catch (const Error& error) {
                 ASSERT_EQ(error.kind(), Error::Kind::Input);

@@ -8,7 +8,7 @@
 #include "formats/gltf/gltf_files.h"
 #include "mesh/topology.h"
 
-namespace inkedge {
+namespace inkedge::gltf {
 namespace {
 
 using namespace gltf_files;
@@ -341,4 +341,4 @@ TEST_F(GltfFileTest, ASmallFileMayNotAskForMuchMemory) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::gltf

@@ -11,7 +11,7 @@
 
 #include "formats/gltf/gltf_files.h"
 
-namespace inkedge {
+namespace inkedge::gltf {
 namespace {
 
 using namespace gltf_files;
@@ -250,4 +250,4 @@ TEST_F(LoadGltf, leavesOutUnusableCamerasWithAWarning) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::gltf

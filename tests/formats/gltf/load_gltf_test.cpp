@@ -20,7 +20,7 @@
 #include "formats/gltf/compression.h"
 #include "formats/gltf/gltf_files.h"
 
-namespace inkedge {
+namespace inkedge::gltf {
 namespace {
 
 using namespace gltf_files;
@@ -326,12 +326,11 @@ TEST(LoadGltfModels, haveTheTrianglesThatTheirTableSays) {
             EXPECT_EQ(std::to_string(triangleCount(data)), fields[3]) << fields[0];
         } catch (const Error& error) {
             EXPECT_THAT(error.what(), HasSubstr("_compression, which this build does not read"));
-            EXPECT_FALSE(gltf::readsCompression("KHR_draco_mesh_compression") &&
-                         gltf::readsCompression("EXT_meshopt_compression"));
+            EXPECT_FALSE(readsCompression("KHR_draco_mesh_compression") && readsCompression("EXT_meshopt_compression"));
         }
     }
     EXPECT_GT(count, 0);
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::gltf

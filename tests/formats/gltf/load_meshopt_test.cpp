@@ -15,7 +15,7 @@
 #include "formats/gltf/encode_vertices.h"
 #include "formats/gltf/meshopt.h"
 
-namespace inkedge {
+namespace inkedge::gltf {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -34,7 +34,7 @@ TEST(LoadMeshopt, readsEveryFilter) {
     Bytes octahedral(5 * 8);
     meshopt_encodeFilterOct(octahedral.data(), 5, 8, 16, normals.data());
     const Bytes asNormals =
-        gltf::decodeMeshopt({5, 8, "ATTRIBUTES", "OCTAHEDRAL"}, encodeVertices(octahedral.data(), 5, 8), 1 << 20);
+        decodeMeshopt({5, 8, "ATTRIBUTES", "OCTAHEDRAL"}, encodeVertices(octahedral.data(), 5, 8), 1 << 20);
     for (std::size_t i = 0; i < 5; ++i)
         for (std::size_t k = 0; k < 3; ++k) {
             std::int16_t value = 0;
@@ -46,7 +46,7 @@ TEST(LoadMeshopt, readsEveryFilter) {
     Bytes exponential(6 * 4);
     encodeExponential(exponential.data(), 6, 4, 23, numbers.data());
     const Bytes asNumbers =
-        gltf::decodeMeshopt({6, 4, "ATTRIBUTES", "EXPONENTIAL"}, encodeVertices(exponential.data(), 6, 4), 1 << 20);
+        decodeMeshopt({6, 4, "ATTRIBUTES", "EXPONENTIAL"}, encodeVertices(exponential.data(), 6, 4), 1 << 20);
     for (std::size_t i = 0; i < 6; ++i) {
         float value = 0;
         std::memcpy(&value, asNumbers.data() + i * 4, 4);
@@ -57,7 +57,7 @@ TEST(LoadMeshopt, readsEveryFilter) {
     Bytes quaternions(2 * 8);
     meshopt_encodeFilterQuat(quaternions.data(), 2, 8, 16, rotations.data());
     const Bytes asRotations =
-        gltf::decodeMeshopt({2, 8, "ATTRIBUTES", "QUATERNION"}, encodeVertices(quaternions.data(), 2, 8), 1 << 20);
+        decodeMeshopt({2, 8, "ATTRIBUTES", "QUATERNION"}, encodeVertices(quaternions.data(), 2, 8), 1 << 20);
     std::int16_t last = 0;
     std::memcpy(&last, asRotations.data() + 14, 2);
     EXPECT_NEAR(std::abs(last) / 32767.0, 0.8, 1e-3);
@@ -109,7 +109,7 @@ TEST(LoadMeshopt, readsColors) {
     const auto decoded = [](const auto& plain, std::size_t stride) {
         const Bytes bytes = bytesOfAll(plain);
         const Bytes data = encodeVertices(bytes.data(), bytes.size() / stride, stride);
-        return gltf::decodeMeshopt({bytes.size() / stride, stride, "ATTRIBUTES", "COLOR"}, data, 1 << 20);
+        return decodeMeshopt({bytes.size() / stride, stride, "ATTRIBUTES", "COLOR"}, data, 1 << 20);
     };
     // luma 100, differences 20 and -30 in 8 bits; 10, 3 and -2 in 5 bits; nothing
     const std::vector<std::uint8_t> in8Bits{100, 20, 226, 0x80 | 127, 100, 20, 226, 0x80 | 64,
@@ -125,7 +125,7 @@ TEST(LoadMeshopt, readsElementsThatAreAllTheSame) {
     const Bytes plain(4 * 300'000, 9);
     for (const Bytes& data :
          {vertex_codec::encode(plain.data(), 300'000, 4, {0}), encodeVertices(plain.data(), 300'000, 4)})
-        EXPECT_EQ(gltf::decodeMeshopt({300'000, 4, "ATTRIBUTES", "NONE"}, data, 1 << 24), plain);
+        EXPECT_EQ(decodeMeshopt({300'000, 4, "ATTRIBUTES", "NONE"}, data, 1 << 24), plain);
 }
 
 TEST(LoadMeshopt, readsCompressedDataEvenWhereTheFallbackHasAUriThatLeadsNowhere) {
@@ -176,4 +176,4 @@ TEST(LoadMeshopt, refusesWhatTheExtensionDoesNotAllow) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::gltf

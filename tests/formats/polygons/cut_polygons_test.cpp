@@ -13,7 +13,7 @@
 #include "formats/polygons/load_polygons.h"
 #include "formats/polygons/polygon_files.h"
 
-namespace inkedge {
+namespace inkedge::polygons {
 namespace {
 
 using namespace polygon_files;
@@ -96,7 +96,7 @@ TEST_F(LoadPolygons, cutsConcaveQuadsFromTheirHollowCorner) {
 }
 
 TEST(PolygonCutter, cutsWhateverItGetsIntoTwoTrianglesLessThanCorners) {
-    load::PolygonCutter cutter;
+    PolygonCutter cutter;
     std::srand(7);
     const auto random = [] { return static_cast<double>(std::rand() % 9); };
     for (int round = 0; round < 2000; ++round) {
@@ -120,7 +120,7 @@ TEST(PolygonCutter, takesTimeInProportionToConvexPolygons) {
     std::vector<glm::dvec3> polygon;
     constexpr int count = 200'000;
     for (int i = 0; i < count; ++i) polygon.emplace_back(std::cos(i * 6.283 / count), std::sin(i * 6.283 / count), 0);
-    EXPECT_EQ(load::PolygonCutter{}.cut(polygon).size(), count - 2);
+    EXPECT_EQ(PolygonCutter{}.cut(polygon).size(), count - 2);
 }
 
 TEST(PolygonCutter, cutsACombOfManyTeeth) {
@@ -128,8 +128,8 @@ TEST(PolygonCutter, cutsACombOfManyTeeth) {
     constexpr int teeth = 60'000;
     for (int i = 0; i < teeth; ++i) comb.insert(comb.end(), {{2 * i, 9, 0}, {2 * i + 1, i % 3, 0}});
     for (int i = teeth; i-- > 0;) comb.insert(comb.end(), {{2 * i + 1, i % 3 - 1, 0}, {2 * i, 8, 0}});
-    EXPECT_EQ(load::PolygonCutter{}.cut(comb).size(), comb.size() - 2);
+    EXPECT_EQ(PolygonCutter{}.cut(comb).size(), comb.size() - 2);
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::polygons

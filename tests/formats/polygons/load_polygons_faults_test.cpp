@@ -13,10 +13,9 @@
 
 #include "formats/polygons/polygon_files.h"
 
-namespace inkedge {
+namespace inkedge::polygons {
 namespace {
 
-using load::PolygonFormat;
 using namespace polygon_files;
 using testing::AllOf;
 using testing::ElementsAre;
@@ -169,4 +168,4 @@ TEST_F(LoadPolygons, survivesEveryChangedByte) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::polygons

@@ -21,11 +21,10 @@
 #include "base/temporary_folder.h"
 #include "formats/polygons/polygon_files.h"
 
-namespace inkedge {
+namespace inkedge::polygons {
 namespace {
 
 namespace fs = std::filesystem;
-using load::PolygonFormat;
 using namespace polygon_files;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -262,4 +261,4 @@ TEST_F(LoadPolygons, readsRealModelsWithTheTrianglesThatTheirTableSays) {
 }
 
 }  // namespace
-}  // namespace inkedge
+}  // namespace inkedge::polygons

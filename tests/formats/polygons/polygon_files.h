@@ -17,7 +17,7 @@
 namespace inkedge::polygon_files {
 
 namespace fs = std::filesystem;
-using load::PolygonFormat;
+using polygons::PolygonFormat;
 
 template <class T>
 std::string raw(const T& value) {
@@ -70,7 +70,7 @@ protected:
     [[nodiscard]] Scene::Data load(PolygonFormat format, const std::string& content) const {
         const fs::path file = folder_ / "model";
         put(file, content);
-        return loadPolygons({file}, format);
+        return polygons::loadPolygons({file}, format);
     }
     [[nodiscard]] Scene::Data obj(const std::string& content) const { return load(PolygonFormat::Obj, content); }
     [[nodiscard]] Scene::Data stl(const std::string& content) const { return load(PolygonFormat::Stl, content); }
