@@ -45,10 +45,12 @@ INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<
 /// The lines as an SVG document: those whose types settings.picture.lines names, hidden ones if settings.lines.hidden
 /// wants them, cut at the picture's edges (and half a width beyond), as polylines or curves within
 /// settings.lines.simplify, less Lines::tolerance, or .fitCurves. Its coordinates are pixels of lines.size; its width
-/// and height are the page's, or pixels, or millimetres where a width or settings.picture.dpi says so. One group a type
-/// and visibility, what covers last, with the classes "inkedge", the type's name, and "visible" or "hidden"; in it one
-/// path an object, whose data-object is Line::object. Where widths vary a path is the filled outline of its strokes,
-/// all straight. Metadata holds a JSON object: camera, size, bounds, settings.
+/// and height are the page's, or pixels, or millimetres where a width or settings.picture.dpi says so; on a page of
+/// another shape the drawing is moved to the middle. One group a type and visibility, what covers last, with the classes
+/// "inkedge", the type's name, "visible" or "hidden", and both as in "crease-hidden", by which it is a layer of
+/// Inkscape's, too; in it one path an object, or more where one would have over 32,000 points, whose data-object is
+/// Line::object. Where widths vary a path is the filled outline of its strokes, all straight. Metadata holds a JSON
+/// object: camera, size, bounds, settings.
 /// @param title  UTF-8; what is not becomes U+FFFD
 /// @throws Error  (Kind::Usage) if lines.size has no pixel, or settings.lines.brush is given: it needs pixels
 [[nodiscard]] INKEDGE_API std::string linesSvg(const Lines&, const Settings&, std::string_view title = "Line drawing");

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <inkedge/error.h>
@@ -25,7 +26,7 @@ namespace {
 constexpr double millimetresPerInch = 25.4;
 constexpr double cssDpi = 96.0;  // pixels per inch where a document does not say otherwise
 
-// A number with at most three decimals.
+// A number with at most three decimals, rounded.
 std::string number(double value) {
     std::string text = fmt::format("{:.3f}", value);
     text.erase(text.find_last_not_of('0') + 1);
@@ -36,6 +37,12 @@ std::string number(double value) {
 // Whether lines are written as outlines of strokes, because their widths vary.
 bool varies(const LineSettings& settings) {
     return settings.strokeWidth != StrokeWidth::Constant || settings.strokeTaper > 0.0;
+}
+
+// A length with at most three decimals, rounded down: a pixel that is only begun counts as one in librsvg.
+std::string millimetres(double length) {
+    constexpr double noise = 1e-6;  // of a thousandth: 20 is not 19.999 for being 19.99999999999
+    return number(std::floor(length * 1000.0 + noise) / 1000.0) + "mm";
 }
 
 std::string hex(Color color) { return fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue); }
@@ -83,11 +90,27 @@ bool isPhysical(const PictureSettings& settings) {
     return physical;
 }
 
-std::string documentSize(const PictureSettings& settings, Size size) {
-    if (!isPhysical(settings)) return fmt::format("width=\"{}\" height=\"{}\"", size.width, size.height);
+// The sheet that the document fills, and where on it the picture lies; pixels of the picture.
+struct Sheet {
+    glm::dvec2 size;
+    glm::dvec2 picture;
+};
+
+Sheet sheetOf(const PictureSettings& settings, Size size) {
+    const glm::dvec2 picture{size.width, size.height};
+    if (!settings.page) return {picture, {0.0, 0.0}};
+    const double pixelsPerMillimetre = settings.dpi / millimetresPerInch;
+    const glm::dvec2 sheet = pixelsPerMillimetre * glm::dvec2{settings.page->width, settings.page->height};
+    return {sheet, glm::max(0.5 * (sheet - picture), 0.0)};
+}
+
+// The size and the coordinates of the document. They are of one shape: not all readers know preserveAspectRatio.
+std::string documentSize(const PictureSettings& settings, const Sheet& sheet, Size size) {
+    const std::string viewBox = fmt::format("viewBox=\"0 0 {} {}\"", number(sheet.size.x), number(sheet.size.y));
+    if (!isPhysical(settings)) return fmt::format("width=\"{}\" height=\"{}\" {}", size.width, size.height, viewBox);
     const double perPixel = millimetresPerInch / settings.dpi;
     const PageSize page = settings.page.value_or(PageSize{size.width * perPixel, size.height * perPixel});
-    return fmt::format("width=\"{}mm\" height=\"{}mm\"", number(page.width), number(page.height));
+    return fmt::format("width=\"{}\" height=\"{}\" {}", millimetres(page.width), millimetres(page.height), viewBox);
 }
 
 bool isStraight(const curves::Bezier& curve) {
@@ -125,11 +148,14 @@ void addPolyline(io::SvgPath& path, const Line& line, double tolerance) {
     if (line.closed) path.close();
 }
 
+// Half the width of an end of a stroke.
+double radius(std::uint8_t width, double penWidth) { return 0.5 * penWidth * width / ink::fullWidth; }
+
 // Adds the outline of a stroke: straight along its sides, round at its ends. All run clockwise, so that overlapping
 // strokes fill the union of their areas.
 void addOutline(io::SvgPath& path, const ink::Stroke& stroke, double penWidth) {
-    const double from = 0.5 * penWidth * stroke.widthFrom / ink::fullWidth;
-    const double to = 0.5 * penWidth * stroke.widthTo / ink::fullWidth;
+    const double from = radius(stroke.widthFrom, penWidth);
+    const double to = radius(stroke.widthTo, penWidth);
     const glm::dvec2 a{stroke.from};
     const glm::dvec2 b{stroke.to};
     const double length = glm::distance(a, b);
@@ -150,32 +176,47 @@ io::SvgPath::Step stepFor(const LineSettings& settings) {
     return tolerance >= coarse && !varies(settings) ? io::SvgPath::Step::Tenth : io::SvgPath::Step::Hundredth;
 }
 
-using Paths = std::map<std::uint32_t, io::SvgPath>;
+using Paths = std::map<std::uint32_t, io::SvgPath>;  // by object
 
-std::array<Paths, ink::penCount> pathsOf(const Lines& lines, const PictureSettings& picture,
-                                         const LineSettings& settings) {
+struct Drawing {
+    std::array<Paths, ink::penCount> paths;  // by pen
+    bool isCut = false;                      // whether some ink lies beyond the picture's edges
+};
+
+bool reachesBeyond(glm::dvec2 size, glm::dvec2 pixel, double by) {
+    return pixel.x < by || pixel.y < by || pixel.x > size.x - by || pixel.y > size.y - by;
+}
+
+void addOutlines(Drawing& drawing, const Lines& lines, const PictureSettings& picture, const LineSettings& settings,
+                 double tolerance) {
     const auto allPens = ink::pens(picture);
     const glm::dvec2 size{lines.size.width, lines.size.height};
-    const double tolerance = std::max(settings.simplify - lines.tolerance, 0.0);  // what is left of it
-    std::array<Paths, ink::penCount> paths;
-    if (varies(settings)) {
-        const ink::StrokeMaker maker{lines, picture, settings, tolerance};
-        std::vector<ink::Stroke> strokes;
-        for (const Line& line : lines.lines) {
-            strokes.clear();
-            maker.add(line, strokes);
-            for (const ink::Stroke& stroke : strokes) {
-                addOutline(paths[stroke.pen][line.object], stroke, allPens[stroke.pen].width);
-            }
+    const ink::StrokeMaker maker{lines, picture, settings, tolerance};
+    std::vector<ink::Stroke> strokes;
+    for (const Line& line : lines.lines) {
+        strokes.clear();
+        maker.add(line, strokes);
+        for (const ink::Stroke& stroke : strokes) {
+            const double width = allPens[stroke.pen].width;
+            addOutline(drawing.paths[stroke.pen][line.object], stroke, width);
+            drawing.isCut = drawing.isCut || reachesBeyond(size, stroke.from, radius(stroke.widthFrom, width)) ||
+                            reachesBeyond(size, stroke.to, radius(stroke.widthTo, width));
         }
-        return paths;
     }
+}
+
+void addCentreLines(Drawing& drawing, const Lines& lines, const PictureSettings& picture, const LineSettings& settings,
+                    double tolerance) {
+    const auto allPens = ink::pens(picture);
+    const glm::dvec2 size{lines.size.width, lines.size.height};
     for (const Line& line : lines.lines) {
         if (!ink::isDrawn(line, picture, settings)) continue;
         const std::uint8_t pen = ink::penOf(line);
         const double margin = 0.5 * allPens[pen].width;
         for (const Line& part : curves::clip(line, glm::dvec2{-margin}, size + margin)) {
-            io::SvgPath& path = paths[pen].try_emplace(line.object, stepFor(settings)).first->second;
+            io::SvgPath& path = drawing.paths[pen].try_emplace(line.object, stepFor(settings)).first->second;
+            for (const LinePoint& point : part.points)
+                drawing.isCut = drawing.isCut || reachesBeyond(size, point.pixel, margin + settings.fitCurves);
             if (settings.fitCurves > 0.0) {
                 addCurves(path, part, settings.fitCurves);
             } else {
@@ -183,33 +224,58 @@ std::array<Paths, ink::penCount> pathsOf(const Lines& lines, const PictureSettin
             }
         }
     }
-    return paths;
 }
 
-std::string group(std::size_t number_, const ink::Pen& pen, const Paths& paths, const LineSettings& settings) {
-    const bool isHidden = number_ >= lineTypeCount;
-    const auto type = static_cast<LineType>(1U << (number_ % lineTypeCount));
+Drawing drawingOf(const Lines& lines, const PictureSettings& picture, const LineSettings& settings) {
+    Drawing drawing;
+    const double tolerance = std::max(settings.simplify - lines.tolerance, 0.0);  // what is left of it
+    const auto add = varies(settings) ? addOutlines : addCentreLines;
+    add(drawing, lines, picture, settings, tolerance);
+    return drawing;
+}
+
+std::string inkOf(const ink::Pen& pen, bool isHidden, const LineSettings& settings) {
+    if (varies(settings)) return fmt::format("fill=\"{}\"", hex(pen.color));
     std::string ink = fmt::format("stroke=\"{}\" stroke-width=\"{}\"", hex(pen.color), number(pen.width));
-    if (varies(settings)) {
-        ink = fmt::format("fill=\"{}\"", hex(pen.color));
-    } else if (isHidden && settings.hidden == HiddenLines::Dashed) {
+    if (isHidden && settings.hidden == HiddenLines::Dashed) {
         ink += fmt::format(" stroke-dasharray=\"{} {}\"", number(ink::dashLength * pen.width),
                            number(ink::gapLength * pen.width));
     }
-    std::string text =
-        fmt::format("<g class=\"inkedge {} {}\" {}>\n", name(type), isHidden ? "hidden" : "visible", ink);
+    return ink;
+}
+
+// A group is a layer of Inkscape's, and of the DXF files that it writes. The class of type and visibility together is
+// for style sheets: LibreOffice reads selectors of one class alone.
+std::string group(std::size_t pen, const std::string& ink, const std::string& attributes, const Paths& paths) {
+    const std::string_view type = name(static_cast<LineType>(1U << (pen % lineTypeCount)));
+    const std::string_view visibility = pen < lineTypeCount ? "visible" : "hidden";
+    std::string text = fmt::format(
+        "<g class=\"inkedge {0} {1} {0}-{1}\" inkscape:groupmode=\"layer\" inkscape:label=\"{0}-{1}\" {2}{3}>\n", type,
+        visibility, ink, attributes);
     for (const auto& [object, path] : paths) {
-        const std::string data = path.text();
-        if (!data.empty()) text += fmt::format("<path data-object=\"{}\" d=\"{}\"/>\n", object, data);
+        for (const std::string& data : path.texts())
+            text += fmt::format("<path data-object=\"{}\" d=\"{}\"/>\n", object, data);
     }
     return text + "</g>\n";
 }
 
-}  // namespace
-
-std::string linesSvg(const Lines& lines, const Settings& settings, std::string_view title) {
+std::string heading(const Lines& lines, const Settings& settings, const PictureSettings& picture, const Sheet& sheet,
+                    std::string_view title) {
     const Size size = lines.size;
-    if (size.width < 1 || size.height < 1) {
+    const io::Json metadata{{"camera", io::cameraJson(lines.camera, size)},
+                            {"size", {size.width, size.height}},
+                            {"bounds", io::boundsJson(lines.bounds)},
+                            {"settings", io::settingsJson(settings)}};
+    return fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" {} "
+        "fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>{}</title>\n"
+        "<desc>Line drawing of a 3D model, {} x {} pixels</desc>\n<metadata>{}</metadata>\n",
+        documentSize(picture, sheet, size), escaped(title), size.width, size.height, escaped(io::textOf(metadata, -1)));
+}
+
+void expectDrawable(const Lines& lines, const Settings& settings) {
+    if (lines.size.width < 1 || lines.size.height < 1) {
         throw Error{Error::Kind::Usage,
                     "lines: expected a picture of at least one pixel, found none; were they drawn?"};
     }
@@ -218,34 +284,37 @@ std::string linesSvg(const Lines& lines, const Settings& settings, std::string_v
             Error::Kind::Usage,
             "brush: expected a picture of pixels, found SVG, which has no textures; leave it out, or write a .png"};
     }
+}
+
+}  // namespace
+
+std::string linesSvg(const Lines& lines, const Settings& settings, std::string_view title) {
+    expectDrawable(lines, settings);
+    const Size size = lines.size;
     const PictureSettings picture = onPage(settings.picture, size);
-    const io::Json metadata{{"camera", io::cameraJson(lines.camera, size)},
-                            {"size", {size.width, size.height}},
-                            {"bounds", io::boundsJson(lines.bounds)},
-                            {"settings", io::settingsJson(settings)}};
-    std::string text = fmt::format(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" {} viewBox=\"0 0 {} {}\" fill=\"none\" stroke-linecap=\"round\" "
-        "stroke-linejoin=\"round\">\n<title>{}</title>\n<desc>Line drawing of a 3D model, {} x {} pixels</desc>\n"
-        "<metadata>{}</metadata>\n",
-        documentSize(picture, size), size.width, size.height, escaped(title), size.width, size.height,
-        escaped(io::textOf(metadata, -1)));
+    const Sheet sheet = sheetOf(picture, size);
+    const bool hasMargins = std::max(sheet.picture.x, sheet.picture.y) >= 0.001;  // pixels: the last decimal
+    std::string attributes;
+    if (hasMargins)
+        attributes = fmt::format(" transform=\"translate({} {})\"", number(sheet.picture.x), number(sheet.picture.y));
+
+    std::string text = heading(lines, settings, picture, sheet, title);
+    const std::string rectangle = fmt::format("width=\"{}\" height=\"{}\"", size.width, size.height);
     if (picture.background) {
-        text += fmt::format("<rect class=\"inkedge background\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n", size.width,
-                            size.height, hex(*picture.background));
+        text += fmt::format("<rect class=\"inkedge background\" {} fill=\"{}\"{}/>\n", rectangle,
+                            hex(*picture.background), attributes);
     }
-    if (picture.page) {  // its margins would show what lies beyond the picture's edges
-        text += fmt::format(
-            "<clipPath id=\"picture\"><rect width=\"{}\" height=\"{}\"/></clipPath>\n"
-            "<g clip-path=\"url(#picture)\">\n",
-            size.width, size.height);
+    const Drawing drawing = drawingOf(lines, picture, settings.lines);
+    if (hasMargins && drawing.isCut) {  // the margins would show what lies beyond the picture's edges
+        text += fmt::format("<clipPath id=\"picture\"><rect {}/></clipPath>\n", rectangle);
+        attributes += " clip-path=\"url(#picture)\"";
     }
     const auto allPens = ink::pens(picture);
-    const auto paths = pathsOf(lines, picture, settings.lines);
-    for (std::size_t i = paths.size(); i-- > 0;) {  // the first covers the others, and is written last
-        if (!paths[i].empty()) text += group(i, allPens[i], paths[i], settings.lines);
+    for (std::size_t i = drawing.paths.size(); i-- > 0;) {  // the first covers the others, and is written last
+        if (drawing.paths[i].empty()) continue;
+        text += group(i, inkOf(allPens[i], i >= lineTypeCount, settings.lines), attributes, drawing.paths[i]);
     }
-    return text + (picture.page ? "</g>\n</svg>\n" : "</svg>\n");
+    return text + "</svg>\n";
 }
 
 }  // namespace inkedge

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,12 @@ namespace inkedge::io {
 namespace {
 
 constexpr double largest = 1e9;  // pixels
+constexpr int maxPoints = 32'000;
+constexpr int wholeSubpath = 100;  // points
+
+// Points as Qt counts them: a curve has its control points, a half circle is two curves.
+constexpr int pointsOfCurve = 3;
+constexpr int pointsOfArc = 6;
 
 // A number of hundredths as text: 150 is "1.5", -5 is "-.05".
 std::string number(long long hundredths) {
@@ -52,28 +59,58 @@ void SvgPath::addStep(Point to) {
     add(to.y - at_.y);
 }
 
+void SvgPath::addMove(Point to) {
+    command_ = 0;
+    begin('m');  // the first one of a path is absolute anyway
+    addStep(to);
+    at_ = to;
+    ++points_;
+}
+
+void SvgPath::addLine(Point to) {
+    makeRoom(1);
+    begin('l');
+    addStep(to);
+    at_ = to;
+}
+
 void SvgPath::finishSubpath() {
     if (dot_) text_ += "h0";
     dot_ = false;
 }
 
+void SvgPath::beginNext() {
+    finished_.push_back(std::move(text_));
+    text_.clear();
+    points_ = 0;
+    at_ = {};
+}
+
+// Makes sure that the path takes so many points more, and counts them.
+void SvgPath::makeRoom(int points) {
+    if (points_ + points > maxPoints) {
+        const Point joint = at_;
+        beginNext();
+        addMove(joint);
+        isCut_ = true;
+    }
+    points_ += points;
+}
+
 void SvgPath::moveTo(glm::dvec2 pixel) {
     finishSubpath();
-    const Point to = rounded(pixel);
-    command_ = 0;
-    begin('m');  // the first one of a path is absolute anyway
-    addStep(to);
-    start_ = at_ = to;
+    if (points_ > maxPoints - wholeSubpath) beginNext();
+    start_ = rounded(pixel);
+    addMove(start_);
     dot_ = true;
+    isCut_ = false;
 }
 
 void SvgPath::lineTo(glm::dvec2 pixel) {
     const Point to = rounded(pixel);
     if (to == at_) return;
     dot_ = false;
-    begin('l');
-    addStep(to);
-    at_ = to;
+    addLine(to);
 }
 
 void SvgPath::curveTo(glm::dvec2 control1, glm::dvec2 control2, glm::dvec2 pixel) {
@@ -82,6 +119,7 @@ void SvgPath::curveTo(glm::dvec2 control1, glm::dvec2 control2, glm::dvec2 pixel
     const Point second = rounded(control2);
     if (to == at_ && first == at_ && second == at_) return;
     dot_ = false;
+    makeRoom(pointsOfCurve);
     begin('c');
     addStep(first);
     addStep(second);
@@ -93,6 +131,7 @@ void SvgPath::arcTo(double radius, glm::dvec2 pixel) {
     const Point to = rounded(pixel);
     if (to == at_) return;
     dot_ = false;
+    makeRoom(pointsOfArc);
     begin('a');
     const long long size = rounded({radius, 0.0}).x;
     for (const long long value : {size, size, 0LL, 0LL, 100LL}) add(value);  // radii, rotation, small, clockwise
@@ -102,11 +141,20 @@ void SvgPath::arcTo(double radius, glm::dvec2 pixel) {
 
 void SvgPath::close() {
     finishSubpath();
+    if (isCut_) {  // it began in an earlier path
+        if (at_ != start_) addLine(start_);
+        return;
+    }
     text_ += 'z';
     command_ = 'z';
     at_ = start_;
+    ++points_;
 }
 
-std::string SvgPath::text() const { return dot_ ? text_ + "h0" : text_; }
+std::vector<std::string> SvgPath::texts() const {
+    std::vector<std::string> all = finished_;
+    if (!text_.empty()) all.push_back(dot_ ? text_ + "h0" : text_);
+    return all;
+}
 
 }  // namespace inkedge::io

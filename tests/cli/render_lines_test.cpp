@@ -87,10 +87,13 @@ TEST_F(RenderLines, SvgHasAGroupATypeAndVisibility) {
     EXPECT_THAT(text("cube.svg"), AllOf(HasSubstr(R"(width="64" height="48" viewBox="0 0 64 48")"),
                                         HasSubstr("<title>cube.svg</title>")));
     const std::string groups = drawing("cube.svg");
+    const auto layerOf = [](const std::string& name) {
+        return name + R"(" inkscape:groupmode="layer" inkscape:label=")" + name + '"';
+    };
     const std::vector<std::size_t> offsets{
-        groups.find(R"(<g class="inkedge crease hidden" stroke="#000000" stroke-width="1" stroke-dasharray="6 4">)"),
-        groups.find(R"(<g class="inkedge crease visible" stroke="#000000" stroke-width="2">)"),
-        groups.find(R"(<g class="inkedge outline visible" stroke="#000000" stroke-width="2">)")};
+        groups.find(layerOf("crease-hidden") + R"( stroke="#000000" stroke-width="1" stroke-dasharray="6 4">)"),
+        groups.find(layerOf("crease-visible") + R"( stroke="#000000" stroke-width="2">)"),
+        groups.find(layerOf("outline-visible") + R"( stroke="#000000" stroke-width="2">)")};
     EXPECT_THAT(offsets, Each(testing::Lt(groups.size()))) << groups;
     EXPECT_TRUE(std::ranges::is_sorted(offsets)) << "what covers last";
     EXPECT_THAT(groups, HasSubstr(R"(data-object="1")"));
@@ -242,7 +245,7 @@ TEST_F(RenderLines, ByTheGaussMapNeedAnOrthographicCamera) {
 
 TEST_F(RenderLines, FromImageSpaceAreFilesToo) {
     expectSuccess(draw("cube.glb", "image.svg", {"--lines-from", "image"}));
-    EXPECT_THAT(drawing("image.svg"), AllOf(HasSubstr("<g class=\"inkedge outline visible\""), HasSubstr("<path")));
+    EXPECT_THAT(drawing("image.svg"), AllOf(HasSubstr("<g class=\"inkedge outline visible "), HasSubstr("<path")));
     expectSuccess(draw("cube.glb", "image.json", {"--lines-from", "image", "--size", "256x256"}));
     expectSuccess(draw("cube.glb", "object.json", {"--size", "256x256"}));
     EXPECT_EQ(typesOf(lines("image.json")), (std::set<std::string>{"outline", "crease"}));

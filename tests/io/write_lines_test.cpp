@@ -3,7 +3,6 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
-#include <regex>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -17,7 +16,6 @@
 #include "images/read_png.h"
 #include "ink/paint_strokes.h"
 #include "ink/strokes_of.h"
-#include "io/svg_path.h"
 #include "io/well_formed.h"
 
 namespace inkedge::io {
@@ -82,37 +80,10 @@ std::string between(const std::string& text, const std::string& begin, const std
     return text.substr(from + begin.size(), text.find(end, from + begin.size()) - from - begin.size());
 }
 
-TEST(SvgPath, isShort) {
-    SvgPath path;
-    path.moveTo({10, 20.5});
-    path.lineTo({10.25, 20.75});
-    path.lineTo({10.25, 20.75});  // nowhere
-    path.lineTo({9, 21});
-    path.curveTo({9.5, 21}, {10, 21.5}, {10, 22});
-    path.close();
-    path.moveTo({11, 20.5});  // from where the part before began
-    path.lineTo({12, 20.5});
-    EXPECT_EQ(path.text(), "m10 20.5.25.25-1.25.25c.5 0 1 .5 1 1zm1 0 1 0");
-}
-
-TEST(SvgPath, losesNothingByRounding) {
-    SvgPath path;
-    path.moveTo({0, 0});
-    for (int i = 1; i <= 1000; ++i) path.lineTo({i * 0.014, 0.0});
-    double x = 0.0;
-    const std::string text = path.text();
-    const std::regex number{R"((-?(?:\d+\.?\d*|\.\d+)) 0)"};
-    for (std::sregex_iterator i{text.begin(), text.end(), number}; i != std::sregex_iterator{}; ++i) {
-        x += std::stod((*i)[1].str());
-    }
-    EXPECT_NEAR(x, 14.0, 1e-6);
-}
-
-TEST(SvgPath, ofOnePointIsADot) {
-    SvgPath path;
-    path.moveTo({3, 4});
-    path.lineTo({3, 4.001});
-    EXPECT_EQ(path.text(), "m3 4h0");
+// The begin of a group that is a layer, without what it is drawn with.
+std::string layerOf(const std::string& type, const std::string& visibility) {
+    return fmt::format(R"(<g class="inkedge {0} {1} {0}-{1}" inkscape:groupmode="layer" inkscape:label="{0}-{1}")",
+                       type, visibility);
 }
 
 TEST(LinesSvg, groupsLinesByTypeAndVisibilityWithWhatCoversLast) {
@@ -122,10 +93,10 @@ TEST(LinesSvg, groupsLinesByTypeAndVisibilityWithWhatCoversLast) {
     const std::string text =
         svg(lines, settingsOf({{"hidden", "dashed"}, {"line-style", "crease:width=3,color=#123456"}}));
     expectWellFormed(text);
-    const std::size_t first = text.find(
-        R"(<g class="inkedge outline hidden" stroke="#000000" stroke-width="0.75" stroke-dasharray="4.5 3">)");
-    const std::size_t second = text.find(R"(<g class="inkedge crease visible" stroke="#123456" stroke-width="3">)");
-    const std::size_t third = text.find(R"(<g class="inkedge outline visible" stroke="#000000" stroke-width="1.5">)");
+    const std::size_t first =
+        text.find(layerOf("outline", "hidden") + R"( stroke="#000000" stroke-width="0.75" stroke-dasharray="4.5 3">)");
+    const std::size_t second = text.find(layerOf("crease", "visible") + R"( stroke="#123456" stroke-width="3">)");
+    const std::size_t third = text.find(layerOf("outline", "visible") + R"( stroke="#000000" stroke-width="1.5">)");
     ASSERT_NE(third, std::string::npos) << text;
     EXPECT_LT(first, second);
     EXPECT_LT(second, third);
@@ -168,11 +139,52 @@ TEST(LinesSvg, hasThePagesSizeAndWidthsThatHoldOnIt) {
                 AllOf(HasSubstr(R"(width="20mm" height="10mm")"), HasSubstr(R"(stroke-width="5")")));
     EXPECT_THAT(svg(lines, settingsOf({{"dpi", "254"}})),
                 AllOf(HasSubstr(R"(width="20mm" height="10mm")"), HasSubstr(R"(stroke-width="1.5")")));
+    // 254 / 3 is 84.6666..: no reader that counts pixels begun as whole ones gets a 1001st.
+    EXPECT_THAT(svg(linesOf({}, {1000, 500}), settingsOf({{"dpi", "300"}})),
+                HasSubstr(R"(width="84.666mm" height="42.333mm" viewBox="0 0 1000 500")"));
+    EXPECT_THAT(svg(linesOf({}, {300, 300}), settingsOf({{"dpi", "300"}})), HasSubstr(R"(width="25.4mm")"));
+}
+
+TEST(LinesSvg, standsInTheMiddleOfASheetWhoseShapeItsCoordinatesHave) {
+    const Lines lines = linesOf({lineThrough({{10, 10}, {90, 90}})});
     // 200 pixels across 400 mm, with margins above and below: half a pixel a millimetre.
-    EXPECT_THAT(svg(lines, settingsOf({{"line-width", "3mm"}, {"page-size", "400mmx500mm"}})),
-                AllOf(HasSubstr(R"(width="400mm" height="500mm")"), HasSubstr(R"(viewBox="0 0 200 100")"),
-                      HasSubstr(R"(stroke-width="1.5")"), HasSubstr("clip-path")));
-    expectWellFormed(svg(lines, settingsOf({{"page-size", "A4"}})));
+    const auto onSheet = [](const std::string& sheet) {
+        return settingsOf({{"line-width", "3mm"}, {"page-size", sheet}, {"background", "#ffe"}});
+    };
+    const std::string text = svg(lines, onSheet("400mmx500mm"));
+    expectWellFormed(text);
+    const std::string moved = "transform=\"translate(0 75)\"";
+    EXPECT_THAT(
+        text, AllOf(HasSubstr(R"(width="400mm" height="500mm" viewBox="0 0 200 250")"),
+                    HasSubstr(R"(width="200" height="100" fill="#ffffee" )" + moved + "/>"),
+                    HasSubstr(layerOf("outline", "visible") + R"( stroke="#000000" stroke-width="1.5" )" + moved + ">"),
+                    HasSubstr("d=\"m10 10 80 80\"")));
+    EXPECT_THAT(svg(lines, onSheet("500mmx200mm")),
+                AllOf(HasSubstr(R"(viewBox="0 0 250 100")"), HasSubstr("translate(25 0)")));
+    EXPECT_THAT(svg(lines, onSheet("400mmx200mm")),
+                AllOf(HasSubstr(R"(viewBox="0 0 200 100")"), Not(HasSubstr("transform"))));
+    EXPECT_THAT(svg(linesOf({}, {700, 300}), onSheet("210mmx90mm")), Not(HasSubstr("transform"))) << "but for rounding";
+}
+
+TEST(LinesSvg, hasNoRectangleThatShowsNothing) {
+    const auto onSheet = [](const std::string& page) {
+        return settingsOf({{"page-size", page}, {"background", "none"}, {"line-width", "4"}});
+    };
+    const Lines inside = linesOf({lineThrough({{2.5, 2.5}, {190, 90}})});
+    EXPECT_THAT(svg(inside, onSheet("A4")), AllOf(Not(HasSubstr("<rect")), Not(HasSubstr("clip"))));
+    EXPECT_THAT(svg(inside), AllOf(HasSubstr("<rect"), Not(HasSubstr("clip"))));
+    for (const Lines& cut : {linesOf({lineThrough({{10, 1.5}, {190, 90}})}),  // half its width lies beyond
+                             linesOf({lineThrough({{10, 10}, {250, 90}})})}) {
+        const std::string text = svg(cut, onSheet("A4"));
+        expectWellFormed(text);
+        EXPECT_THAT(text, AllOf(HasSubstr(R"(<clipPath id="picture"><rect width="200" height="100"/></clipPath>)"),
+                                HasSubstr("clip-path=\"url(#picture)\">")));
+        EXPECT_THAT(svg(cut, onSheet("400mmx200mm")), Not(HasSubstr("clip"))) << "the sheet's edges cut";
+    }
+    Settings settings = onSheet("A4");
+    set(settings, "stroke-taper", "20", "stroke-taper");
+    EXPECT_THAT(svg(inside, settings), Not(HasSubstr("clip")));
+    EXPECT_THAT(svg(linesOf({lineThrough({{10, 10}, {250, 90}})}), settings), HasSubstr("clip-path"));
 }
 
 TEST(LinesSvg, escapesWhatXmlDoesNotTake) {
