@@ -8,6 +8,17 @@ namespace inkedge::formats {
 
 [[nodiscard]] constexpr bool isBlank(char c) noexcept { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
+/// A text without the byte-order mark of UTF-8 that it may start with.
+[[nodiscard]] inline std::string_view withoutByteOrderMark(std::string_view text) noexcept {
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    return text.substr(text.starts_with(mark) ? mark.size() : 0);
+}
+
+/// Whether a text says by its byte-order mark that it is in UTF-16, which no format is.
+[[nodiscard]] inline bool isUtf16(std::string_view text) noexcept {
+    return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
+}
+
 /// A text without the blanks at its start.
 [[nodiscard]] inline std::string_view trimmed(std::string_view text) noexcept {
     std::size_t start = 0;

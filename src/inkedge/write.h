@@ -36,7 +36,8 @@ namespace inkedge {
 /// (encodePng(maps.types) keeps the types' bits). EXR holds the maps in layers depth.Z (scene units), normal.X/Y/Z,
 /// depth-edges.Y, normal-edges.Y, edges.Y, types.V (the bits) and, for the ids, patch.V, across.V, object.V and
 /// material.V, beside the picture's R, G, B and, of four channels, A (linear light, premultiplied). All are floats,
-/// which hold ids up to 16777216 exactly. The header has inkedge:near, inkedge:far, inkedge:view and inkedge:projection.
+/// which hold ids up to 16777216 exactly. Its header has inkedge:near, inkedge:far, inkedge:view and
+/// inkedge:projection.
 /// @return        the files written, as outputFiles() gives them
 /// @throws Error  (Kind::Output) if one cannot be written, or an EXR's ids are larger; none is left half-written
 INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<const Map> maps,
@@ -46,8 +47,8 @@ INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<
 /// wants them, cut at the picture's edges (and half a width beyond), as polylines or curves within
 /// settings.lines.simplify, less Lines::tolerance, or .fitCurves. Its coordinates are pixels of lines.size; its width
 /// and height are the page's, or pixels, or millimetres where a width or settings.picture.dpi says so; on a page of
-/// another shape the drawing is moved to the middle. One group a type and visibility, what covers last, with the classes
-/// "inkedge", the type's name, "visible" or "hidden", and both as in "crease-hidden", by which it is a layer of
+/// another shape the drawing is moved to the middle. One group a type and visibility, what covers last, with the
+/// classes "inkedge", the type's name, "visible" or "hidden", and both as in "crease-hidden", by which it is a layer of
 /// Inkscape's, too; in it one path an object, or more where one would have over 32,000 points, whose data-object is
 /// Line::object. Where widths vary a path is the filled outline of its strokes, all straight. Metadata holds a JSON
 /// object: camera, size, bounds, settings.

@@ -256,9 +256,10 @@ private:
 }  // namespace
 
 PolygonFile readObj(std::string_view content, Coordinates coordinates) {
+    if (formats::isUtf16(content)) base::refuse("expected OBJ, found UTF-16 text: save it as UTF-8");
     if (const std::size_t zero = content.find('\0'); zero != std::string_view::npos)
         base::refuse(fmt::format("expected OBJ, found a zero byte at byte {}", zero));
-    return Reader{content, coordinates}.read();
+    return Reader{formats::withoutByteOrderMark(content), coordinates}.read();
 }
 
 }  // namespace inkedge::polygons

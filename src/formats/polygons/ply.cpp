@@ -392,6 +392,7 @@ bool hasDoubles(const Header& header) {
 }  // namespace
 
 PolygonFile readPly(std::string_view content, Coordinates coordinates) {
+    content = formats::withoutByteOrderMark(content);
     Header header = takeHeader(content);
     checkHeader(header);
     if (header.encoding == Encoding::Text) return Reader{TextData{content}, coordinates}.read(header, true);

@@ -56,15 +56,21 @@ private:
             for (;; ++facet_) {
                 const std::string_view word = formats::takeWord(rest_);
                 if (is(word, "endsolid")) return skipLine();
-                if (word.empty() && file_.faceCount > 0) {
-                    file_.warnings.emplace_back("expected endsolid, found the end of the file: it may be truncated");
-                    return;
-                }
+                if (file_.faceCount > 0 && (word.empty() || is(word, "solid"))) return readOpenEnd(word);
                 readFacet(word);
             }
         } catch (const Error& error) {
             throw Error{error.kind(), base::label("facet", facet_) + ": " + error.what()};
         }
+    }
+
+    // Reads what stands in place of endsolid: the end of the file, or the solid that is next, if the word is not empty.
+    void readOpenEnd(std::string_view word) {
+        if (!word.empty()) rest_ = {word.data(), static_cast<std::size_t>(rest_.data() + rest_.size() - word.data())};
+        const std::string_view warning = word.empty()
+                                             ? "expected endsolid, found the end of the file: it may be truncated"
+                                             : "expected endsolid, found solid: what follows is read as the next solid";
+        if (std::ranges::find(file_.warnings, warning) == file_.warnings.end()) file_.warnings.emplace_back(warning);
     }
 
     void readFacet(std::string_view first) {
@@ -123,11 +129,13 @@ std::size_t triangleCount(ByteSpan bytes, PolygonFile& file) {
     const std::uint64_t said = wordAt(bytes, headerSize);
     const std::size_t found = (bytes.size() - dataStart) / triangleSize;
     if (said != 0 && size <= bytes.size()) return said;
-    if (found == 0 || (bytes.size() - dataStart) % triangleSize != 0)
+    if (found == 0 || (bytes.size() - dataStart) % triangleSize != 0) {
+        if (formats::isUtf16(base::textOf(bytes))) base::refuse("expected STL, found UTF-16 text: save it as UTF-8");
         base::refuse(
             fmt::format("expected {} bytes for the {} triangles that the header says, found {}: the file is "
                         "truncated or no STL",
                         size, said, bytes.size()));
+    }
     file.warnings.push_back(
         fmt::format("expected {} triangles, as the header says, found {}: all are read", said, found));
     return found;
@@ -159,11 +167,9 @@ PolygonFile readBinary(ByteSpan bytes) {
 }  // namespace
 
 PolygonFile readStl(ByteSpan bytes) {
-    constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
-    std::string_view content = base::textOf(bytes);
+    const std::string_view content = formats::withoutByteOrderMark(base::textOf(bytes));
     const bool exact = bytes.size() > dataStart && binarySize(bytes) == bytes.size();
     if (!exact && content.find('\0') == std::string_view::npos) {
-        if (content.starts_with(byteOrderMark)) content.remove_prefix(byteOrderMark.size());
         if (!is(formats::trimmed(content).substr(0, 5), "solid"))
             base::refuse(fmt::format("expected STL, found {}", base::kindOf(content)));
         PolygonFile file = TextReader{content}.read();

@@ -33,8 +33,14 @@ TEST_F(LoadPolygons, refusesWhatIsNotOfTheFormat) {
     EXPECT_EQ(refusal(PolygonFormat::Stl, "<html>"), "expected STL, found HTML or XML");
     EXPECT_EQ(refusal(PolygonFormat::Ply, "<html>\n"), "expected PLY, found HTML or XML");
     EXPECT_EQ(refusal(PolygonFormat::Ply, "ply"), "expected end_header, found the end of the file: it is truncated");
-    for (const PolygonFormat format : {PolygonFormat::Obj, PolygonFormat::Stl, PolygonFormat::Ply})
+    for (const PolygonFormat format : {PolygonFormat::Obj, PolygonFormat::Stl, PolygonFormat::Ply}) {
         EXPECT_EQ(refusal(format, ""), "expected a file with content, found an empty one");
+        for (const char* const mark : {"\xff\xfe", "\xfe\xff"}) {
+            std::string wide = mark;
+            for (const char c : triangleObj + triangleStl + squarePly) wide += {c, '\0'};
+            EXPECT_THAT(refusal(format, wide), HasSubstr("found UTF-16 text"));
+        }
+    }
 }
 
 TEST_F(LoadPolygons, refusesTruncatedStl) {
@@ -54,7 +60,10 @@ TEST_F(LoadPolygons, readsStlWhoseHeaderOrEndIsWrongWithAWarning) {
     const Scene::Data open = stl(triangleStl.substr(0, triangleStl.find("endsolid")));
     EXPECT_EQ(corners(open), triangleCorners);
     EXPECT_THAT(open.warnings, ElementsAre("expected endsolid, found the end of the file: it may be truncated"));
-    EXPECT_EQ(corners(stl("\xef\xbb\xbf" + triangleStl)), triangleCorners);
+    const std::string solid = triangleStl.substr(0, triangleStl.find("endsolid"));
+    const Scene::Data inARow = stl(solid + solid + triangleStl);
+    EXPECT_EQ(inARow.meshes.at(0).indices.size(), 9U);
+    EXPECT_THAT(inARow.warnings, ElementsAre("expected endsolid, found solid: what follows is read as the next solid"));
     for (const std::uint32_t said : {0U, 2U, 4294967295U}) {
         std::string binary = binaryStl(1);
         binary.replace(80, 4, raw(said));

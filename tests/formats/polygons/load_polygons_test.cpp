@@ -189,10 +189,34 @@ TEST_F(LoadPolygons, keepsWhatIsFinerThanFloatsFarFromTheOrigin) {
     }
 }
 
+TEST_F(LoadPolygons, readsTextWithAByteOrderMarkWhateverItsLineEnds) {
+    const std::string triangle = ply("ascii", floatXyz, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 3);
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+        const auto marked = [&](std::string text) {
+            for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += end.size())
+                text.replace(at, 1, end);
+            return "\xef\xbb\xbf" + text;
+        };
+        for (const Scene::Data& data :
+             {obj(marked(triangleObj)), stl(marked(triangleStl)), plyFile(marked(triangle))}) {
+            EXPECT_EQ(corners(data), triangleCorners);
+            EXPECT_THAT(data.warnings, IsEmpty());
+        }
+    }
+}
+
 TEST_F(LoadPolygons, readsPlyFacesThatComeBeforeTheirVertices) {
     const std::string header = "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\n";
     const std::string square = header + "element vertex 4\n" + floatXyz + "end_header\n4 0 1 2 3\n";
     EXPECT_EQ(area(plyFile(square + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n")), glm::dvec3(0, 0, 1));
+    const std::string binary =
+        "ply\nformat binary_little_endian 1.0\nelement face 1\nproperty list uchar int "
+        "vertex_indices\nproperty uchar flags\nelement edge 1\nproperty int vertex1\nelement "
+        "vertex 3\n" +
+        floatXyz + "end_header\n";
+    const std::string face = raw<std::uint8_t>(3) + raw<std::int32_t>({0, 1, 2}) + '\x7f' + raw<std::int32_t>(0);
+    EXPECT_EQ(corners(plyFile(binary + face + raw<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}))), triangleCorners);
+    EXPECT_THAT(refusal(PolygonFormat::Ply, square + "0 0 0\n1 0 0\n1 1 0\n"), HasSubstr("expected "));
 }
 
 TEST_F(LoadPolygons, readsObjCommentsIndentationAndLineEnds) {
