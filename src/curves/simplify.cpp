@@ -22,8 +22,15 @@ double squaredDistance(glm::dvec2 p, glm::dvec2 from, glm::dvec2 to) {
     return glm::dot(offset, offset);
 }
 
-// Marks the points to keep between two points that are kept.
-void keepBetween(const std::vector<LinePoint>& points, std::size_t first, std::size_t last, double tolerance,
+std::size_t furthestFrom(const std::vector<LinePoint>& points, glm::dvec2 pixel) {
+    const auto far = std::ranges::max_element(
+        points, {}, [&](const LinePoint& p) { return glm::dot(p.pixel - pixel, p.pixel - pixel); });
+    return static_cast<std::size_t>(far - points.begin());
+}
+
+}  // namespace
+
+void keepBetween(std::span<const glm::dvec2> points, std::size_t first, std::size_t last, double tolerance,
                  std::vector<bool>& kept) {
     std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
     while (!open.empty()) {
@@ -32,7 +39,7 @@ void keepBetween(const std::vector<LinePoint>& points, std::size_t first, std::s
         double largest = tolerance * tolerance;
         std::size_t furthest = from;
         for (std::size_t i = from + 1; i < to; ++i) {
-            const double d = squaredDistance(points[i].pixel, points[from].pixel, points[to].pixel);
+            const double d = squaredDistance(points[i], points[from], points[to]);
             if (d <= largest) continue;
             largest = d;
             furthest = i;
@@ -43,14 +50,6 @@ void keepBetween(const std::vector<LinePoint>& points, std::size_t first, std::s
         open.emplace_back(furthest, to);
     }
 }
-
-std::size_t furthestFrom(const std::vector<LinePoint>& points, glm::dvec2 pixel) {
-    const auto far = std::ranges::max_element(
-        points, {}, [&](const LinePoint& p) { return glm::dot(p.pixel - pixel, p.pixel - pixel); });
-    return static_cast<std::size_t>(far - points.begin());
-}
-
-}  // namespace
 
 Line simplify(const Line& line, double tolerance) {
     Line result = line;
@@ -64,10 +63,12 @@ Line simplify(const Line& line, double tolerance) {
     for (std::size_t i = longestChain; i < points.size(); i += longestChain) anchors.push_back(i);
     std::ranges::sort(anchors);
 
+    std::vector<glm::dvec2> pixels(points.size());
+    std::ranges::transform(points, pixels.begin(), &LinePoint::pixel);
     std::vector<bool> kept(points.size(), false);
     for (const std::size_t anchor : anchors) kept[anchor] = true;
     for (std::size_t i = 1; i < anchors.size(); ++i) {
-        keepBetween(points, anchors[i - 1], anchors[i], tolerance, kept);
+        keepBetween(pixels, anchors[i - 1], anchors[i], tolerance, kept);
     }
     if (line.closed) kept.back() = false;  // the first again
     result.points.clear();

@@ -35,17 +35,17 @@ static_assert(sizeof(PaintEntry) == 48);
 
 // A copy half as wide and high: each texel is the mean of four. The last row and column of odd sizes are left out.
 Picture halved(const Picture& picture) {
-    const Size size{std::max(picture.size.width / 2, 1), std::max(picture.size.height / 2, 1)};
+    const Size size{std::max(picture.size().width / 2, 1), std::max(picture.size().height / 2, 1)};
     Picture half{size, 4};
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) {
-            const int right = std::min(2 * x + 1, picture.size.width - 1);
-            const int below = std::min(2 * y + 1, picture.size.height - 1);
+            const int right = std::min(2 * x + 1, picture.size().width - 1);
+            const int below = std::min(2 * y + 1, picture.size().height - 1);
             for (int c = 0; c < 4; ++c) {
-                const int sum = picture.at(2 * x < right ? 2 * x : right, 2 * y < below ? 2 * y : below, c) +
-                                picture.at(right, 2 * y < below ? 2 * y : below, c) +
-                                picture.at(2 * x < right ? 2 * x : right, below, c) + picture.at(right, below, c);
-                half.at(x, y, c) = static_cast<std::uint8_t>((sum + 2) / 4);
+                const int sum = picture(2 * x < right ? 2 * x : right, 2 * y < below ? 2 * y : below, c) +
+                                picture(right, 2 * y < below ? 2 * y : below, c) +
+                                picture(2 * x < right ? 2 * x : right, below, c) + picture(right, below, c);
+                half(x, y, c) = static_cast<std::uint8_t>((sum + 2) / 4);
             }
         }
     }
@@ -53,20 +53,20 @@ Picture halved(const Picture& picture) {
 }
 
 std::uint32_t texel(const Picture& picture, std::size_t i) {
-    const std::uint8_t* const p = &picture.pixels[4 * i];
+    const std::uint8_t* const p = &picture.pixels()[4 * i];
     return p[0] | std::uint32_t{p[1]} << 8U | std::uint32_t{p[2]} << 16U | std::uint32_t{p[3]} << 24U;
 }
 
 // Appends the halved copies of a picture, from the first that is no larger than maxSide down to one texel.
 void append(const Picture& source, int maxSide, PaintEntry& entry, std::vector<std::uint32_t>& texels) {
     Picture picture = source;
-    while (std::max(picture.size.width, picture.size.height) > maxSide) picture = halved(picture);
+    while (std::max(picture.size().width, picture.size().height) > maxSide) picture = halved(picture);
     entry.first = static_cast<GLuint>(texels.size());
-    entry.width = static_cast<GLuint>(picture.size.width);
-    entry.height = static_cast<GLuint>(picture.size.height);
+    entry.width = static_cast<GLuint>(picture.size().width);
+    entry.height = static_cast<GLuint>(picture.size().height);
     for (entry.levels = 1;; ++entry.levels) {
-        for (std::size_t i = 0; i < picture.pixels.size() / 4; ++i) texels.push_back(texel(picture, i));
-        if (picture.size.width == 1 && picture.size.height == 1) return;
+        for (std::size_t i = 0; i < picture.pixels().size() / 4; ++i) texels.push_back(texel(picture, i));
+        if (picture.size().width == 1 && picture.size().height == 1) return;
         picture = halved(picture);
     }
 }
@@ -77,7 +77,7 @@ int sideThatFits(const Scene& scene, std::size_t maxTexels) {
         std::size_t sum = 0;
         for (const Material& material : scene.materials()) {
             if (!material.picture) continue;
-            auto [width, height] = material.picture->size;
+            auto [width, height] = material.picture->size();
             while (std::max(width, height) > side) width = std::max(width / 2, 1), height = std::max(height / 2, 1);
             sum += static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3 / 2 + 32;
         }
@@ -109,11 +109,11 @@ TextureName uploadPicture(const Api& api, const Picture& picture) {
     GLuint id = 0;
     api.CreateTextures(GL_TEXTURE_2D, 1, &id);
     TextureName name{api, id};
-    const auto [width, height] = picture.size;
+    const auto [width, height] = picture.size();
     api.TextureStorage2D(id, 1, GL_RGBA8, width, height);
     api.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     api.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    api.TextureSubImage2D(id, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, picture.pixels.data());
+    api.TextureSubImage2D(id, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, picture.pixels().data());
     api.TextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     api.TextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     api.TextureParameteri(id, GL_TEXTURE_WRAP_S, GL_REPEAT);

@@ -23,7 +23,7 @@ template <class T>
 Image<T> read(const Api& api, const Framebuffer& source, int channels, GLenum format, GLenum type) {
     Image<T> image{source.size(), channels};
     prepareReading(api, source);
-    api.ReadPixels(0, 0, image.size.width, image.size.height, format, type, image.pixels.data());
+    api.ReadPixels(0, 0, image.size().width, image.size().height, format, type, image.mutablePixels().data());
     return image;
 }
 
@@ -34,7 +34,7 @@ raster::Samples<T> read(const Api& api, const Framebuffer& source, int channels,
     prepareReading(api, source);
     api.PixelStorei(GL_PACK_ROW_LENGTH, samples.size.width);
     for (const auto& [x, y, size] : regions) {
-        api.ReadPixels(x, y, size.width, size.height, format, type, &samples.at(x, y));
+        api.ReadPixels(x, y, size.width, size.height, format, type, &samples(x, y));
     }
     return samples;
 }

@@ -16,9 +16,9 @@ void writeBytes(const Api& api, const Image<std::uint8_t>& image, const raster::
                 const Texture& texture) {
     api.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     api.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    api.PixelStorei(GL_UNPACK_ROW_LENGTH, image.size.width);
+    api.PixelStorei(GL_UNPACK_ROW_LENGTH, image.size().width);
     api.TextureSubImage2D(texture.id(), 0, 0, 0, part.size.width, part.size.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                          &image.at(part.x, part.y));
+                          &image(part.x, part.y));
     api.PixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 

@@ -36,8 +36,8 @@ std::optional<Image<std::uint8_t>> decodeOpacity(std::span<const std::uint8_t> p
         base::refuse(fmt::format("expected a PNG or JPEG picture, found {}", base::kindOf(base::textOf(picture))));
     if (!pngHasAlpha(picture, maxPixels)) return {};
     const Image<std::uint8_t> greyAlpha = readPngToLookAt(picture, maxPixels, PngChannels::GreyAlpha);
-    Image<std::uint8_t> alpha{greyAlpha.size, 1};
-    for (std::size_t i = 0; i < alpha.pixels.size(); ++i) alpha.pixels[i] = greyAlpha.pixels[2 * i + 1];
+    Image<std::uint8_t> alpha{greyAlpha.size(), 1};
+    for (std::size_t i = 0; i < alpha.pixels().size(); ++i) alpha.mutablePixels()[i] = greyAlpha.pixels()[2 * i + 1];
     return alpha;
 }
 
@@ -45,10 +45,10 @@ Image<std::uint8_t> decodeInk(std::span<const std::uint8_t> picture, std::uint64
     if (!seemsPng(picture))
         base::refuse(fmt::format("expected a PNG picture, found {}", base::kindOf(base::textOf(picture))));
     const Image<std::uint8_t> greyAlpha = readPngToLookAt(picture, maxPixels, PngChannels::GreyAlpha);
-    Image<std::uint8_t> ink{greyAlpha.size, 1};
-    for (std::size_t i = 0; i < ink.pixels.size(); ++i)
-        ink.pixels[i] =
-            static_cast<std::uint8_t>(((255 - greyAlpha.pixels[2 * i]) * greyAlpha.pixels[2 * i + 1] + 127) / 255);
+    Image<std::uint8_t> ink{greyAlpha.size(), 1};
+    for (std::size_t i = 0; i < ink.pixels().size(); ++i)
+        ink.mutablePixels()[i] =
+            static_cast<std::uint8_t>(((255 - greyAlpha.pixels()[2 * i]) * greyAlpha.pixels()[2 * i + 1] + 127) / 255);
     return ink;
 }
 

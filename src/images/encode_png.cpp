@@ -83,16 +83,16 @@ std::uint32_t packed(const std::uint8_t* pixel, int channels) {
 std::optional<Palette> paletteOf(const Image<std::uint8_t>& image) {
     constexpr std::size_t maxColors = 256;
     constexpr std::size_t worthIt = 16 * maxColors;  // pixels
-    const auto channels = static_cast<std::size_t>(image.channels);
-    const std::size_t pixels = image.pixels.size() / channels;
+    const auto channels = static_cast<std::size_t>(image.channels());
+    const std::size_t pixels = image.pixels().size() / channels;
     if (channels == 1 || pixels < worthIt) return {};
-    Palette palette{{}, {}, {image.size, 1}};
+    Palette palette{{}, {}, {image.size(), 1}};
     std::unordered_map<std::uint32_t, std::uint8_t> known;
     std::optional<std::uint32_t> last;
     std::uint8_t index = 0;
     for (std::size_t i = 0; i < pixels; ++i) {
-        const std::uint8_t* const pixel = &image.pixels[i * channels];
-        if (const std::uint32_t color = packed(pixel, image.channels); color != last) {
+        const std::uint8_t* const pixel = &image.pixels()[i * channels];
+        if (const std::uint32_t color = packed(pixel, image.channels()); color != last) {
             const auto [found, added] = known.try_emplace(color, static_cast<std::uint8_t>(known.size()));
             if (known.size() > maxColors) return {};
             if (added) palette.colors.push_back({pixel[0], pixel[1], pixel[2]});
@@ -100,7 +100,7 @@ std::optional<Palette> paletteOf(const Image<std::uint8_t>& image) {
             index = found->second;
             last = color;
         }
-        palette.indices.pixels[i] = index;
+        palette.indices.mutablePixels()[i] = index;
     }
     return palette;
 }
@@ -123,9 +123,9 @@ bool encode(Encoder& encoder, const Image<Sample>& image, const Palette* palette
     png_set_user_limits(encoder.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_write_fn(encoder.png, &encoder, append, flush);
     chooseQuickCompression(encoder.png);
-    png_set_IHDR(encoder.png, encoder.info, static_cast<png_uint_32>(image.size.width),
-                 static_cast<png_uint_32>(image.size.height), 8 * static_cast<int>(sizeof(Sample)),
-                 palette != nullptr ? PNG_COLOR_TYPE_PALETTE : colorType(image.channels), PNG_INTERLACE_NONE,
+    png_set_IHDR(encoder.png, encoder.info, static_cast<png_uint_32>(image.size().width),
+                 static_cast<png_uint_32>(image.size().height), 8 * static_cast<int>(sizeof(Sample)),
+                 palette != nullptr ? PNG_COLOR_TYPE_PALETTE : colorType(image.channels()), PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (palette != nullptr) {
         png_set_PLTE(encoder.png, encoder.info, palette->colors.data(), static_cast<int>(palette->colors.size()));
@@ -136,7 +136,7 @@ bool encode(Encoder& encoder, const Image<Sample>& image, const Palette* palette
     }
     png_write_info(encoder.png, encoder.info);
     if (sizeof(Sample) == 2 && std::endian::native == std::endian::little) png_set_swap(encoder.png);
-    for (int y = 0; y < image.size.height; ++y)
+    for (int y = 0; y < image.size().height; ++y)
         png_write_row(encoder.png, reinterpret_cast<png_const_bytep>(&image.at(0, y)));
     png_write_end(encoder.png, encoder.info);
     return true;
@@ -144,7 +144,7 @@ bool encode(Encoder& encoder, const Image<Sample>& image, const Palette* palette
 
 template <class Sample>
 void expectEncodable(const Image<Sample>& image) {
-    static_cast<void>(colorType(image.channels));
+    static_cast<void>(colorType(image.channels()));
     if (image.empty()) throw Error{Error::Kind::Usage, "PNG: expected a picture of at least one pixel, found none"};
 }
 
@@ -156,7 +156,7 @@ std::vector<std::uint8_t> encoded(const Image<Sample>& image, const Palette* pal
     if (encoder.info == nullptr) throw std::bad_alloc{};
     if (!encode(encoder, image, palette)) {
         throw Error{Error::Kind::Runtime, fmt::format("PNG: a picture of {} x {} cannot be encoded: {}",
-                                                      image.size.width, image.size.height, encoder.failure)};
+                                                      image.size().width, image.size().height, encoder.failure)};
     }
     return std::move(encoder.bytes);
 }

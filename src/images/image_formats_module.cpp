@@ -36,7 +36,7 @@ OIIO::TypeDesc typeDesc(SampleType type) {
 }
 
 Size sizeOf(const Layer& layer) {
-    return std::visit([](const auto* image) { return image->size; }, layer.image);
+    return std::visit([](const auto* image) { return image->size(); }, layer.image);
 }
 
 OIIO::ImageSpec describe(FileFormat format, std::span<const Layer> layers, std::span<const HeaderEntry> header) {
@@ -71,9 +71,9 @@ void interleave(const Image<T>& image, int begin, int end, std::size_t first, st
                 std::vector<float>& rows) {
     std::size_t pixel = first;
     for (int y = begin; y < end; ++y) {
-        for (int x = 0; x < image.size.width; ++x, pixel += stride) {
-            for (int c = 0; c < image.channels; ++c) {
-                rows[pixel + static_cast<std::size_t>(c)] = normalised(image.at(x, y, c));
+        for (int x = 0; x < image.size().width; ++x, pixel += stride) {
+            for (int c = 0; c < image.channels(); ++c) {
+                rows[pixel + static_cast<std::size_t>(c)] = normalised(image(x, y, c));
             }
         }
     }
@@ -121,7 +121,7 @@ ReadPicture readFile(const std::filesystem::path& path) {
     const OIIO::ImageSpec& spec = input->spec();
     result.image = Image<float>{{spec.width, spec.height}, spec.nchannels};
     result.integers = !spec.format.is_floating_point();
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, result.image.pixels.data())) {
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, result.image.mutablePixels().data())) {
         result.failure = "expected a whole picture, found: " + modules::oneLine(input->geterror()) + notThisFile;
     }
     return result;
@@ -129,8 +129,8 @@ ReadPicture readFile(const std::filesystem::path& path) {
 
 /// Wraps an image without copying it.
 OIIO::ImageBuf view(const Image<float>& image) {
-    const OIIO::ImageSpec spec{image.size.width, image.size.height, image.channels, OIIO::TypeFloat};
-    return OIIO::ImageBuf{spec, const_cast<float*>(image.pixels.data())};  // only read, but ImageBuf takes no const
+    const OIIO::ImageSpec spec{image.size().width, image.size().height, image.channels(), OIIO::TypeFloat};
+    return OIIO::ImageBuf{spec, const_cast<float*>(image.pixels().data())};  // only read, but ImageBuf takes no const
 }
 
 Differences measure(const Image<float>& a, const Image<float>& b, double level) {
@@ -161,7 +161,7 @@ DecodedPicture decodeJpeg(std::span<const std::uint8_t> bytes, std::uint64_t max
     DecodedPicture picture{Image<std::uint8_t>{{spec.width, spec.height}, 4, 255}, {}};
     for (std::size_t i = 0; i < pixels; ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
-            picture.image.pixels[4 * i + c] = read[channels * i + (channels < 3 ? 0 : c)];
+            picture.image.mutablePixels()[4 * i + c] = read[channels * i + (channels < 3 ? 0 : c)];
         }
     }
     return picture;

@@ -143,7 +143,7 @@ bool readPixels(Decoder& decoder, std::span<std::uint8_t> to) {
 }
 
 template <class Sample>
-void scale(const std::vector<std::uint8_t>& bytes, float largest, std::vector<float>& pixels) {
+void scale(const std::vector<std::uint8_t>& bytes, float largest, std::span<float> pixels) {
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         Sample sample{};
         std::memcpy(&sample, bytes.data() + i * sizeof sample, sizeof sample);
@@ -178,9 +178,9 @@ ReadPicture readPng(std::span<const std::uint8_t> bytes) {
     if (!readPixels(decoder, samples) || !readEnd(decoder) || !endsWhole(decoder)) return failed();
     ReadPicture result{{decoder.size(), png_get_channels(decoder.png, decoder.info)}, true, {}};
     if (png_get_bit_depth(decoder.png, decoder.info) == 16) {
-        scale<std::uint16_t>(samples, 65535.0F, result.image.pixels);
+        scale<std::uint16_t>(samples, 65535.0F, result.image.mutablePixels());
     } else {
-        scale<std::uint8_t>(samples, 255.0F, result.image.pixels);
+        scale<std::uint8_t>(samples, 255.0F, result.image.mutablePixels());
     }
     return result;
 }
@@ -191,7 +191,7 @@ Image<std::uint8_t> readPngToLookAt(std::span<const std::uint8_t> bytes, std::ui
     beginToLook(decoder, maxPixels);
     if (!canHoldItsRows(decoder) || !askForLooks(decoder, channels)) refuseDamaged(decoder);
     Image<std::uint8_t> image{decoder.size(), channels == PngChannels::Rgba ? 4 : 2};
-    if (!readPixels(decoder, image.pixels)) refuseDamaged(decoder);
+    if (!readPixels(decoder, image.mutablePixels())) refuseDamaged(decoder);
     return image;
 }
 

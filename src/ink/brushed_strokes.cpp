@@ -72,17 +72,17 @@ void BrushedStrokes::coverLine(Image<float>& coverage, Rows rows, std::span<cons
     for (const BoxedStroke& stroke : strokes) add(stroke, rows);
     for (int y = all.y0 - rows.first; y <= all.y1 - rows.first; ++y) {
         for (int x = all.x0; x <= all.x1; ++x) {
-            const float ofLine = coverage_.at(x, y);
-            float& covered = coverage.at(x, y);
-            if (ofLine > 0.0F) covered = std::max(covered, ofLine * ink_.at(x, y));
+            const float ofLine = coverage_(x, y);
+            float& covered = coverage(x, y);
+            if (ofLine > 0.0F) covered = std::max(covered, ofLine * ink_(x, y));
         }
     }
 }
 
 void BrushedStrokes::clear(PixelBox box, Rows rows) {
     for (int y = box.y0 - rows.first; y <= box.y1 - rows.first; ++y) {
-        std::fill(&coverage_.at(box.x0, y), &coverage_.at(box.x1, y) + 1, 0.0F);
-        std::fill(&distance_.at(box.x0, y), &distance_.at(box.x1, y) + 1, std::numeric_limits<float>::infinity());
+        std::fill(&coverage_(box.x0, y), &coverage_(box.x1, y) + 1, 0.0F);
+        std::fill(&distance_(box.x0, y), &distance_(box.x1, y) + 1, std::numeric_limits<float>::infinity());
     }
 }
 
@@ -99,12 +99,12 @@ void BrushedStrokes::add(const BoxedStroke& boxed, Rows rows) {
         const float distance = std::sqrt(pixel.distanceSquared);
         const float width = line.end > 0.0F ? glm::mix(ends.from, ends.to, pixel.nearest / line.end) : ends.from;
         covered = std::max(covered, BandShare{pixel.across(line, distance), width}.at(distance));
-        float& nearest = distance_.at(x, y - rows.first);
+        float& nearest = distance_(x, y - rows.first);
         if (distance >= nearest) return;
         nearest = distance;
         const float side = glm::dot(pixel.centre, line.normal);
         const bool beyond = (pixel.along < 0.0F && inLine.opensFrom) || (pixel.along > line.end && inLine.opensTo);
-        ink_.at(x, y - rows.first) =
+        ink_(x, y - rows.first) =
             brush.inkAt(stretch * (stroke.arc + (beyond ? pixel.along : pixel.nearest)),
                         (beyond ? side : std::copysign(distance, side)) / std::max(width, shortestOffset));
     });

@@ -27,16 +27,16 @@ struct Strip {
 void blend(Strip& strip, Color color) {
     const float channels[3]{static_cast<float>(color.red), static_cast<float>(color.green),
                             static_cast<float>(color.blue)};
-    const auto count = static_cast<std::size_t>(strip.picture.channels);
-    float* pixel = strip.picture.pixels.data();
+    const auto count = static_cast<std::size_t>(strip.picture.channels());
+    float* pixel = strip.picture.mutablePixels().data();
     if (count == 1) {
-        for (const float c : strip.coverage.pixels) {
+        for (const float c : strip.coverage.pixels()) {
             *pixel += (channels[0] - *pixel) * c;
             ++pixel;
         }
         return;
     }
-    for (const float c : strip.coverage.pixels) {
+    for (const float c : strip.coverage.pixels()) {
         if (c != 0.0F && count == 4) {  // straight alpha: the colour is that of the ink alone
             const float alpha = c + pixel[3] / 255.0F * (1.0F - c);
             for (int k = 0; k < 3; ++k) pixel[k] += (channels[k] - pixel[k]) * c / alpha;
@@ -86,8 +86,8 @@ Image<std::uint8_t> emptyPicture(const PictureSettings& settings, settings::Pape
     if (channelCount == 1) return {settings.size, 1, behind.red};
     Image<std::uint8_t> picture{settings.size, channelCount};
     const std::uint8_t channels[3]{behind.red, behind.green, behind.blue};
-    for (std::size_t i = 0; i < picture.pixels.size(); i += static_cast<std::size_t>(picture.channels)) {
-        std::copy_n(channels, 3, picture.pixels.begin() + static_cast<std::ptrdiff_t>(i));
+    for (std::size_t i = 0; i < picture.pixels().size(); i += static_cast<std::size_t>(picture.channels())) {
+        std::copy_n(channels, 3, picture.mutablePixels().begin() + static_cast<std::ptrdiff_t>(i));
     }
     return picture;
 }
@@ -115,14 +115,14 @@ void coverPlain(Strip& strip, std::span<const BoxedStroke> strokes, const Coat& 
 // Paints strokes over the part of a picture that a strip covers.
 void paint(Strip& strip, std::span<const BoxedStroke> strokes, std::span<const Coat> coats,
            Image<std::uint8_t>& picture, std::optional<BrushedStrokes>& brushed) {
-    const auto begin = &picture.at(0, strip.rows.first);
-    const int rows = std::min(stripRows, picture.size.height - strip.rows.first);
-    const std::ptrdiff_t values = std::ptrdiff_t{rows} * picture.size.width * picture.channels;
-    std::copy_n(begin, values, strip.picture.pixels.begin());
+    const auto begin = &picture(0, strip.rows.first);
+    const int rows = std::min(stripRows, picture.size().height - strip.rows.first);
+    const std::ptrdiff_t values = std::ptrdiff_t{rows} * picture.size().width * picture.channels();
+    std::copy_n(begin, values, strip.picture.mutablePixels().begin());
     for (const Coat& coat : coats) {
         const auto isOfCoat = [&](const BoxedStroke& s) { return coat.pens.test(s.stroke->pen); };
         if (std::ranges::none_of(strokes, isOfCoat)) continue;
-        std::ranges::fill(strip.coverage.pixels, 0.0F);
+        std::ranges::fill(strip.coverage.mutablePixels(), 0.0F);
         if (brushed) {
             brushed->cover(strip.coverage, strip.rows, strokes, coat.pens);
         } else {
@@ -131,7 +131,7 @@ void paint(Strip& strip, std::span<const BoxedStroke> strokes, std::span<const C
         blend(strip, coat.color);
     }
     constexpr auto rounded = [](float v) { return static_cast<std::uint8_t>(static_cast<int>(double{v} + 0.5)); };
-    std::transform(strip.picture.pixels.begin(), strip.picture.pixels.begin() + values, begin, rounded);
+    std::transform(strip.picture.pixels().begin(), strip.picture.pixels().begin() + values, begin, rounded);
 }
 
 }  // namespace
@@ -142,7 +142,7 @@ Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureS
     const std::vector<Coat> coats = coatsOf(allPens);
     Image<std::uint8_t> picture = emptyPicture(settings, paper);
     const Size stripSize{settings.size.width, stripRows};
-    Strip strip{{0, stripRows}, {stripSize, picture.channels}, {stripSize, 1}};
+    Strip strip{{0, stripRows}, {stripSize, picture.channels()}, {stripSize, 1}};
     std::optional<BrushedStrokes> brushed;
     if (brush != nullptr) brushed.emplace(*brush, strokes, allPens, stripSize);
     for (const std::vector<BoxedStroke>& shown : sorted(strokes, allPens, settings.size)) {

@@ -104,7 +104,7 @@ void forEachNear(const CentreLine& line, float reach, Image<float>& coverage, Ro
                  Take&& take) {
     const PixelBox box = boxIn(rows, ofStroke);
     for (int y = box.y0; y <= box.y1; ++y) {
-        float* const row = &coverage.at(0, y - rows.first);
+        float* const row = &coverage(0, y - rows.first);
         for (int x = box.x0; x <= box.x1; ++x) {
             const glm::vec2 centre = glm::vec2{static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F} - line.start;
             const float along = glm::dot(centre, line.measure);

@@ -56,12 +56,12 @@ images::ReadPicture read(const fs::path& file) {
 }
 
 std::string shape(const Image<float>& image) {
-    return fmt::format("{} x {} pixels of {} channel{}", image.size.width, image.size.height, image.channels,
-                       image.channels == 1 ? "" : "s");
+    return fmt::format("{} x {} pixels of {} channel{}", image.size().width, image.size().height, image.channels(),
+                       image.channels() == 1 ? "" : "s");
 }
 
 void expectSameShape(const fs::path& a, const Image<float>& left, const fs::path& b, const Image<float>& right) {
-    if (left.size == right.size && left.channels == right.channels) return;
+    if (left.size() == right.size() && left.channels() == right.channels()) return;
     throw Error{Error::Kind::Input,
                 fmt::format("{}: expected {}, as {} has, found {}", b.string(), shape(left), a.string(), shape(right))};
 }
@@ -69,9 +69,9 @@ void expectSameShape(const fs::path& a, const Image<float>& left, const fs::path
 /// The largest difference over the channels of a pixel; infinite if one value is NaN or an infinity and the other not.
 float pixelDifference(const Image<float>& a, const Image<float>& b, int x, int y) {
     float largest = 0.0F;
-    for (int c = 0; c < a.channels; ++c) {
-        const float left = a.at(x, y, c);
-        const float right = b.at(x, y, c);
+    for (int c = 0; c < a.channels(); ++c) {
+        const float left = a(x, y, c);
+        const float right = b(x, y, c);
         if (left == right || (std::isnan(left) && std::isnan(right))) continue;
         const float difference = std::abs(left - right);
         largest = std::isnan(difference) ? INFINITY : std::max(largest, difference);
@@ -81,20 +81,21 @@ float pixelDifference(const Image<float>& a, const Image<float>& b, int x, int y
 
 /// The differences as grey, as shares of the largest finite difference; infinite differences are white.
 Image<std::uint8_t> differencePicture(const Image<float>& a, const Image<float>& b) {
-    Image<float> differences{a.size, 1};
+    Image<float> differences{a.size(), 1};
     float largest = 0.0F;
-    for (int y = 0; y < a.size.height; ++y) {
-        for (int x = 0; x < a.size.width; ++x) {
-            const float difference = differences.at(x, y) = pixelDifference(a, b, x, y);
+    for (int y = 0; y < a.size().height; ++y) {
+        for (int x = 0; x < a.size().width; ++x) {
+            const float difference = differences(x, y) = pixelDifference(a, b, x, y);
             if (std::isfinite(difference)) largest = std::max(largest, difference);
         }
     }
-    Image<std::uint8_t> picture{a.size, 1};
-    std::transform(differences.pixels.begin(), differences.pixels.end(), picture.pixels.begin(), [&](float value) {
-        if (value == 0.0F) return std::uint8_t{0};
-        return std::isfinite(value) ? static_cast<std::uint8_t>(std::lround(255.0F * (value / largest)))
-                                    : std::uint8_t{255};
-    });
+    Image<std::uint8_t> picture{a.size(), 1};
+    std::transform(differences.pixels().begin(), differences.pixels().end(), picture.mutablePixels().begin(),
+                   [&](float value) {
+                       if (value == 0.0F) return std::uint8_t{0};
+                       return std::isfinite(value) ? static_cast<std::uint8_t>(std::lround(255.0F * (value / largest)))
+                                                   : std::uint8_t{255};
+                   });
     return picture;
 }
 
@@ -102,15 +103,15 @@ Image<std::uint8_t> differencePicture(const Image<float>& a, const Image<float>&
 /// the largest difference of the pictures, but counts it in no pixel.
 images::Differences takeOutInfiniteDifferences(Image<float>& a, Image<float>& b) {
     images::Differences taken;
-    for (int y = 0; y < a.size.height; ++y) {
-        for (int x = 0; x < a.size.width; ++x) {
+    for (int y = 0; y < a.size().height; ++y) {
+        for (int x = 0; x < a.size().width; ++x) {
             if (std::isfinite(pixelDifference(a, b, x, y))) continue;
             if (taken.pixelsOverLevel++ == 0) {
                 taken.maximum = INFINITY;
                 taken.maximumX = x;
                 taken.maximumY = y;
             }
-            for (int c = 0; c < a.channels; ++c) a.at(x, y, c) = b.at(x, y, c) = 0.0F;
+            for (int c = 0; c < a.channels(); ++c) a(x, y, c) = b(x, y, c) = 0.0F;
         }
     }
     return taken;
@@ -131,12 +132,12 @@ images::Differences measure(Image<float>& a, Image<float>& b, double level) {
 
 Comparison judge(const images::Differences& found, const Image<float>& image, const Tolerance& tolerance,
                  double rounding) {
-    Comparison result{.size = image.size,
-                      .channels = image.channels,
+    Comparison result{.size = image.size(),
+                      .channels = image.channels(),
                       .pixelsOverLevel = found.pixelsOverLevel,
                       .maximum = found.maximum,
                       .mean = found.mean};
-    const double pixels = static_cast<double>(image.size.width) * image.size.height;
+    const double pixels = static_cast<double>(image.size().width) * image.size().height;
     result.shareOverLevel = static_cast<double>(found.pixelsOverLevel) / pixels;
     result.maximumX = found.maximumX;
     result.maximumY = found.maximumY;

@@ -94,7 +94,7 @@ std::string textOf(const Json& json, int indent) {
 }  // namespace io
 
 std::string metadataJson(const Scene& scene, const Maps& maps, const Settings& settings) {
-    return metadataOf({scene.bounds(), scene.triangleCount(), scene.warnings(), maps.camera, maps.picture.size,
+    return metadataOf({scene.bounds(), scene.triangleCount(), scene.warnings(), maps.camera, maps.picture.size(),
                        maps.backend, maps.times},
                       settings);
 }

@@ -47,11 +47,11 @@ std::vector<std::uint8_t> encodePicture(const Image<std::uint8_t>& picture, cons
             break;
         case PictureFormat::Tiff:
             return encodeWithModule(images::FileFormat::Tiff,
-                                    {&picture, channelNames(picture.channels), images::SampleType::Uint8}, target);
+                                    {&picture, channelNames(picture.channels()), images::SampleType::Uint8}, target);
         case PictureFormat::OpenExr: {
             const Image<float> linear = linearPicture(picture);
             return encodeWithModule(images::FileFormat::OpenExr,
-                                    {&linear, channelNames(linear.channels), images::SampleType::Half}, target);
+                                    {&linear, channelNames(linear.channels()), images::SampleType::Half}, target);
         }
     }
     return encodePng(picture);
@@ -59,13 +59,13 @@ std::vector<std::uint8_t> encodePicture(const Image<std::uint8_t>& picture, cons
 
 Image<float> linearPicture(const Image<std::uint8_t>& picture) {
     const std::array<float, 256>& lights = linearLights();
-    const bool grey = picture.channels == 1;
-    Image<float> linear{picture.size, grey ? 3 : picture.channels};
-    for (int y = 0; y < picture.size.height; ++y) {
-        for (int x = 0; x < picture.size.width; ++x) {
-            const float alpha = picture.channels == 4 ? static_cast<float>(picture.at(x, y, 3)) / 255.0F : 1.0F;
-            for (int c = 0; c < 3; ++c) linear.at(x, y, c) = alpha * lights[picture.at(x, y, grey ? 0 : c)];
-            if (picture.channels == 4) linear.at(x, y, 3) = alpha;
+    const bool grey = picture.channels() == 1;
+    Image<float> linear{picture.size(), grey ? 3 : picture.channels()};
+    for (int y = 0; y < picture.size().height; ++y) {
+        for (int x = 0; x < picture.size().width; ++x) {
+            const float alpha = picture.channels() == 4 ? static_cast<float>(picture(x, y, 3)) / 255.0F : 1.0F;
+            for (int c = 0; c < 3; ++c) linear(x, y, c) = alpha * lights[picture(x, y, grey ? 0 : c)];
+            if (picture.channels() == 4) linear(x, y, 3) = alpha;
         }
     }
     return linear;

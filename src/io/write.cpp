@@ -61,22 +61,22 @@ std::uint8_t level(double share) {
 
 Image<std::uint8_t> depthPicture(const Image<float>& depth, const Camera& camera) {
     const double range = camera.far - camera.near;
-    Image<std::uint8_t> picture{depth.size, 1};
-    std::transform(depth.pixels.begin(), depth.pixels.end(), picture.pixels.begin(),
+    Image<std::uint8_t> picture{depth.size(), 1};
+    std::transform(depth.pixels().begin(), depth.pixels().end(), picture.mutablePixels().begin(),
                    [&](float value) { return level((value - camera.near) / range); });
     return picture;
 }
 
 Image<std::uint8_t> normalPicture(const Image<float>& normal) {
-    Image<std::uint8_t> picture{normal.size, normal.channels};
-    std::transform(normal.pixels.begin(), normal.pixels.end(), picture.pixels.begin(),
+    Image<std::uint8_t> picture{normal.size(), normal.channels()};
+    std::transform(normal.pixels().begin(), normal.pixels().end(), picture.mutablePixels().begin(),
                    [](float value) { return level((value + 1.0) / 2.0); });
     return picture;
 }
 
 Image<std::uint8_t> edgePicture(const Image<std::uint8_t>& mask) {
-    Image<std::uint8_t> picture{mask.size, 1};
-    std::transform(mask.pixels.begin(), mask.pixels.end(), picture.pixels.begin(),
+    Image<std::uint8_t> picture{mask.size(), 1};
+    std::transform(mask.pixels().begin(), mask.pixels().end(), picture.mutablePixels().begin(),
                    [](std::uint8_t value) { return static_cast<std::uint8_t>(255 - value); });
     return picture;
 }
@@ -91,25 +91,25 @@ Image<std::uint8_t> typesPicture(const Image<std::uint16_t>& types) {
                                                                   {20, 170, 180},
                                                                   {120, 120, 120},
                                                                   {90, 60, 30}}};
-    Image<std::uint8_t> picture{types.size, 3, std::uint8_t{255}};
-    for (std::size_t i = 0; i < types.pixels.size(); ++i) {
-        const LineTypes known = LineTypes::fromBits(types.pixels[i]) & allLineTypes;
+    Image<std::uint8_t> picture{types.size(), 3, std::uint8_t{255}};
+    for (std::size_t i = 0; i < types.pixels().size(); ++i) {
+        const LineTypes known = LineTypes::fromBits(types.pixels()[i]) & allLineTypes;
         if (known.empty()) continue;
         const auto& ink = inks[static_cast<std::size_t>(bitIndex(known.first()))];
-        for (std::size_t k = 0; k < 3; ++k) picture.pixels[3 * i + k] = static_cast<std::uint8_t>(ink[k]);
+        for (std::size_t k = 0; k < 3; ++k) picture.mutablePixels()[3 * i + k] = static_cast<std::uint8_t>(ink[k]);
     }
     return picture;
 }
 
 /// A colour for each patch, scattered so that neighbours differ; white on the background.
 Image<std::uint8_t> patchPicture(const Image<std::uint32_t>& ids) {
-    Image<std::uint8_t> picture{ids.size, 3, std::uint8_t{255}};
-    for (std::size_t i = 0; 4 * i < ids.pixels.size(); ++i) {
-        const std::uint32_t patch = ids.pixels[4 * i];
+    Image<std::uint8_t> picture{ids.size(), 3, std::uint8_t{255}};
+    for (std::size_t i = 0; 4 * i < ids.pixels().size(); ++i) {
+        const std::uint32_t patch = ids.pixels()[4 * i];
         if (patch == 0) continue;
         const std::uint32_t scattered = patch * 2654435761U;
         for (std::size_t k = 0; k < 3; ++k) {
-            picture.pixels[3 * i + k] = static_cast<std::uint8_t>(64 + ((scattered >> (8 * k + 8)) & 127U));
+            picture.mutablePixels()[3 * i + k] = static_cast<std::uint8_t>(64 + ((scattered >> (8 * k + 8)) & 127U));
         }
     }
     return picture;
@@ -175,26 +175,26 @@ std::vector<images::HeaderEntry> cameraEntries(const Camera& camera, Size size) 
 
 void expectExactIds(const Image<std::uint32_t>& ids, const fs::path& target) {
     constexpr std::uint32_t largest = 1U << std::numeric_limits<float>::digits;  // with all below it exact as a float
-    const auto found = std::max_element(ids.pixels.begin(), ids.pixels.end());
-    if (found == ids.pixels.end() || *found <= largest) return;
+    const auto found = std::max_element(ids.pixels().begin(), ids.pixels().end());
+    if (found == ids.pixels().end() || *found <= largest) return;
     constexpr std::array names{"patch", "patch", "node", "material"};
-    throw Error{
-        Error::Kind::Output,
-        fmt::format("{}: map ids: expected numbers up to {}, which the floats of an EXR hold exactly, found {} "
-                    "{}; leave ids out of the maps, or load a part of the model",
-                    target.string(), largest, names[static_cast<std::size_t>(found - ids.pixels.begin()) % 4], *found)};
+    throw Error{Error::Kind::Output,
+                fmt::format("{}: map ids: expected numbers up to {}, which the floats of an EXR hold exactly, found {} "
+                            "{}; leave ids out of the maps, or load a part of the model",
+                            target.string(), largest, names[static_cast<std::size_t>(found - ids.pixels().begin()) % 4],
+                            *found)};
 }
 
 std::vector<std::uint8_t> encodeLayers(const Maps& maps, std::span<const Map> wanted, const fs::path& target) {
     if (std::find(wanted.begin(), wanted.end(), Map::Ids) != wanted.end()) expectExactIds(maps.ids, target);
-    const int channels = std::max(maps.picture.channels, 3);
-    raster::expectMemory(maps.picture.size, sizeof(float) * static_cast<std::uint64_t>(channels));
+    const int channels = std::max(maps.picture.channels(), 3);
+    raster::expectMemory(maps.picture.size(), sizeof(float) * static_cast<std::uint64_t>(channels));
     const Image<float> picture = io::linearPicture(maps.picture);
-    std::vector<images::Layer> layers{{&picture, io::channelNames(picture.channels), images::SampleType::Half}};
+    std::vector<images::Layer> layers{{&picture, io::channelNames(picture.channels()), images::SampleType::Half}};
     for (const Map map : wanted) layers.push_back(mapLayer(maps, map));
     images::EncodedPicture encoded =
         images::imageFormats(Error::Kind::Output)
-            .encode(images::FileFormat::OpenExr, layers, cameraEntries(maps.camera, picture.size));
+            .encode(images::FileFormat::OpenExr, layers, cameraEntries(maps.camera, picture.size()));
     if (!encoded.failure.empty()) base::failToWrite(target, encoded.failure);
     return std::move(encoded.bytes);
 }
@@ -210,8 +210,8 @@ void expectRendered(const Maps& maps, std::span<const Map> wanted) {
         throw Error{Error::Kind::Usage, "picture: expected at least one pixel, found none; was it rendered?"};
     }
     for (const Map map : wanted) {
-        const Size size = std::visit([](const auto* image) { return image->size; }, mapLayer(maps, map).image);
-        expectSize(size, maps.picture.size, name(map));
+        const Size size = std::visit([](const auto* image) { return image->size(); }, mapLayer(maps, map).image);
+        expectSize(size, maps.picture.size(), name(map));
     }
 }
 

@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/message.h"
+#include "curves/simplify.h"
 #include "mesh/polygon_triangles.h"
 #include "mesh/twice_area.h"
 
@@ -30,10 +31,10 @@ public:
     Opacity(Image<std::uint8_t> map, std::array<TextureWrap, 2> wrap) : map_{std::move(map)}, wrap_{wrap} {}
 
     [[nodiscard]] double at(std::int64_t x, std::int64_t y) const {
-        return map_.at(wrapped(x, map_.size.width, wrap_[0]), wrapped(y, map_.size.height, wrap_[1]));
+        return map_(wrapped(x, map_.size().width, wrap_[0]), wrapped(y, map_.size().height, wrap_[1]));
     }
     [[nodiscard]] glm::dvec2 texels(glm::dvec2 coordinates) const {
-        return coordinates * glm::dvec2{map_.size.width, map_.size.height} - 0.5;
+        return coordinates * glm::dvec2{map_.size().width, map_.size().height} - 0.5;
     }
 
 private:
@@ -215,14 +216,17 @@ private:
         if (stays.empty()) stays.push_back(0);
         if (stays.size() == 1) stays.push_back(farthestFrom(loop, stays[0]));
         std::ranges::sort(stays);
-        std::vector<bool> kept(n, false);
+        Polygon twice = loop;  // the last part goes over the loop's start
+        twice.insert(twice.end(), loop.begin(), loop.end());
+        std::vector<bool> kept(2 * n, false);
         for (std::size_t i = 0; i < stays.size(); ++i) {
             kept[stays[i]] = true;
-            simplify(loop, stays[i], i + 1 < stays.size() ? stays[i + 1] : stays[0] + n, kept);
+            curves::keepBetween(twice, stays[i], i + 1 < stays.size() ? stays[i + 1] : stays[0] + n, simplification,
+                                kept);
         }
         Polygon result;
         for (std::size_t i = 0; i < n; ++i)
-            if (kept[i]) result.push_back(loop[i]);
+            if (kept[i] || kept[n + i]) result.push_back(loop[i]);
         return result;
     }
 
@@ -231,34 +235,6 @@ private:
         for (std::size_t i = 0; i < loop.size(); ++i)
             if (glm::distance(loop[i], loop[from]) > glm::distance(loop[farthest], loop[from])) farthest = i;
         return farthest;
-    }
-
-    static double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
-        const glm::dvec2 ab = b - a;
-        const double square = glm::dot(ab, ab);
-        const double t = square > 0.0 ? std::clamp(glm::dot(p - a, ab) / square, 0.0, 1.0) : 0.0;
-        return glm::distance(p, a + t * ab);
-    }
-
-    static void simplify(const Polygon& loop, std::size_t from, std::size_t to, std::vector<bool>& kept) {
-        const std::size_t n = loop.size();
-        std::vector<std::pair<std::size_t, std::size_t>> spans{{from, to}};
-        while (!spans.empty()) {
-            const auto [begin, end] = spans.back();
-            spans.pop_back();
-            double farthest = simplification;
-            std::size_t split = end;
-            for (std::size_t i = begin + 1; i < end; ++i) {
-                const double distance = distanceToSegment(loop[i % n], loop[begin % n], loop[end % n]);
-                if (distance <= farthest) continue;
-                farthest = distance;
-                split = i;
-            }
-            if (split == end) continue;
-            kept[split % n] = true;
-            spans.push_back({begin, split});
-            spans.push_back({split, end});
-        }
     }
 
     double threshold_;

@@ -21,8 +21,8 @@ Image<std::uint8_t> unpack(const Image<std::uint8_t>& blocks, Size size) {
     for (int y = 0; y < size.height; ++y) {
         const int row = y % blockSide;
         for (int x = 0; x < size.width; x += blockSide) {
-            const std::uint8_t* from = &blocks.at(x / blockSide, y / blockSide, row * blockSide);
-            std::copy_n(from, std::min(blockSide, size.width - x), &marks.at(x, y));
+            const std::uint8_t* from = &blocks(x / blockSide, y / blockSide, row * blockSide);
+            std::copy_n(from, std::min(blockSide, size.width - x), &marks(x, y));
         }
     }
     return marks;
@@ -33,7 +33,7 @@ constexpr int step = sizeof(std::uint64_t);
 
 bool anyMarked(const Image<std::uint8_t>& marks, int y, int x) {
     std::uint64_t some = 0;
-    std::memcpy(&some, &marks.at(x, y), static_cast<std::size_t>(std::min(step, marks.size.width - x)));
+    std::memcpy(&some, &marks(x, y), static_cast<std::size_t>(std::min(step, marks.size().width - x)));
     return some != 0;
 }
 
@@ -44,7 +44,7 @@ struct Columns {
 
 // The columns, in whole steps, between the outermost marks of some rows; none if begin is not less than end.
 Columns markedColumns(const Image<std::uint8_t>& marks, int firstRow, int endRow) {
-    const int steps = (marks.size.width + step - 1) / step;
+    const int steps = (marks.size().width + step - 1) / step;
     int begin = steps;
     int end = 0;
     for (int y = firstRow; y < endRow; ++y) {
@@ -76,7 +76,7 @@ Image<std::uint8_t> detectLines(const Frame& frame, const gl::Texture& planes, d
 }
 
 std::vector<raster::Rectangle> regionsAround(const Image<std::uint8_t>& marks) {
-    const auto [width, height] = marks.size;
+    const auto [width, height] = marks.size();
     std::vector<raster::Rectangle> regions;
     for (int y = 0; y < height; y += regionRows) {
         const int rows = std::min(regionRows, height - y);

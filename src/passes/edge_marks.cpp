@@ -18,17 +18,17 @@ void paintRows(const EdgeMarks& marks, const Values& values, Image<std::uint8_t>
             std::copy_n(values[byte >> (2 * x) & 3U].begin(), channels, &rows[byte][x * channels]);
         }
     }
-    const auto [width, height] = image.size;
+    const auto [width, height] = image.size();
     for (int y = 0; y < height; ++y) {
         const auto rowOf = [&](int block) -> const std::uint8_t* {
-            return rows[marks.blocks.at(block, y / side) >> (8 * (y % side)) & 0xFFU].data();
+            return rows[marks.blocks(block, y / side) >> (8 * (y % side)) & 0xFFU].data();
         };
         const int whole = width / side;
         for (int block = 0; block < whole; ++block) {
-            std::copy_n(rowOf(block), side * channels, &image.at(block * side, y));
+            std::copy_n(rowOf(block), side * channels, &image(block * side, y));
         }
         const int rest = width % side;
-        if (rest != 0) std::copy_n(rowOf(whole), rest * channels, &image.at(whole * side, y));
+        if (rest != 0) std::copy_n(rowOf(whole), rest * channels, &image(whole * side, y));
     }
 }
 

@@ -31,8 +31,8 @@ gl::Program prepared(gl::Gpu& gpu, const Programs& programs, const FunctionSetti
 }
 
 void add(const Image<std::uint32_t>& more, Image<std::uint32_t>& blocks) {
-    if (blocks.empty()) blocks = Image<std::uint32_t>{more.size, 1};
-    for (std::size_t i = 0; i < more.pixels.size(); ++i) blocks.pixels[i] |= more.pixels[i];
+    if (blocks.empty()) blocks = Image<std::uint32_t>{more.size(), 1};
+    for (std::size_t i = 0; i < more.pixels().size(); ++i) blocks.mutablePixels()[i] |= more.pixels()[i];
 }
 
 }  // namespace

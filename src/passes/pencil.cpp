@@ -27,7 +27,7 @@ Image<std::uint8_t> pencil(gl::Gpu& gpu, const Image<std::uint8_t>& drawing, con
     gpu.api.ProgramUniform1f(id, 2, static_cast<float>(settings.pencilLooseness));
     gpu.api.ProgramUniform1ui(id, 3, static_cast<GLuint>(settings.pencilSeed));
     Image<std::uint8_t> picture;
-    for (const raster::Tile& tile : raster::tilesOf(drawing.size, tileSide, reachOf(settings))) {
+    for (const raster::Tile& tile : raster::tilesOf(drawing.size(), tileSide, reachOf(settings))) {
         base::stopIfAsked();
         const gl::Texture part = gpu.textures.acquire(tile.drawn.size, GL_RGBA8);
         gl::writeBytes(gpu.api, drawing, tile.drawn, part);

@@ -9,8 +9,8 @@ namespace inkedge::passes {
 
 Image<std::uint8_t> readInk(const gl::Api& api, const gl::Texture& ink) {
     const Image<float> shares = gl::readFloats(api, ink, 1);
-    Image<std::uint8_t> bytes{shares.size, 1};
-    std::ranges::transform(shares.pixels, bytes.pixels.begin(), [](float share) {
+    Image<std::uint8_t> bytes{shares.size(), 1};
+    std::ranges::transform(shares.pixels(), bytes.mutablePixels().begin(), [](float share) {
         return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
     });
     return bytes;

@@ -19,8 +19,8 @@ struct Samples {
     Samples(Size imageSize, int channelCount)
         : size{imageSize}, channels{channelCount}, values{new T[index(0, imageSize.height, 0)]} {}
 
-    [[nodiscard]] T& at(int x, int y, int channel = 0) noexcept { return values.get()[index(x, y, channel)]; }
-    [[nodiscard]] const T& at(int x, int y, int channel = 0) const noexcept {
+    [[nodiscard]] T& operator()(int x, int y, int channel = 0) noexcept { return values.get()[index(x, y, channel)]; }
+    [[nodiscard]] const T& operator()(int x, int y, int channel = 0) const noexcept {
         return values.get()[index(x, y, channel)];
     }
 

@@ -49,17 +49,17 @@ inline constexpr int tileMargin = 64;
 /// Copies a part of an image to the rectangle `at` of another image with as many channels.
 template <class T>
 void paste(const Image<T>& from, const Rectangle& part, Image<T>& to, const Rectangle& at) {
-    const auto values = static_cast<std::ptrdiff_t>(part.size.width) * from.channels;
+    const auto values = static_cast<std::ptrdiff_t>(part.size.width) * from.channels();
     for (int y = 0; y < part.size.height; ++y) {
-        std::copy_n(&from.at(part.x, part.y + y), values, &to.at(at.x, at.y + y));
+        std::copy_n(&from(part.x, part.y + y), values, &to(at.x, at.y + y));
     }
 }
 
 /// A part of an image.
 template <class T>
 [[nodiscard]] Image<T> cropped(Image<T> image, const Rectangle& part) {
-    if (part == Rectangle{0, 0, image.size}) return image;
-    Image<T> result{part.size, image.channels};
+    if (part == Rectangle{0, 0, image.size()}) return image;
+    Image<T> result{part.size, image.channels()};
     paste(image, part, result, {0, 0, part.size});
     return result;
 }
@@ -70,12 +70,12 @@ template <class T>
 void keep(Image<T> part, const Tile& tile, Image<T>& picture) {
     if (part.empty()) return;
     Rectangle from{0, 0, tile.kept.size};
-    if (part.size != tile.kept.size) from = tile.keptInDrawn();
+    if (part.size() != tile.kept.size) from = tile.keptInDrawn();
     if (tile.kept.size == tile.whole) {
         picture = cropped(std::move(part), from);
         return;
     }
-    if (picture.empty()) picture = Image<T>{tile.whole, part.channels};
+    if (picture.empty()) picture = Image<T>{tile.whole, part.channels()};
     paste(part, from, picture, tile.kept);
 }
 

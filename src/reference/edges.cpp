@@ -24,9 +24,9 @@ void drawTriangle(const ClipTriangle& triangle, const std::array<glm::dvec3, 3>&
         const auto& [x, y, barycentric, window, w, front] = sample;
         glm::dvec3 normal{0.0};
         for (int i = 0; i < 3; ++i) normal += barycentric[i] * normals[static_cast<std::size_t>(i)];
-        surface.depth.at(x, y) = camera.orthographic() ? camera.near + window * (camera.far - camera.near) : w;
+        surface.depth(x, y) = camera.orthographic() ? camera.near + window * (camera.far - camera.near) : w;
         const double length = glm::length(normal);
-        for (int i = 0; i < 3; ++i) surface.normal.at(x, y, i) = normal[i] / length * (front ? 1.0 : -1.0);
+        for (int i = 0; i < 3; ++i) surface.normal(x, y, i) = normal[i] / length * (front ? 1.0 : -1.0);
     });
 }
 
@@ -37,8 +37,8 @@ void requireSameSize(Size a, Size b) {
 }
 
 Image<std::uint8_t> threshold(const Image<double>& magnitude, double t) {
-    Image<std::uint8_t> edges{magnitude.size, 1};
-    std::ranges::transform(magnitude.pixels, edges.pixels.begin(),
+    Image<std::uint8_t> edges{magnitude.size(), 1};
+    std::ranges::transform(magnitude.pixels(), edges.mutablePixels().begin(),
                            [&](double m) { return static_cast<std::uint8_t>(m >= t ? 255 : 0); });
     return edges;
 }
@@ -81,7 +81,7 @@ glm::dvec3 sixLights(glm::dvec3 n) noexcept {
 
 Image<double> scaledDepth(const Image<double>& depth, const Camera& camera, DepthMap map) {
     Image<double> scaled = depth;
-    for (double& z : scaled.pixels) {
+    for (double& z : scaled.mutablePixels()) {
         const double linear = (z - camera.near) / (camera.far - camera.near);
         z = map == DepthMap::Linear || camera.orthographic() ? linear : linear * camera.far / z;
     }
@@ -89,16 +89,17 @@ Image<double> scaledDepth(const Image<double>& depth, const Camera& camera, Dept
 }
 
 Image<double> gradientMagnitude(const Image<double>& image, int channel, Kernel kernel) {
-    if (channel < 0 || channel >= image.channels) {
-        throw Error{Error::Kind::Usage, fmt::format("expected a channel below {}, found {}", image.channels, channel)};
+    if (channel < 0 || channel >= image.channels()) {
+        throw Error{Error::Kind::Usage,
+                    fmt::format("expected a channel below {}, found {}", image.channels(), channel)};
     }
     const std::span<const double> smoothing =
         kernel == Kernel::Sobel ? std::span<const double>{sobelSmoothing} : std::span<const double>{faridSmoothing};
     const std::span<const double> derivative =
         kernel == Kernel::Sobel ? std::span<const double>{sobelDerivative} : std::span<const double>{faridDerivative};
     const int radius = static_cast<int>(smoothing.size()) / 2;
-    const auto [width, height] = image.size;
-    Image<double> magnitude{image.size, 1};
+    const auto [width, height] = image.size();
+    Image<double> magnitude{image.size(), 1};
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             double ix = 0.0;
@@ -106,14 +107,14 @@ Image<double> gradientMagnitude(const Image<double>& image, int channel, Kernel 
             for (int dy = -radius; dy <= radius; ++dy) {
                 for (int dx = -radius; dx <= radius; ++dx) {
                     const double value =
-                        image.at(std::clamp(x + dx, 0, width - 1), std::clamp(y + dy, 0, height - 1), channel);
+                        image(std::clamp(x + dx, 0, width - 1), std::clamp(y + dy, 0, height - 1), channel);
                     const auto column = static_cast<std::size_t>(dx + radius);
                     const auto row = static_cast<std::size_t>(dy + radius);
                     ix += derivative[column] * smoothing[row] * value;
                     iy += smoothing[column] * derivative[row] * value;
                 }
             }
-            magnitude.at(x, y) = std::sqrt(ix * ix + iy * iy);
+            magnitude(x, y) = std::sqrt(ix * ix + iy * iy);
         }
     }
     return magnitude;
@@ -121,31 +122,32 @@ Image<double> gradientMagnitude(const Image<double>& image, int channel, Kernel 
 
 Edges detectEdges(const Image<double>& depth, const Image<double>& normal, const Camera& camera,
                   const DetectorSettings& settings) {
-    requireSameSize(depth.size, normal.size);
+    requireSameSize(depth.size(), normal.size());
     Edges result;
     result.depthMagnitude = gradientMagnitude(scaledDepth(depth, camera, settings.depthMap), 0, settings.kernel);
-    result.normalMagnitude = Image<double>{normal.size, 1};
+    result.normalMagnitude = Image<double>{normal.size(), 1};
     for (int channel = 0; channel < 3; ++channel) {
         const Image<double> one = gradientMagnitude(normal, channel, settings.kernel);
-        std::ranges::transform(one.pixels, result.normalMagnitude.pixels, result.normalMagnitude.pixels.begin(),
+        std::ranges::transform(one.pixels(), result.normalMagnitude.pixels(),
+                               result.normalMagnitude.mutablePixels().begin(),
                                [](double a, double b) { return std::max(a, b); });
     }
     result.depthEdges = threshold(result.depthMagnitude, static_cast<double>(thresholds(settings).depth));
     result.normalEdges = threshold(result.normalMagnitude, static_cast<double>(thresholds(settings).normal));
     result.edges = result.depthEdges;
-    std::ranges::transform(result.normalEdges.pixels, result.edges.pixels, result.edges.pixels.begin(),
+    std::ranges::transform(result.normalEdges.pixels(), result.edges.pixels(), result.edges.mutablePixels().begin(),
                            [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
     return result;
 }
 
 Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength, bool orthographic, double creaseAngle) {
-    if (planes.channels != 4) {
-        throw Error{Error::Kind::Usage, fmt::format("expected planes of 4 channels, found {}", planes.channels)};
+    if (planes.channels() != 4) {
+        throw Error{Error::Kind::Usage, fmt::format("expected planes of 4 channels, found {}", planes.channels())};
     }
-    const int width = planes.size.width;
-    const int height = planes.size.height;
+    const int width = planes.size().width;
+    const int height = planes.size().height;
     const double creaseCosine = std::cos(glm::radians(creaseAngle));
-    const auto value = [&](int x, int y, int channel) { return static_cast<double>(planes.at(x, y, channel)); };
+    const auto value = [&](int x, int y, int channel) { return static_cast<double>(planes(x, y, channel)); };
     const auto normal = [&](int x, int y) {
         const glm::dvec2 g{value(x, y, 1), value(x, y, 2)};
         const glm::dvec2 fromCentre{x + 0.5 - 0.5 * width, y + 0.5 - 0.5 * height};
@@ -174,10 +176,10 @@ Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength, 
         if (rp * rq < 0.0 && std::min(std::abs(rp), std::abs(rq)) * k > 1.0 + slope) marks |= raster::PairMark::jump;
         return marks;
     };
-    Image<std::uint8_t> marks{planes.size, 1};
+    Image<std::uint8_t> marks{planes.size(), 1};
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            marks.at(x, y) = static_cast<std::uint8_t>(between(x, y, x + 1, y) | between(x, y, x, y + 1) << 4U);
+            marks(x, y) = static_cast<std::uint8_t>(between(x, y, x + 1, y) | between(x, y, x, y + 1) << 4U);
         }
     }
     return marks;
@@ -199,21 +201,21 @@ double gradient(const Depths& d, std::size_t x, std::size_t y) {
 Image<double> detectProfiles(const Image<double>& depth, const Image<double>& normal, const Camera& camera,
                              const DetectorSettings& settings) {
     constexpr double far = 1000.0;
-    const auto [width, height] = depth.size;
-    const double focal = camera.focalLength(depth.size);
+    const auto [width, height] = depth.size();
+    const double focal = camera.focalLength(depth.size());
     const auto isBackground = [&](int x, int y) {
-        return normal.at(x, y, 0) == 0.0 && normal.at(x, y, 1) == 0.0 && normal.at(x, y, 2) == 0.0;
+        return normal(x, y, 0) == 0.0 && normal(x, y, 1) == 0.0 && normal(x, y, 2) == 0.0;
     };
-    Image<double> ink{depth.size, 1};
+    Image<double> ink{depth.size(), 1};
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             if (isBackground(x, y)) continue;
-            const double centre = depth.at(x, y);
+            const double centre = depth(x, y);
             Depths d{};
             for (int i = 0; i < 25; ++i) {
                 const int column = std::clamp(x + i % 5 - 2, 0, width - 1);
                 const int row = std::clamp(y + i / 5 - 2, 0, height - 1);
-                const double z = depth.at(column, row);
+                const double z = depth(column, row);
                 const double there = focal * (camera.orthographic() ? z - centre : 1.0 - centre / z);
                 d[static_cast<std::size_t>(i / 5)][static_cast<std::size_t>(i % 5)] =
                     isBackground(column, row) ? far : std::clamp(there, -far, far);
@@ -229,7 +231,7 @@ Image<double> detectProfiles(const Image<double>& depth, const Image<double>& no
             }
             const double profile = std::min((largest - smallest) / settings.profileLimit, 1.0);
             const double edge = std::min(std::abs(9.0 * d[2][2] - around) / 3.0 / settings.edgeLimit, 1.0);
-            ink.at(x, y) = std::max(profile, edge) * std::max(profile, edge);
+            ink(x, y) = std::max(profile, edge) * std::max(profile, edge);
         }
     }
     return ink;
@@ -237,14 +239,14 @@ Image<double> detectProfiles(const Image<double>& depth, const Image<double>& no
 
 Image<std::uint8_t> composite(const Image<std::uint8_t>& edges, const PictureSettings& settings) {
     const Color behind = settings.background.value_or(settings.lineColor);
-    Image<std::uint8_t> picture{edges.size, settings::pictureChannels(settings)};
-    for (int y = 0; y < edges.size.height; ++y) {
-        for (int x = 0; x < edges.size.width; ++x) {
-            const bool edge = edges.at(x, y) != 0;
+    Image<std::uint8_t> picture{edges.size(), settings::pictureChannels(settings)};
+    for (int y = 0; y < edges.size().height; ++y) {
+        for (int x = 0; x < edges.size().width; ++x) {
+            const bool edge = edges(x, y) != 0;
             const Color color = edge ? settings.lineColor : behind;
             const std::uint8_t channels[4]{color.red, color.green, color.blue,
                                            static_cast<std::uint8_t>(edge || settings.background ? 255 : 0)};
-            std::copy_n(channels, picture.channels, &picture.at(x, y));
+            std::copy_n(channels, picture.channels(), &picture(x, y));
         }
     }
     return picture;

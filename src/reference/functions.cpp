@@ -51,7 +51,7 @@ double wave(glm::dvec3 p) {
 glm::dvec4 depth(const SurfacePoint& s, const Given& given) {
     const DepthMap map = given.option(0) == 1.0 ? DepthMap::Window : DepthMap::Linear;
     const Image<double> z{{1, 1}, 1, s.depth};
-    return {scaledDepth(z, given.camera, map).pixels[0], 0.0, 0.0, 0.0};
+    return {scaledDepth(z, given.camera, map).pixels()[0], 0.0, 0.0, 0.0};
 }
 
 glm::dvec4 normal(const SurfacePoint& s, const Given& given) {
@@ -165,12 +165,12 @@ SurfacePoint mixed(const std::array<SurfacePoint, 3>& corners, const Sample& sam
 
 // The values of a pixel less those of the centre: functionMagnitude().
 glm::dvec4 difference(const Image<double>& values, int x, int y, const glm::dvec4& centre, double period) {
-    const int column = std::clamp(x, 0, values.size.width - 1);
-    const int row = std::clamp(y, 0, values.size.height - 1);
+    const int column = std::clamp(x, 0, values.size().width - 1);
+    const int row = std::clamp(y, 0, values.size().height - 1);
     glm::dvec4 d{0.0};
-    if (values.at(column, row, 3) > nothing) return d;
+    if (values(column, row, 3) > nothing) return d;
     for (int c = 0; c < 4; ++c) {
-        d[c] = values.at(column, row, c) - centre[c];
+        d[c] = values(column, row, c) - centre[c];
         if (period > 0.0) d[c] -= period * std::nearbyint(d[c] / period);
     }
     return d;
@@ -183,9 +183,9 @@ Image<double> drawFunction(const Scene& scene, const Camera& camera, const Funct
     const FunctionDescription& row = functionDescription(function.name);
     const Given given{scene, camera, function};
     Image<double> values{size, 4, 0.0};
-    for (std::size_t i = 0; i < values.pixels.size(); i += 4) {
-        values.pixels[i] = static_cast<double>(row.background.value_or(0.0F));
-        values.pixels[i + 3] = row.background ? 0.0 : noValue;
+    for (std::size_t i = 0; i < values.pixels().size(); i += 4) {
+        values.mutablePixels()[i] = static_cast<double>(row.background.value_or(0.0F));
+        values.mutablePixels()[i + 3] = row.background ? 0.0 : noValue;
     }
     Image<double> windowDepth{size, 1, 1.0};
     const glm::dmat4 viewProjection = camera.projection(size) * camera.view;
@@ -204,7 +204,7 @@ Image<double> drawFunction(const Scene& scene, const Camera& camera, const Funct
             }
             forEachSample(triangle, windowDepth, [&](const Sample& sample) {
                 const glm::dvec4 value = definition(mixed(corners, sample, given), given);
-                for (int c = 0; c < 4; ++c) values.at(sample.x, sample.y, c) = value[c];
+                for (int c = 0; c < 4; ++c) values(sample.x, sample.y, c) = value[c];
             });
         }
     }
@@ -216,11 +216,11 @@ Image<double> functionMagnitude(const Image<double>& values, const FunctionSetti
     const std::span<const double> smoothing = sobel ? std::span<const double>{sobelSmoothing} : faridSmoothing;
     const std::span<const double> derivative = sobel ? std::span<const double>{sobelDerivative} : faridDerivative;
     const int radius = static_cast<int>(smoothing.size()) / 2;
-    Image<double> magnitude{values.size, 1};
-    for (int y = 0; y < values.size.height; ++y) {
-        for (int x = 0; x < values.size.width; ++x) {
-            if (values.at(x, y, 3) > nothing) continue;
-            const glm::dvec4 centre{values.at(x, y, 0), values.at(x, y, 1), values.at(x, y, 2), values.at(x, y, 3)};
+    Image<double> magnitude{values.size(), 1};
+    for (int y = 0; y < values.size().height; ++y) {
+        for (int x = 0; x < values.size().width; ++x) {
+            if (values(x, y, 3) > nothing) continue;
+            const glm::dvec4 centre{values(x, y, 0), values(x, y, 1), values(x, y, 2), values(x, y, 3)};
             glm::dvec4 ix{0.0};
             glm::dvec4 iy{0.0};
             for (int dy = -radius; dy <= radius; ++dy) {
@@ -233,7 +233,7 @@ Image<double> functionMagnitude(const Image<double>& values, const FunctionSetti
                 }
             }
             const glm::dvec4 squared = ix * ix + iy * iy;
-            magnitude.at(x, y) = std::sqrt(std::max({squared.x, squared.y, squared.z, squared.w}));
+            magnitude(x, y) = std::sqrt(std::max({squared.x, squared.y, squared.z, squared.w}));
         }
     }
     return magnitude;

@@ -56,7 +56,7 @@ void forEachSample(const ClipTriangle& triangle, Image<double>& windowDepth, Dra
     if (determinant == 0.0 || !std::isfinite(determinant)) return;
     const glm::dmat3 toBarycentric = glm::inverse(corners);
 
-    const Size size = windowDepth.size;
+    const Size size = windowDepth.size();
     const PixelRange rows = pixelRange(triangle, 1, size.height);
     const PixelRange columns = pixelRange(triangle, 0, size.width);
     for (int y = rows.begin; y < rows.end; ++y) {
@@ -69,8 +69,8 @@ void forEachSample(const ClipTriangle& triangle, Image<double>& windowDepth, Dra
             double clipZ = 0.0;
             for (int i = 0; i < 3; ++i) clipZ += barycentric[i] * triangle[static_cast<std::size_t>(i)].z;
             const double window = 0.5 * clipZ * inverseW + 0.5;
-            if (window < 0.0 || window > 1.0 || window >= windowDepth.at(x, y)) continue;
-            windowDepth.at(x, y) = window;
+            if (window < 0.0 || window > 1.0 || window >= windowDepth(x, y)) continue;
+            windowDepth(x, y) = window;
             draw(Sample{x, y, barycentric, window, 1.0 / inverseW, determinant > 0.0});
         }
     }

@@ -18,7 +18,7 @@ namespace {
 
 template <class T>
 const T& atBorder(const Image<T>& image, int x, int y, int channel) {
-    return image.at(std::clamp(x, 0, image.size.width - 1), std::clamp(y, 0, image.size.height - 1), channel);
+    return image(std::clamp(x, 0, image.size().width - 1), std::clamp(y, 0, image.size().height - 1), channel);
 }
 
 double smoothstep(double low, double high, double value) {
@@ -45,7 +45,7 @@ public:
         facet.w = value(0);
         facet.slope = {value(1), value(2)};
         facet.there = value(3) != 0.0;
-        const glm::dvec2 fromCentre{x + 0.5 - 0.5 * planes_.size.width, y + 0.5 - 0.5 * planes_.size.height};
+        const glm::dvec2 fromCentre{x + 0.5 - 0.5 * planes_.size().width, y + 0.5 - 0.5 * planes_.size().height};
         const double towardsEye = orthographic_ ? 1.0 : facet.w - glm::dot(facet.slope, fromCentre);
         facet.normal =
             glm::normalize(glm::dvec3{-focalLength_ * facet.slope.x, focalLength_ * facet.slope.y, towardsEye});
@@ -111,9 +111,9 @@ Image<double> hatch(const Image<float>& planes, double focalLength, bool orthogr
         return smoothstep(0.7 * dark, 1.3 * dark, bendBetween(p, q)) *
                std::clamp(std::min(0.5 + 0.5 * width - away, width), 0.0, 1.0);
     };
-    Image<double> ink{planes.size, 1};
-    for (int y = 0; y < planes.size.height; ++y) {
-        for (int x = 0; x < planes.size.width; ++x) {
+    Image<double> ink{planes.size(), 1};
+    for (int y = 0; y < planes.size().height; ++y) {
+        for (int x = 0; x < planes.size().width; ++x) {
             const Facet p = facets.at(x, y);
             if (!p.there) continue;
             for (const int axis : {0, 1}) {
@@ -124,9 +124,9 @@ Image<double> hatch(const Image<float>& planes, double focalLength, bool orthogr
                     const Facet q = facets.at(x + step.x, y + step.y);
                     const Facet r = facets.at(x + 2 * step.x, y + 2 * step.y);
                     if (!q.there || facets.jump(p, q, axis, sign)) continue;
-                    ink.at(x, y) = std::max(ink.at(x, y), mark(pixel, axis, sign, 0));
+                    ink(x, y) = std::max(ink(x, y), mark(pixel, axis, sign, 0));
                     if (bendBetween(p, q) < 0.5 * bendBetween(q, r))
-                        ink.at(x, y) = std::max(ink.at(x, y), mark(pixel + step, axis, sign, 1));
+                        ink(x, y) = std::max(ink(x, y), mark(pixel + step, axis, sign, 1));
                 }
             }
         }
@@ -144,13 +144,13 @@ Image<double> blurred(const Image<double>& image, double sigma) {
     Image<double> result = image;
     for (const glm::ivec2 along : {glm::ivec2{1, 0}, glm::ivec2{0, 1}}) {
         const Image<double> source = result;
-        for (int y = 0; y < image.size.height; ++y) {
-            for (int x = 0; x < image.size.width; ++x) {
-                for (int c = 0; c < image.channels; ++c) {
+        for (int y = 0; y < image.size().height; ++y) {
+            for (int x = 0; x < image.size().width; ++x) {
+                for (int c = 0; c < image.channels(); ++c) {
                     double value = 0.0;
                     for (int i = -radius; i <= radius; ++i)
                         value += weight(i) / sum * atBorder(source, x + i * along.x, y + i * along.y, c);
-                    result.at(x, y, c) = value;
+                    result(x, y, c) = value;
                 }
             }
         }
@@ -183,22 +183,22 @@ glm::dvec2 tangentOf(glm::dvec3 tensor) {
 Image<double> sumi(const Image<double>& depth, const Image<double>& normal, const Camera& camera,
                    const StyleSettings& settings) {
     const Image<double> scaled = scaledDepth(depth, camera, DepthMap::Linear);
-    const auto [width, height] = depth.size;
-    Image<double> channels{depth.size, 4};
+    const auto [width, height] = depth.size();
+    Image<double> channels{depth.size(), 4};
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            double d = scaled.at(x, y);
+            double d = scaled(x, y);
             if (settings.sumiStreaks > 0) d = std::floor(d * settings.sumiStreaks) / settings.sumiStreaks;
-            if (normal.at(x, y, 0) == 0.0 && normal.at(x, y, 1) == 0.0 && normal.at(x, y, 2) == 0.0) d = 1.0;
-            for (int c = 0; c < 3; ++c) channels.at(x, y, c) = normal.at(x, y, c) / 0.5;
-            channels.at(x, y, 3) = d / 0.06;
+            if (normal(x, y, 0) == 0.0 && normal(x, y, 1) == 0.0 && normal(x, y, 2) == 0.0) d = 1.0;
+            for (int c = 0; c < 3; ++c) channels(x, y, c) = normal(x, y, c) / 0.5;
+            channels(x, y, 3) = d / 0.06;
         }
     }
     const double sigma = std::max(0.25 * settings.sumiWidth, 0.7);
     channels = blurred(channels, sigma);
 
-    Image<double> tensors{depth.size, 3};
-    Image<double> taken{depth.size, 1};
+    Image<double> tensors{depth.size(), 3};
+    Image<double> taken{depth.size(), 1};
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             glm::dvec3 tensor{0.0};
@@ -208,21 +208,21 @@ Image<double> sumi(const Image<double>& depth, const Image<double>& normal, cons
                 tensor += glm::dvec3{g.x * g.x, g.y * g.y, g.x * g.y};
                 magnitude = std::max(magnitude, glm::length(g));
             }
-            for (int c = 0; c < 3; ++c) tensors.at(x, y, c) = tensor[c] / (1.0 + tensor.x + tensor.y);
-            taken.at(x, y) = std::pow(magnitude, 1.5) / (1.0 + std::pow(magnitude, 1.5));
+            for (int c = 0; c < 3; ++c) tensors(x, y, c) = tensor[c] / (1.0 + tensor.x + tensor.y);
+            taken(x, y) = std::pow(magnitude, 1.5) / (1.0 + std::pow(magnitude, 1.5));
         }
     }
     tensors = blurred(tensors, std::max(0.5 * settings.sumiWidth, 2.0));
 
     const auto tangentAt = [&](int x, int y) {
-        return tangentOf({tensors.at(x, y, 0), tensors.at(x, y, 1), tensors.at(x, y, 2)});
+        return tangentOf({tensors(x, y, 0), tensors(x, y, 1), tensors(x, y, 2)});
     };
     const int steps = static_cast<int>(std::lround(settings.sumiLength));
     const double spread = std::max(0.5 * steps, 1.0);
-    Image<double> ink{depth.size, 1};
+    Image<double> ink{depth.size(), 1};
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            double sum = taken.at(x, y);
+            double sum = taken(x, y);
             double weights = 1.0;
             for (const double way : {1.0, -1.0}) {
                 glm::dvec2 pixel{x + 0.5, y + 0.5};
@@ -232,13 +232,13 @@ Image<double> sumi(const Image<double>& depth, const Image<double>& normal, cons
                     const int px = std::clamp(static_cast<int>(std::floor(pixel.x)), 0, width - 1);
                     const int py = std::clamp(static_cast<int>(std::floor(pixel.y)), 0, height - 1);
                     const double weight = std::exp(-0.5 * i * i / (spread * spread));
-                    sum += weight * taken.at(px, py);
+                    sum += weight * taken(px, py);
                     weights += weight;
                     const glm::dvec2 tangent = tangentAt(px, py);
                     direction = glm::dot(tangent, direction) < 0.0 ? -tangent : tangent;
                 }
             }
-            ink.at(x, y) = sum / weights;
+            ink(x, y) = sum / weights;
         }
     }
     return ink;
@@ -287,9 +287,9 @@ glm::dvec4 inkAt(const Image<std::uint8_t>& drawing, glm::dvec2 pixel) {
 
 Image<double> pencil(const Image<std::uint8_t>& drawing, const StyleSettings& settings) {
     const double cell = std::max(16.0 * settings.pencilLooseness, 24.0);
-    Image<double> drawn{drawing.size, 4};
-    for (int y = 0; y < drawing.size.height; ++y) {
-        for (int x = 0; x < drawing.size.width; ++x) {
+    Image<double> drawn{drawing.size(), 4};
+    for (int y = 0; y < drawing.size().height; ++y) {
+        for (int x = 0; x < drawing.size().width; ++x) {
             const glm::dvec2 pixel{x + 0.5, y + 0.5};
             const double grain = 0.6 * noise(pixel, 1.7, 0xfffffffeU) + 0.4 * noise(pixel, 3.1, 0xffffffffU);
             glm::dvec4 sum{0.0};  // premultiplied
@@ -305,7 +305,7 @@ Image<double> pencil(const Image<std::uint8_t>& drawing, const StyleSettings& se
                 sum = added + sum * (1.0 - added.a);
             }
             const glm::dvec4 color = sum.a > 0.0 ? glm::dvec4{glm::dvec3{sum} / sum.a, sum.a} : glm::dvec4{0.0};
-            for (int c = 0; c < 4; ++c) drawn.at(x, y, c) = color[c];
+            for (int c = 0; c < 4; ++c) drawn(x, y, c) = color[c];
         }
     }
     return drawn;

@@ -68,7 +68,7 @@ private:
         lines.marks = passes::detectLines(frame, buffers.planes, frame.scene.creaseAngle());
         clock_.finish("lines");
         const std::vector<raster::Rectangle> regions = plan_.ids == trace::TraceIds::Keep
-                                                           ? std::vector<raster::Rectangle>{{0, 0, lines.marks.size}}
+                                                           ? std::vector<raster::Rectangle>{{0, 0, lines.marks.size()}}
                                                            : passes::regionsAround(lines.marks);
         lines.planes = gl::readFloats(api, buffers.planes, 4, regions);
         lines.triangles = gl::readIntegers(api, buffers.triangles, regions);

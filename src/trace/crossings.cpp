@@ -19,12 +19,12 @@ CrossingTracer::CrossingTracer(const LineBuffers& buffers, const ScreenTriangles
       orthographic_{camera.orthographic()},
       focalLength_{camera.focalLength(buffers.tile.whole)},
       columns_{aroundKept(buffers.tile)},
-      types_{buffers.marks.size, 1} {}
+      types_{buffers.marks.size(), 1} {}
 
 void CrossingTracer::traceRow(int y, CrossingRow& crossings) {
     crossings.clear();
     forEachMarked(buffers_.marks, y, columns_.x, columns_.x + columns_.size.width, [&](int x) {
-        const unsigned marks = buffers_.marks.at(x, y);
+        const unsigned marks = buffers_.marks(x, y);
         const auto column = static_cast<std::size_t>(x);
         if ((marks & rightMarks) != 0) crossings.right[column] = crossing({x, y}, {x + 1, y}, marks & rightMarks);
         if ((marks >> 4U) != 0) crossings.down[column] = crossing({x, y}, {x, y + 1}, marks >> 4U);
@@ -32,10 +32,10 @@ void CrossingTracer::traceRow(int y, CrossingRow& crossings) {
     });
 }
 
-bool CrossingTracer::isBackground(Sample s) const { return buffers_.triangles.at(s.x, s.y) == 0; }
+bool CrossingTracer::isBackground(Sample s) const { return buffers_.triangles(s.x, s.y) == 0; }
 
 scene::SceneFace CrossingTracer::triangle(Sample s) const {
-    return triangles_.locate(buffers_.triangles.at(s.x, s.y) - 1);
+    return triangles_.locate(buffers_.triangles(s.x, s.y) - 1);
 }
 
 glm::dvec2 CrossingTracer::centre(Sample s) const {
@@ -50,7 +50,7 @@ CrossingTracer::Walk CrossingTracer::walk(Sample from, Sample to) const {
 // Where coplanar layers overlap a pixel holds the sum of their patches' numbers. If one side has one layer more, the
 // difference is the number of that layer.
 std::optional<double> CrossingTracer::layerBorder(Sample from, Sample to) const {
-    const float difference = buffers_.planes.at(from.x, from.y, 3) - buffers_.planes.at(to.x, to.y, 3);
+    const float difference = buffers_.planes(from.x, from.y, 3) - buffers_.planes(to.x, to.y, 3);
     return triangles_.layerBorder(static_cast<std::uint32_t>(std::abs(difference)), centre(from), centre(to));
 }
 
@@ -60,8 +60,8 @@ ScreenTriangles::Plane CrossingTracer::plane(Sample s) const { return triangles_
 
 bool CrossingTracer::isNearer(Sample q, Sample p) const {
     constexpr double rounding = 1e-5;  // of drawn planes: a few steps of a float
-    const double wp = static_cast<double>(buffers_.planes.at(p.x, p.y));
-    const double wq = static_cast<double>(buffers_.planes.at(q.x, q.y));
+    const double wp = static_cast<double>(buffers_.planes(p.x, p.y));
+    const double wq = static_cast<double>(buffers_.planes(q.x, q.y));
     if (std::abs(wp - wq) > rounding * std::max(std::abs(wp), std::abs(wq))) return wq > wp;
     constexpr double equal = 1e-9;  // faces of equal depth count as equal, however numbers are rounded
     const double atP = plane(p).w;
@@ -103,7 +103,7 @@ StepCrossing CrossingTracer::crossing(Sample p, Sample q, unsigned marks) {
     if ((marks & ~(raster::PairMark::bend | raster::PairMark::jump)) == 0 && goesOnSmoothly(way, far)) return {};
 
     const LineTypes types = classify(near, far, marks, way.exit);
-    types_.at(near.x, near.y) |= static_cast<std::uint16_t>(types.bits());
+    types_(near.x, near.y) |= static_cast<std::uint16_t>(types.bits());
     const glm::dvec2 from = centre(near);
     const glm::dvec2 offset = positionAlong(near, far, marks, way) * (centre(far) - from);
     return {glm::vec2{from + offset}, types, inverseDepthAt(near, offset), triangle(near)};

@@ -33,7 +33,7 @@ struct LineBuffers {
 /// Calls visit(x) where a row of marks is not 0. Most marks are 0: eight of them are skipped at a time.
 template <class Visit>
 void forEachMarked(const Image<std::uint8_t>& marks, int y, int begin, int end, Visit visit) {
-    const std::uint8_t* const row = &marks.at(0, y);
+    const std::uint8_t* const row = &marks(0, y);
     constexpr int step = sizeof(std::uint64_t);
     for (int x = begin; x < end;) {
         std::uint64_t next = 1;

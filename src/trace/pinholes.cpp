@@ -13,13 +13,13 @@ public:
           focalLength_{camera.focalLength(buffers.tile.whole) * (camera.orthographic() ? unit : 1.0)} {}
 
     void apply() {
-        const Size size = buffers_.marks.size;
+        const Size size = buffers_.marks.size();
         for (int y = 1; y + 1 < size.height; ++y) {
             forEachMarked(buffers_.marks, y, 1, size.width - 1, [&](int x) {
                 if (!standsAlone(x, y) || !isPinhole(x, y)) return;
-                buffers_.marks.at(x, y) = 0;
-                buffers_.marks.at(x - 1, y) &= belowMarks;
-                buffers_.marks.at(x, y - 1) &= rightMarks;
+                buffers_.marks(x, y) = 0;
+                buffers_.marks(x - 1, y) &= belowMarks;
+                buffers_.marks(x, y - 1) &= rightMarks;
             });
         }
     }
@@ -29,13 +29,13 @@ private:
     static constexpr unsigned belowMarks = 0xF0;
 
     [[nodiscard]] bool standsAlone(int x, int y) const {
-        const unsigned own = buffers_.marks.at(x, y);
-        return (own & rightMarks) != 0 && (own & belowMarks) != 0 && (buffers_.marks.at(x - 1, y) & rightMarks) != 0 &&
-               (buffers_.marks.at(x, y - 1) & belowMarks) != 0;
+        const unsigned own = buffers_.marks(x, y);
+        return (own & rightMarks) != 0 && (own & belowMarks) != 0 && (buffers_.marks(x - 1, y) & rightMarks) != 0 &&
+               (buffers_.marks(x, y - 1) & belowMarks) != 0;
     }
 
     [[nodiscard]] double plane(int x, int y, int channel) const {
-        return static_cast<double>(buffers_.planes.at(x, y, channel));
+        return static_cast<double>(buffers_.planes(x, y, channel));
     }
 
     // Whether the two samples beside (x, y) along an axis see one patch that goes on from one to the other in front of

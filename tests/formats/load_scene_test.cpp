@@ -88,7 +88,7 @@ void expectSame(const Material& a, const Material& b) {
     EXPECT_EQ(a.wrap, b.wrap);
     ASSERT_EQ(a.picture == nullptr, b.picture == nullptr);
     if (a.picture) {
-        EXPECT_EQ(a.picture->pixels, b.picture->pixels);
+        EXPECT_EQ(a.picture->pixels(), b.picture->pixels());
     }
 }
 

@@ -12,20 +12,20 @@ inline Maps renderFramed(Renderer& renderer, const Scene& scene, Size size) {
 }
 
 inline void expectSame(const Maps& a, const Maps& b) {
-    EXPECT_EQ(a.picture.pixels, b.picture.pixels);
-    EXPECT_EQ(a.depth.pixels, b.depth.pixels);
-    EXPECT_EQ(a.windowDepth.pixels, b.windowDepth.pixels);
-    EXPECT_EQ(a.normal.pixels, b.normal.pixels);
-    EXPECT_EQ(a.depthMagnitude.pixels, b.depthMagnitude.pixels);
-    EXPECT_EQ(a.normalMagnitude.pixels, b.normalMagnitude.pixels);
-    EXPECT_EQ(a.depthEdges.pixels, b.depthEdges.pixels);
-    EXPECT_EQ(a.normalEdges.pixels, b.normalEdges.pixels);
-    EXPECT_EQ(a.edges.pixels, b.edges.pixels);
+    EXPECT_EQ(a.picture, b.picture);
+    EXPECT_EQ(a.depth, b.depth);
+    EXPECT_EQ(a.windowDepth, b.windowDepth);
+    EXPECT_EQ(a.normal, b.normal);
+    EXPECT_EQ(a.depthMagnitude, b.depthMagnitude);
+    EXPECT_EQ(a.normalMagnitude, b.normalMagnitude);
+    EXPECT_EQ(a.depthEdges, b.depthEdges);
+    EXPECT_EQ(a.normalEdges, b.normalEdges);
+    EXPECT_EQ(a.edges, b.edges);
 }
 
 inline std::size_t differing(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b) {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) count += a.pixels[i] != b.pixels[i] ? 1U : 0U;
+    for (std::size_t i = 0; i < a.pixels().size(); ++i) count += a.pixels()[i] != b.pixels()[i] ? 1U : 0U;
     return count;
 }
 

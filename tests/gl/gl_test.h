@@ -127,8 +127,8 @@ inline Settings classic(Size size, std::vector<Map> maps = {}) {
 inline const std::vector<Map> classicMaps{Map::Depth, Map::Normal, Map::DepthEdges, Map::NormalEdges, Map::Edges};
 
 inline Image<double> toDouble(const Image<float>& image) {
-    Image<double> result{image.size, image.channels};
-    std::copy(image.pixels.begin(), image.pixels.end(), result.pixels.begin());
+    Image<double> result{image.size(), image.channels()};
+    std::copy(image.pixels().begin(), image.pixels().end(), result.mutablePixels().begin());
     return result;
 }
 

@@ -52,8 +52,8 @@ std::string refusalOf(std::span<const std::uint8_t> bytes, std::uint64_t maxPixe
 
 TEST(DecodePicture, readsJpeg) {
     const Image<std::uint8_t> image = decodePicture(jpeg, 1000);
-    ASSERT_EQ(image.size, (Size{16, 8}));
-    ASSERT_EQ(image.channels, 4);
+    ASSERT_EQ(image.size(), (Size{16, 8}));
+    ASSERT_EQ(image.channels(), 4);
     expectColor(image, 2, 3, {200, 40, 40});
     expectColor(image, 13, 3, {30, 60, 220});
 }
@@ -74,7 +74,7 @@ constexpr auto png = std::to_array<std::uint8_t>({
 });
 
 TEST(DecodePicture, keepsNothingOfAPngThatItRefuses) {
-    ASSERT_EQ(decodePicture(png, 1000).size, (Size{16, 16}));
+    ASSERT_EQ(decodePicture(png, 1000).size(), (Size{16, 16}));
     const auto refuseOften = [] {
         for (int i = 0; i < 1000; ++i)
             ASSERT_THAT(refusalOf(png, 100), testing::HasSubstr("16x16; raise max-image-pixels"));

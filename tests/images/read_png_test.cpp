@@ -111,9 +111,10 @@ TEST(ReadPngToLookAt, isLibpngsSimplifiedReading) {
         const Bytes plainFile = written(plain);
         bool hasAlpha = false;
         const Bytes rgba = simplified(plainFile, PNG_FORMAT_RGBA, hasAlpha);
-        EXPECT_EQ(images::readPngToLookAt(file, 1000, PngChannels::Rgba).pixels, rgba) << testing::PrintToString(kind);
+        EXPECT_EQ(images::readPngToLookAt(file, 1000, PngChannels::Rgba).pixels(), rgba)
+            << testing::PrintToString(kind);
         const Bytes greyAlpha = simplified(plainFile, PNG_FORMAT_GA, hasAlpha);
-        EXPECT_EQ(images::readPngToLookAt(file, 1000, PngChannels::GreyAlpha).pixels, greyAlpha)
+        EXPECT_EQ(images::readPngToLookAt(file, 1000, PngChannels::GreyAlpha).pixels(), greyAlpha)
             << testing::PrintToString(kind);
         EXPECT_EQ(images::pngHasAlpha(file, 1000), hasAlpha) << testing::PrintToString(kind);
     }

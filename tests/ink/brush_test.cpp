@@ -109,7 +109,7 @@ TEST(Brush, drawsALineInManyPartsAsInOne) {
     const Image<double> once = inkOf(whole, picture(), striped());
     const Image<double> ink = inkOf(parts, picture(), striped());
     // As without a brush: a part's cap may cover a hundredth more; and rounding to a byte.
-    for (std::size_t i = 0; i < ink.pixels.size(); ++i) ASSERT_NEAR(ink.pixels[i], once.pixels[i], 0.015) << i;
+    for (std::size_t i = 0; i < ink.pixels().size(); ++i) ASSERT_NEAR(ink.pixels()[i], once.pixels()[i], 0.015) << i;
     expectStripes(ink, {a, b}, 0.0);
 }
 
@@ -123,15 +123,15 @@ TEST(Brush, ofFullInkIsNone) {
         const Brush brush = even(255);
         const auto with = paintStrokes(strokes, picture(5.0), &brush);
         const auto without = paintStrokes(strokes, picture(5.0));
-        for (std::size_t i = 0; i < with.pixels.size(); ++i)  // a rounding of the band's position is a level
-            ASSERT_NEAR(with.pixels[i], without.pixels[i], 1) << taper << ", pixel " << i;
+        for (std::size_t i = 0; i < with.pixels().size(); ++i)  // a rounding of the band's position is a level
+            ASSERT_NEAR(with.pixels()[i], without.pixels()[i], 1) << taper << ", pixel " << i;
     }
 }
 
 TEST(Brush, ofNoInkPaintsNothing) {
     const auto strokes = strokesThrough({lineThrough({{10, 20}, {65, 20}, {65, 61}})}, picture());
     const Brush brush = even(0);
-    EXPECT_THAT(paintStrokes(strokes, picture(), &brush).pixels, Each(255));
+    EXPECT_THAT(paintStrokes(strokes, picture(), &brush).pixels(), Each(255));
 }
 
 TEST(Brush, ofHalfInkCoversHalf) {
@@ -211,8 +211,8 @@ TEST(Brush, givesTheLargerInkWhereLinesMeet) {
     const Image<double> both = ink(lines);
     const Image<double> across = ink({lines[0]});
     const Image<double> down = ink({lines[1]});
-    for (std::size_t i = 0; i < both.pixels.size(); ++i)
-        ASSERT_EQ(both.pixels[i], std::max(across.pixels[i], down.pixels[i])) << i;
+    for (std::size_t i = 0; i < both.pixels().size(); ++i)
+        ASSERT_EQ(both.pixels()[i], std::max(across.pixels()[i], down.pixels()[i])) << i;
 }
 
 TEST(Brush, isAveragedWhereItIsFinerThanPixels) {
@@ -254,8 +254,8 @@ TEST_F(ReadBrush, takesDarkForInkAndClearForNone) {
                                          0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
     const std::string bytes{reinterpret_cast<const char*>(png), sizeof png};
     const Brush brush = readBrush(file("brush.png", bytes), {});
-    EXPECT_EQ(brush.ink.size, (Size{4, 1}));
-    EXPECT_THAT(brush.ink.pixels, testing::ElementsAre(255, 0, 128, 0));
+    EXPECT_EQ(brush.ink.size(), (Size{4, 1}));
+    EXPECT_THAT(brush.ink.pixels(), testing::ElementsAre(255, 0, 128, 0));
 }
 
 TEST_F(ReadBrush, refusesInOneLineWhatIsNoPng) {

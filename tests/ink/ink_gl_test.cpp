@@ -112,7 +112,7 @@ TEST_P(Ink, ofACreaseIsExactAtEveryAngleAndWidth) {
                 SCOPED_TRACE(testing::Message() << (orthographic ? "orthographic" : "perspective") << ", angle "
                                                 << halfAngle(i) << ", width " << width);
                 const Maps maps = renderer().render(scene, camera, ink(square, width, {Map::Types}));
-                EXPECT_THAT(maps.types.pixels, testing::Each(testing::AnyOf(0, static_cast<int>(LineType::Crease))));
+                EXPECT_THAT(maps.types.pixels(), testing::Each(testing::AnyOf(0, static_cast<int>(LineType::Crease))));
                 ink_measures::expectStraight(
                     ink_measures::measure(ink_measures::inkOf(maps.picture), ridge, width, 0.0), width);
             }
@@ -296,7 +296,7 @@ TEST_P(Ink, neitherThinsOutNorDoublesWhereTypesMeet) {
             const Maps maps = renderer().render(scene, camera, ink(square, width, {Map::Types}));
             const Image<double> drawn = ink_measures::inkOf(maps.picture);
             unsigned types = 0;
-            for (const std::uint16_t t : maps.types.pixels) types |= t;
+            for (const std::uint16_t t : maps.types.pixels()) types |= t;
             EXPECT_EQ(types & 3U, 3U) << "no two types to meet";
             const Image<double> exact = ink_measures::exactInk(square, lines, width);
             ink_measures::Difference junctions;
@@ -308,7 +308,7 @@ TEST_P(Ink, neitherThinsOutNorDoublesWhereTypesMeet) {
             }
             EXPECT_LE(junctions.rms(), ink_measures::cornerRmsLimit);
             ink_measures::Difference whole;
-            for (std::size_t k = 0; k < drawn.pixels.size(); ++k) whole.add(drawn.pixels[k], exact.pixels[k]);
+            for (std::size_t k = 0; k < drawn.pixels().size(); ++k) whole.add(drawn.pixels()[k], exact.pixels()[k]);
             EXPECT_LE(whole.rms(), ink_measures::rmsLimit);
         }
     }

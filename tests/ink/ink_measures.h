@@ -102,15 +102,16 @@ inline Image<double> exactInk(Size size, std::span<const Line> lines, double wid
 
 /// Black on white -> the share of each pixel that ink covers.
 inline Image<double> inkOf(const Image<std::uint8_t>& picture) {
-    Image<double> ink{picture.size, 1};
-    std::ranges::transform(picture.pixels, ink.pixels.begin(), [](std::uint8_t v) { return 1.0 - v / 255.0; });
+    Image<double> ink{picture.size(), 1};
+    std::ranges::transform(picture.pixels(), ink.mutablePixels().begin(),
+                           [](std::uint8_t v) { return 1.0 - v / 255.0; });
     return ink;
 }
 
 /// The ink between two pixels' centres, linear between them.
 inline double inkAt(const Image<double>& ink, glm::dvec2 p) {
-    const int x = std::clamp(static_cast<int>(std::floor(p.x - 0.5)), 0, ink.size.width - 2);
-    const int y = std::clamp(static_cast<int>(std::floor(p.y - 0.5)), 0, ink.size.height - 2);
+    const int x = std::clamp(static_cast<int>(std::floor(p.x - 0.5)), 0, ink.size().width - 2);
+    const int y = std::clamp(static_cast<int>(std::floor(p.y - 0.5)), 0, ink.size().height - 2);
     const double s = std::clamp(p.x - 0.5 - x, 0.0, 1.0);
     const double t = std::clamp(p.y - 0.5 - y, 0.0, 1.0);
     return glm::mix(glm::mix(ink.at(x, y), ink.at(x + 1, y), s), glm::mix(ink.at(x, y + 1), ink.at(x + 1, y + 1), s),
@@ -169,8 +170,8 @@ inline StraightStroke measure(const Image<double>& ink, const Line& line, double
     StraightStroke result;
     const double reach = 0.5 * width + 2.0;
     Difference difference;
-    for (int y = 0; y < ink.size.height; ++y) {
-        for (int x = 0; x < ink.size.width; ++x) {
+    for (int y = 0; y < ink.size().height; ++y) {
+        for (int x = 0; x < ink.size().width; ++x) {
             const glm::dvec2 from = centre(x, y) - line.a;
             const double s = glm::dot(from, line.direction());
             if (s < end || s > line.length() - end || std::abs(glm::dot(from, line.normal())) > reach) continue;
@@ -184,9 +185,9 @@ inline StraightStroke measure(const Image<double>& ink, const Line& line, double
     EXPECT_GT(inner, 2.0 * window) << "too little line to measure";
     EXPECT_GT(difference.count(), inner) << "no ink to measure";
     // Only over the whole length is the window's own error under a thousandth.
-    result.meanWidth = widthAround(ink.size, line, 0.5 * line.length(), inner, reach, drawn);
+    result.meanWidth = widthAround(ink.size(), line, 0.5 * line.length(), inner, reach, drawn);
     for (double along = end + 0.5 * window; along <= line.length() - end - 0.5 * window; along += 1.0) {
-        const double there = width + widthAround(ink.size, line, along, window, reach, error);
+        const double there = width + widthAround(ink.size(), line, along, window, reach, error);
         result.minWidth = std::min(result.minWidth, there);
         result.greatestWidth = std::max(result.greatestWidth, there);
     }
@@ -209,8 +210,8 @@ inline void expectStraight(const StraightStroke& found, double width) {
 /// Adds the pixels within a radius of a point.
 inline void compareAround(const Image<double>& drawn, const Image<double>& exact, glm::dvec2 point, double radius,
                           Difference& difference) {
-    for (int y = 0; y < drawn.size.height; ++y) {
-        for (int x = 0; x < drawn.size.width; ++x) {
+    for (int y = 0; y < drawn.size().height; ++y) {
+        for (int x = 0; x < drawn.size().width; ++x) {
             if (glm::distance(centre(x, y), point) <= radius) difference.add(drawn.at(x, y), exact.at(x, y));
         }
     }

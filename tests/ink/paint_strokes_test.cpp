@@ -105,7 +105,7 @@ TEST(PaintStrokes, ofNoLengthAreDots) {
     const Stroke stroke = strokeOf({{20.2, 20.6}, {20.2, 20.6}});
     const Image<double> ink = inkOf({&stroke, 1}, pictureOf({40, 40}, 10.0));
     double sum = 0.0;
-    for (const double there : ink.pixels) sum += there;
+    for (const double there : ink.pixels()) sum += there;
     EXPECT_NEAR(sum, std::numbers::pi * 25.0, 0.5);  // the disc's edge is 31 pixels long: 0.016 of each
 }
 
@@ -123,8 +123,8 @@ TEST(PaintStrokes, ofOneColourJoinWithoutASeam) {
         const Stroke stroke = strokeOf(whole);
         const Image<double> ink = inkOf(parts, pictureOf({120, 120}, width));
         const Image<double> once = inkOf({&stroke, 1}, pictureOf({120, 120}, width));
-        for (std::size_t i = 0; i < ink.pixels.size(); ++i) {
-            ASSERT_NEAR(ink.pixels[i], once.pixels[i], seamLimit) << width << ", pixel " << i;
+        for (std::size_t i = 0; i < ink.pixels().size(); ++i) {
+            ASSERT_NEAR(ink.pixels()[i], once.pixels()[i], seamLimit) << width << ", pixel " << i;
         }
     }
 }
@@ -133,7 +133,7 @@ TEST(PaintStrokes, drawnTwiceAreNoDarker) {
     const Stroke stroke = strokeOf(lineThrough({20, 20}, 0.5, 30));
     const std::array twice{stroke, stroke};
     const PictureSettings settings = pictureOf({40, 40}, 1.5);
-    EXPECT_EQ(paintStrokes(twice, settings).pixels, paintStrokes({&stroke, 1}, settings).pixels);
+    EXPECT_EQ(paintStrokes(twice, settings).pixels(), paintStrokes({&stroke, 1}, settings).pixels());
 }
 
 TEST(PaintStrokes, ofAnEarlierTypeCoverThoseOfALaterOneInAnyOrder) {
@@ -143,8 +143,8 @@ TEST(PaintStrokes, ofAnEarlierTypeCoverThoseOfALaterOneInAnyOrder) {
     const Stroke across = strokeOf({{0.0, 10.5}, {21.0, 10.5}}, outline);
     const Stroke down = strokeOf({{10.5, 0.0}, {10.5, 21.0}}, crease);
     const auto picture = paintStrokes(std::array{across, down}, settings);
-    EXPECT_EQ(picture.pixels, paintStrokes(std::array{down, across}, settings).pixels);
-    ASSERT_EQ(picture.channels, 3);
+    EXPECT_EQ(picture.pixels(), paintStrokes(std::array{down, across}, settings).pixels());
+    ASSERT_EQ(picture.channels(), 3);
     const auto pixel = [&](int x, int y) {
         return std::array{picture.at(x, y, 0), picture.at(x, y, 1), picture.at(x, y, 2)};
     };
@@ -172,7 +172,7 @@ TEST(PaintStrokes, onATransparentBackgroundPutTheirCoverageIntoAlphaOnly) {
     const auto opaque = paintStrokes({&stroke, 1}, settings);
     settings.background.reset();
     const auto clear = paintStrokes({&stroke, 1}, settings);
-    ASSERT_EQ(clear.channels, 4);
+    ASSERT_EQ(clear.channels(), 4);
     int partly = 0;
     for (int y = 0; y < 40; ++y) {
         for (int x = 0; x < 40; ++x) {
@@ -194,11 +194,11 @@ TEST(PaintStrokes, giveAGreyPictureWhereAllIsGrey) {
     PictureSettings settings = pictureOf({8, 8}, 1.0);
     const Stroke stroke = strokeOf({{0, 4.5}, {8, 4.5}});
     const auto picture = paintStrokes({&stroke, 1}, settings);
-    EXPECT_EQ(picture.channels, 1);
+    EXPECT_EQ(picture.channels(), 1);
     EXPECT_EQ(picture.at(4, 4), 0);
     EXPECT_EQ(picture.at(4, 1), 255);
     settings.pens[crease].color = Color{1, 0, 0};
-    EXPECT_EQ(paintStrokes({&stroke, 1}, settings).channels, 3);
+    EXPECT_EQ(paintStrokes({&stroke, 1}, settings).channels(), 3);
 }
 
 TEST(PaintStrokes, beyondThePictureDoNoHarm) {
@@ -209,7 +209,7 @@ TEST(PaintStrokes, beyondThePictureDoNoHarm) {
         EXPECT_EQ(picture.at(x, 3), 0) << "runs through";
         EXPECT_EQ(picture.at(x, 6), 255);
     }
-    EXPECT_THAT(paintStrokes({}, pictureOf({5, 3}, 1.0)).pixels, Each(255));
+    EXPECT_THAT(paintStrokes({}, pictureOf({5, 3}, 1.0)).pixels(), Each(255));
 }
 
 // Large pictures are painted some rows at a time.
@@ -223,8 +223,8 @@ TEST(PaintStrokes, isTheSameAnywhereInALargePicture) {
         const std::vector<Stroke> here{{{10.25F, 20.5F}, {8000.5F, 40.75F}, 0}, {{4000.0F, 5.0F}, {4016.0F, 55.0F}, 1}};
         const Image<std::uint8_t> all = paintStrokes(strokes, pictureOf(large, 7.0));
         const Image<std::uint8_t> part = paintStrokes(here, pictureOf(small, 7.0));
-        EXPECT_TRUE(std::equal(part.pixels.begin(), part.pixels.end(),
-                               all.pixels.begin() + static_cast<std::ptrdiff_t>(down) * large.width))
+        EXPECT_TRUE(std::equal(part.pixels().begin(), part.pixels().end(),
+                               all.pixels().begin() + static_cast<std::ptrdiff_t>(down) * large.width))
             << down;
     }
 }

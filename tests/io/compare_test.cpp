@@ -53,7 +53,7 @@ protected:
     static std::vector<int> levels(const fs::path& file) {
         const auto read = images::imageFormats(Error::Kind::Input).read(file);
         std::vector<int> result;
-        for (const float value : read.image.pixels) result.push_back(static_cast<int>(std::lround(value * 255.0F)));
+        for (const float value : read.image.pixels()) result.push_back(static_cast<int>(std::lround(value * 255.0F)));
         return result;
     }
 
@@ -260,7 +260,7 @@ TEST_F(Compare, drawsNoDifferenceAsBlack) {
 TEST_F(Compare, drawsWhatIsNoNumberAsWhite) {
     Image<float> depth{{3, 1}, 1, 1.0F};
     const fs::path a = save("a.exr", depth);
-    depth.pixels = {1.0F, std::numeric_limits<float>::quiet_NaN(), 3.0F};
+    depth = Image<float>{depth.size(), 1, {1.0F, std::numeric_limits<float>::quiet_NaN(), 3.0F}};
     static_cast<void>(compare(a, save("b.exr", depth), {}, folder_ / "difference.png"));
     EXPECT_THAT(levels(folder_ / "difference.png"), ElementsAre(0, 255, 255));
 }
@@ -330,9 +330,9 @@ TEST_F(Compare, readsEveryKindOfPngAsOpenImageIoDoes) {
         const images::ReadPicture theirs = images::imageFormats(Error::Kind::Input).read(folder_ / "noise.png");
         ASSERT_EQ(ours.failure + theirs.failure, "") << kind.colorType << ", " << kind.bits << " bits";
         EXPECT_TRUE(ours.integers && theirs.integers);
-        EXPECT_EQ(ours.image.size, theirs.image.size);
-        ASSERT_EQ(ours.image.channels, theirs.image.channels) << kind.colorType << ", " << kind.bits << " bits";
-        EXPECT_THAT(ours.image.pixels, testing::Pointwise(testing::FloatNear(1e-6F), theirs.image.pixels))
+        EXPECT_EQ(ours.image.size(), theirs.image.size());
+        ASSERT_EQ(ours.image.channels(), theirs.image.channels()) << kind.colorType << ", " << kind.bits << " bits";
+        EXPECT_THAT(ours.image.pixels(), testing::Pointwise(testing::FloatNear(1e-6F), theirs.image.pixels()))
             << kind.colorType << ", " << kind.bits << " bits";
     }
 }

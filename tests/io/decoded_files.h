@@ -39,7 +39,7 @@ inline DecodedPng decodePng(const std::string& bytes) {
     header.format &= ~static_cast<png_uint_32>(PNG_FORMAT_FLAG_COLORMAP);
     result.image = Image<std::uint8_t>{{static_cast<int>(header.width), static_cast<int>(header.height)},
                                        static_cast<int>(PNG_IMAGE_SAMPLE_CHANNELS(header.format))};
-    if (png_image_finish_read(&header, nullptr, result.image.pixels.data(), 0, nullptr) == 0) {
+    if (png_image_finish_read(&header, nullptr, result.image.mutablePixels().data(), 0, nullptr) == 0) {
         throw std::runtime_error{header.message};
     }
     return result;
@@ -52,7 +52,7 @@ inline DecodedPng decodePng(const std::vector<std::uint8_t>& bytes) {
 inline Image<std::uint8_t> noise(Size size, int channels) {
     Image<std::uint8_t> image{size, channels};
     std::uint32_t state = 1;
-    for (std::uint8_t& value : image.pixels)
+    for (std::uint8_t& value : image.mutablePixels())
         value = static_cast<std::uint8_t>((state = state * 1664525U + 1013904223U) >> 24);
     return image;
 }
@@ -61,16 +61,11 @@ inline Image<std::uint8_t> noise(Size size, int channels) {
 inline Maps smallMaps() {
     const Size size{2, 1};
     Maps maps;
-    maps.picture = Image<std::uint8_t>{size, 1};
-    maps.picture.pixels = {0, 255};
-    maps.depth = Image<float>{size, 1};
-    maps.depth.pixels = {2.5F, 4.0F};
-    maps.normal = Image<float>{size, 3};
-    maps.normal.pixels = {0.6F, -0.8F, 0.0F, 0.0F, 0.0F, -1.0F};
-    maps.depthEdges = Image<std::uint8_t>{size, 1};
-    maps.depthEdges.pixels = {255, 0};
-    maps.normalEdges = Image<std::uint8_t>{size, 1};
-    maps.normalEdges.pixels = {0, 255};
+    maps.picture = Image<std::uint8_t>{size, 1, {0, 255}};
+    maps.depth = Image<float>{size, 1, {2.5F, 4.0F}};
+    maps.normal = Image<float>{size, 3, {0.6F, -0.8F, 0.0F, 0.0F, 0.0F, -1.0F}};
+    maps.depthEdges = Image<std::uint8_t>{size, 1, {255, 0}};
+    maps.normalEdges = Image<std::uint8_t>{size, 1, {0, 255}};
     maps.edges = Image<std::uint8_t>{size, 1, 255};
     maps.camera.near = 2.0;
     maps.camera.far = 4.0;
@@ -138,7 +133,7 @@ inline DecodedFile decodeFile(const fs::path& file) {
     DecodedFile result;
     result.spec = input->spec();
     result.image = Image<float>{{result.spec.width, result.spec.height}, result.spec.nchannels};
-    if (!input->read_image(0, 0, 0, result.spec.nchannels, OIIO::TypeFloat, result.image.pixels.data())) {
+    if (!input->read_image(0, 0, 0, result.spec.nchannels, OIIO::TypeFloat, result.image.mutablePixels().data())) {
         throw std::runtime_error{input->geterror()};
     }
     return result;

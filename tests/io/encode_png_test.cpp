@@ -23,8 +23,8 @@ TEST(EncodePng, keepsGreyInOneChannelOfEightBits) {
     const DecodedPng decoded = decodePng(encodePng(picture));
     EXPECT_EQ(decoded.bitDepth, 8);
     EXPECT_EQ(decoded.colorType, PNG_COLOR_TYPE_GRAY);
-    EXPECT_EQ(decoded.image.size, picture.size);
-    EXPECT_EQ(decoded.image.pixels, picture.pixels);
+    EXPECT_EQ(decoded.image.size(), picture.size());
+    EXPECT_EQ(decoded.image, picture);
 }
 
 TEST(EncodePng, keepsEveryValueOfColourAndAlpha) {
@@ -32,8 +32,8 @@ TEST(EncodePng, keepsEveryValueOfColourAndAlpha) {
         const Image<std::uint8_t> picture = noise({5, 37}, channels);
         const DecodedPng decoded = decodePng(encodePng(picture));
         EXPECT_EQ(decoded.colorType, channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA);
-        EXPECT_EQ(decoded.image.size, picture.size);
-        EXPECT_EQ(decoded.image.pixels, picture.pixels);
+        EXPECT_EQ(decoded.image.size(), picture.size());
+        EXPECT_EQ(decoded.image, picture);
     }
 }
 
@@ -42,12 +42,12 @@ TEST(EncodePng, keepsEveryValueOfUpTo256ColoursInAPalette) {
         for (const std::size_t colors : {1U, 255U, 256U, 257U}) {
             const Image<std::uint8_t> some = noise({static_cast<int>(colors), 1}, channels);
             Image<std::uint8_t> picture{{93, 71}, channels};
-            for (std::size_t i = 0; i < picture.pixels.size(); ++i)
-                picture.pixels[i] = some.pixels[i % some.pixels.size()];
+            for (std::size_t i = 0; i < picture.pixels().size(); ++i)
+                picture.mutablePixels()[i] = some.pixels()[i % some.pixels().size()];
             const DecodedPng decoded = decodePng(encodePng(picture));
             EXPECT_EQ(decoded.colorType == PNG_COLOR_TYPE_PALETTE, colors <= 256) << colors;
-            EXPECT_EQ(decoded.image.channels, channels);
-            EXPECT_EQ(decoded.image.pixels, picture.pixels) << channels << " channels, " << colors << " colours";
+            EXPECT_EQ(decoded.image.channels(), channels);
+            EXPECT_EQ(decoded.image, picture) << channels << " channels, " << colors << " colours";
         }
     }
 }
@@ -73,17 +73,17 @@ TEST(EncodePng, refusesAPictureWithoutPixels) {
 std::vector<std::uint16_t> decodeGrey16(const std::vector<std::uint8_t>& bytes) {
     const images::ReadPicture picture = images::readPng(bytes);
     std::vector<std::uint16_t> values;
-    for (const float v : picture.image.pixels) values.push_back(static_cast<std::uint16_t>(std::lround(v * 65535.0F)));
+    for (const float v : picture.image.pixels())
+        values.push_back(static_cast<std::uint16_t>(std::lround(v * 65535.0F)));
     return values;
 }
 
 TEST(EncodePng, keepsEveryBitOfATypesMap) {
-    Image<std::uint16_t> types{{6, 1}, 1};
-    types.pixels = {0, 1, 255, 256, 0x8001, 0xFFFF};
+    Image<std::uint16_t> types{{6, 1}, 1, {0, 1, 255, 256, 0x8001, 0xFFFF}};
     const std::vector<std::uint8_t> bytes = encodePng(types);
     EXPECT_EQ(bytes[24], 16) << "bits a sample";
     EXPECT_EQ(bytes[25], PNG_COLOR_TYPE_GRAY);
-    EXPECT_THAT(decodeGrey16(bytes), ElementsAreArray(types.pixels));
+    EXPECT_THAT(decodeGrey16(bytes), ElementsAreArray(types.pixels()));
     expectError(Error::Kind::Usage, testing::StrEq("PNG: expected a picture of at least one pixel, found none"),
                 [] { static_cast<void>(encodePng(Image<std::uint16_t>{})); });
 }

@@ -74,7 +74,7 @@ TEST(MetadataJson, saysOfLinesWhatItSaysOfAPicture) {
     maps.backend.backend = "osmesa";
     maps.times = {{"draw", 1.5}};
     Lines lines;
-    lines.size = maps.picture.size;
+    lines.size = maps.picture.size();
     lines.camera = maps.camera;
     lines.bounds = triangle().bounds();
     lines.source.triangles = triangle().triangleCount();

@@ -266,7 +266,7 @@ Image<float> rasterised(const TemporaryFolder& folder, const std::string& text) 
 
 double level(const Image<float>& image, int x, int y) {
     double sum = 0.0;
-    for (int k = 0; k < 3; ++k) sum += image.at(x, y, image.channels >= 3 ? k : 0);
+    for (int k = 0; k < 3; ++k) sum += image.at(x, y, image.channels() >= 3 ? k : 0);
     return sum / 3.0;
 }
 
@@ -293,7 +293,7 @@ TEST(LinesSvg, looksInLibrsvgAsThePaintedPictureDoes) {
                                                 {"stroke-taper", widths == "curvature" ? "15" : "0"},
                                                 {"hidden", hiddenLines}});
                 const Image<float> drawn = rasterised(folder, svg(lines, settings));
-                ASSERT_EQ(drawn.size, size);
+                ASSERT_EQ(drawn.size(), size);
                 const auto strokes = ink::strokesOf(lines, settings.picture, settings.lines);
                 const Image<std::uint8_t> painted = ink::paintStrokes(strokes, settings.picture);
                 double sum = 0.0;
@@ -301,8 +301,8 @@ TEST(LinesSvg, looksInLibrsvgAsThePaintedPictureDoes) {
                 for (int y = 0; y < size.height; ++y) {
                     for (int x = 0; x < size.width; ++x) {
                         double there = 0.0;
-                        for (int k = 0; k < painted.channels; ++k) there += painted.at(x, y, k);
-                        there /= 255.0 * painted.channels;
+                        for (int k = 0; k < painted.channels(); ++k) there += painted.at(x, y, k);
+                        there /= 255.0 * painted.channels();
                         sum += std::abs(there - level(drawn, x, y));
                         ink += 1.0 - there;
                     }

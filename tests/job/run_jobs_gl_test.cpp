@@ -116,7 +116,7 @@ TEST_P(RunJobs, handOverPicturesOfNoFile) {
     Size size;
     runJobs({&job, 1}, {.drawn = [&](std::size_t, std::size_t, const Maps& maps) {
                 EXPECT_THAT(folder_.names(), IsEmpty()) << "metadata are written after it";
-                size = maps.picture.size;
+                size = maps.picture.size();
             }});
     EXPECT_EQ(size, job.settings.picture.size);
     EXPECT_THAT(folder_.names(), ElementsAre("m.json"));

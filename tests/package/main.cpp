@@ -18,9 +18,9 @@ constexpr double minLines = 0.002;
 constexpr double maxLines = 0.5;
 
 bool hasLines(const inkedge::Image<std::uint8_t>& picture) {
-    const auto black = std::count(picture.pixels.begin(), picture.pixels.end(), std::uint8_t{0});
-    const double share = static_cast<double>(black) / static_cast<double>(picture.pixels.size());
-    std::printf("%td of %zu pixels are black\n", black, picture.pixels.size());
+    const auto black = std::count(picture.pixels().begin(), picture.pixels().end(), std::uint8_t{0});
+    const double share = static_cast<double>(black) / static_cast<double>(picture.pixels().size());
+    std::printf("%td of %zu pixels are black\n", black, picture.pixels().size());
     return share > minLines && share < maxLines;
 }
 
@@ -31,8 +31,8 @@ void drawFromMemory(const char* model, inkedge::Renderer& renderer, const inkedg
     const inkedge::Scene file = inkedge::loadScene(model);
     const inkedge::Scene memory = inkedge::loadScene(bytes, "model.glb");
     const inkedge::Camera camera = inkedge::frameCamera(file, settings.camera, settings.picture.size);
-    if (renderer.render(file, camera, settings).picture.pixels !=
-        renderer.render(memory, camera, settings).picture.pixels)
+    if (renderer.render(file, camera, settings).picture.pixels() !=
+        renderer.render(memory, camera, settings).picture.pixels())
         throw std::runtime_error{"expected a model in memory to give its file's picture, found another"};
     if (inkedge::readableFormats().empty()) throw std::runtime_error{"expected formats that are read, found none"};
 

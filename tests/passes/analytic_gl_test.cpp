@@ -36,8 +36,8 @@ double nearestMark(const Image<std::uint8_t>& mask, glm::dvec2 p) {
     double nearest = std::numeric_limits<double>::infinity();
     const int x0 = static_cast<int>(p.x);
     const int y0 = static_cast<int>(p.y);
-    for (int y = std::max(0, y0 - 4); y <= std::min(mask.size.height - 1, y0 + 4); ++y) {
-        for (int x = std::max(0, x0 - 4); x <= std::min(mask.size.width - 1, x0 + 4); ++x) {
+    for (int y = std::max(0, y0 - 4); y <= std::min(mask.size().height - 1, y0 + 4); ++y) {
+        for (int x = std::max(0, x0 - 4); x <= std::min(mask.size().width - 1, x0 + 4); ++x) {
             if (mask.at(x, y) != 0) nearest = std::min(nearest, glm::distance(p, {x + 0.5, y + 0.5}));
         }
     }
@@ -54,8 +54,8 @@ void expectLines(const Image<std::uint8_t>& mask, const std::vector<Segment>& li
             EXPECT_LE(nearestMark(mask, p), markNearLine) << "at " << p.x << ", " << p.y;
         }
     }
-    for (int y = 0; y < mask.size.height; ++y) {
-        for (int x = 0; x < mask.size.width; ++x) {
+    for (int y = 0; y < mask.size().height; ++y) {
+        for (int x = 0; x < mask.size().width; ++x) {
             if (mask.at(x, y) == 0) continue;
             double nearest = std::numeric_limits<double>::infinity();
             for (const Segment& line : lines) nearest = std::min(nearest, distance({x + 0.5, y + 0.5}, line));
@@ -101,8 +101,8 @@ TEST_P(AnalyticScene, tiltedPlaneHasNoEdgeInWindowDepth) {
                 settings.detector.kernel = kernel;
                 settings.detector.depthMap = DepthMap::Window;
                 const Maps maps = renderer().render(scene, camera, settings);
-                EXPECT_THAT(maps.depthEdges.pixels, Each(0));
-                EXPECT_THAT(maps.normalEdges.pixels, Each(0));
+                EXPECT_THAT(maps.depthEdges.pixels(), Each(0));
+                EXPECT_THAT(maps.normalEdges.pixels(), Each(0));
                 // Window depth is linear in the picture, so that its gradient is the same everywhere, off the border.
                 const float middle = maps.depthMagnitude.at(64, 64);
                 for (int y = 2; y < size.height - 2; ++y) {
@@ -116,7 +116,7 @@ TEST_P(AnalyticScene, tiltedPlaneHasNoEdgeInWindowDepth) {
                 if (tilt < 50.0) continue;
                 settings.detector.depthMap = DepthMap::Linear;
                 const Maps linear = renderer().render(scene, camera, settings);
-                EXPECT_GT(std::ranges::max(linear.depthMagnitude.pixels), 2.0F * linear.depthMagnitude.at(64, 64));
+                EXPECT_GT(std::ranges::max(linear.depthMagnitude.pixels()), 2.0F * linear.depthMagnitude.at(64, 64));
             }
         }
     }

@@ -37,10 +37,10 @@ const std::vector<PictureSettings> everyKind{
 // Each pixel's marks packed as the shader packs them; where a block reaches over the border, stray bits.
 EdgeMarks packed(const Image<std::uint8_t>& marks) {
     constexpr int side = EdgeMarks::blockSide;
-    EdgeMarks result{marks.size, {blocksOf(marks.size), 1, 0}};
-    for (int y = 0; y < side * result.blocks.size.height; ++y) {
-        for (int x = 0; x < side * result.blocks.size.width; ++x) {
-            const bool inside = x < marks.size.width && y < marks.size.height;
+    EdgeMarks result{marks.size(), {blocksOf(marks.size()), 1, 0}};
+    for (int y = 0; y < side * result.blocks.size().height; ++y) {
+        for (int x = 0; x < side * result.blocks.size().width; ++x) {
+            const bool inside = x < marks.size().width && y < marks.size().height;
             const unsigned mark = inside ? marks.at(x, y) : 3U;
             result.blocks.at(x / side, y / side) |= mark << (2 * (y % side * side + x % side));
         }
@@ -52,16 +52,16 @@ TEST(CompositeOfMarks, equalsItsDefinitionForEveryMark) {
     std::mt19937 random{1};
     for (const Size size : {Size{1, 1}, Size{3, 5}, Size{4, 4}, Size{5, 3}, Size{8, 2}, Size{17, 33}, Size{250, 131}}) {
         Image<std::uint8_t> marks{size, 1};
-        for (std::uint8_t& m : marks.pixels) m = static_cast<std::uint8_t>(random() % 4);
+        for (std::uint8_t& m : marks.mutablePixels()) m = static_cast<std::uint8_t>(random() % 4);
         Image<std::uint8_t> edges{size, 1};
-        std::ranges::transform(marks.pixels, edges.pixels.begin(),
+        std::ranges::transform(marks.pixels(), edges.mutablePixels().begin(),
                                [](std::uint8_t m) { return static_cast<std::uint8_t>(m != 0 ? 255 : 0); });
         for (const PictureSettings& settings : everyKind) {
             const Image<std::uint8_t> expected = reference::composite(edges, settings);
             const Image<std::uint8_t> picture = composite(packed(marks), settings);
-            EXPECT_EQ(picture.size, size);
-            EXPECT_EQ(picture.channels, expected.channels);
-            EXPECT_EQ(picture.pixels, expected.pixels);
+            EXPECT_EQ(picture.size(), size);
+            EXPECT_EQ(picture.channels(), expected.channels());
+            EXPECT_EQ(picture, expected);
         }
     }
 }
@@ -75,10 +75,10 @@ TEST_P(Composite, makesTheRenderersPicture) {
         settings.picture.background = kind.background;
         const Maps maps = renderer().render(scene, camera, settings);
         const Image<std::uint8_t> expected = reference::composite(maps.edges, settings.picture);
-        EXPECT_EQ(maps.picture.size, expected.size);
-        EXPECT_EQ(maps.picture.channels, expected.channels);
-        EXPECT_EQ(maps.picture.pixels, expected.pixels);
-        EXPECT_GT(std::ranges::count(maps.edges.pixels, 255), 50);
+        EXPECT_EQ(maps.picture.size(), expected.size());
+        EXPECT_EQ(maps.picture.channels(), expected.channels());
+        EXPECT_EQ(maps.picture, expected);
+        EXPECT_GT(std::ranges::count(maps.edges.pixels(), 255), 50);
     }
 }
 

@@ -36,7 +36,7 @@ Scene mixedScene() {
                             {scenes::quad({-3, -1, 3}, {3, -1, 3}, {3, -1, -6}, {-3, -1, -6}), glm::dmat4{1.0}}});
 }
 
-double largest(const Image<double>& image) { return *std::ranges::max_element(image.pixels); }
+double largest(const Image<double>& image) { return *std::ranges::max_element(image.pixels()); }
 
 struct Count {
     int nearThreshold = 0;  // pixels whose magnitude is within rounding of T
@@ -44,11 +44,11 @@ struct Count {
 };
 
 void expectSameMagnitudes(const Image<float>& found, const Image<double>& expected) {
-    ASSERT_EQ(found.size, expected.size);
+    ASSERT_EQ(found.size(), expected.size());
     const double bound = magnitudeTolerance * std::max(largest(expected), 0.1);
     double worst = 0.0;
-    for (std::size_t i = 0; i < found.pixels.size(); ++i) {
-        worst = std::max(worst, std::abs(static_cast<double>(found.pixels[i]) - expected.pixels[i]));
+    for (std::size_t i = 0; i < found.pixels().size(); ++i) {
+        worst = std::max(worst, std::abs(static_cast<double>(found.pixels()[i]) - expected.pixels()[i]));
     }
     EXPECT_LE(worst, bound);
 }
@@ -58,10 +58,10 @@ Count expectSameMasks(const Image<std::uint8_t>& found, const Image<std::uint8_t
     const double rounding = magnitudeTolerance * std::max(largest(magnitude), 0.1);
     Count count;
     int wrong = 0;
-    for (std::size_t i = 0; i < found.pixels.size(); ++i) {
-        EXPECT_TRUE(found.pixels[i] == 0 || found.pixels[i] == 255);
-        const bool near = std::abs(magnitude.pixels[i] - threshold) <= rounding;
-        const bool differs = found.pixels[i] != expected.pixels[i];
+    for (std::size_t i = 0; i < found.pixels().size(); ++i) {
+        EXPECT_TRUE(found.pixels()[i] == 0 || found.pixels()[i] == 255);
+        const bool near = std::abs(magnitude.pixels()[i] - threshold) <= rounding;
+        const bool differs = found.pixels()[i] != expected.pixels()[i];
         if (near) ++count.nearThreshold;
         if (near && differs) ++count.differing;
         if (!near && differs) ++wrong;
@@ -72,8 +72,8 @@ Count expectSameMasks(const Image<std::uint8_t>& found, const Image<std::uint8_t
 
 // The mask is exactly what equation 7 makes of the magnitude beside it.
 void expectThreshold(const Image<std::uint8_t>& mask, const Image<float>& magnitude, float threshold) {
-    for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
-        ASSERT_EQ(mask.pixels[i], magnitude.pixels[i] >= threshold ? 255 : 0) << magnitude.pixels[i];
+    for (std::size_t i = 0; i < mask.pixels().size(); ++i) {
+        ASSERT_EQ(mask.pixels()[i], magnitude.pixels()[i] >= threshold ? 255 : 0) << magnitude.pixels()[i];
     }
 }
 
@@ -90,13 +90,13 @@ Count expectEqualsReference(const Maps& maps, const DetectorSettings& settings) 
                                          static_cast<double>(t.normal));
     expectThreshold(maps.depthEdges, maps.depthMagnitude, t.depth);
     expectThreshold(maps.normalEdges, maps.normalMagnitude, t.normal);
-    for (std::size_t i = 0; i < maps.edges.pixels.size(); ++i) {
-        EXPECT_EQ(maps.edges.pixels[i], std::max(maps.depthEdges.pixels[i], maps.normalEdges.pixels[i]));
+    for (std::size_t i = 0; i < maps.edges.pixels().size(); ++i) {
+        EXPECT_EQ(maps.edges.pixels()[i], std::max(maps.depthEdges.pixels()[i], maps.normalEdges.pixels()[i]));
     }
     return {depth.nearThreshold + normal.nearThreshold, depth.differing + normal.differing};
 }
 
-long marked(const Image<std::uint8_t>& mask) { return std::ranges::count(mask.pixels, 255); }
+long marked(const Image<std::uint8_t>& mask) { return std::ranges::count(mask.pixels(), 255); }
 
 TEST_P(DetectEdges, equalsItsDefinitionOnItsOwnMaps) {
     constexpr Size size{160, 120};
@@ -153,17 +153,17 @@ TEST_P(DetectEdges, heedsEachMapsOwnThreshold) {
         return maps;
     };
     const Maps all = render(0.0F, 0.0F);
-    EXPECT_THAT(all.depthEdges.pixels, Each(255)) << "every magnitude is at least 0";
-    EXPECT_THAT(all.normalEdges.pixels, Each(255));
+    EXPECT_THAT(all.depthEdges.pixels(), Each(255)) << "every magnitude is at least 0";
+    EXPECT_THAT(all.normalEdges.pixels(), Each(255));
     const Maps none = render(1e6F, 1e6F);
-    EXPECT_THAT(none.edges.pixels, Each(0));
+    EXPECT_THAT(none.edges.pixels(), Each(0));
     const Maps depthOnly = render(0.1F, 1e6F);
     EXPECT_GT(marked(depthOnly.depthEdges), 0);
-    EXPECT_EQ(depthOnly.edges.pixels, depthOnly.depthEdges.pixels);
+    EXPECT_EQ(depthOnly.edges, depthOnly.depthEdges);
     const Maps normalOnly = render(1e6F, 1.6F);
     EXPECT_GT(marked(normalOnly.normalEdges), 0);
-    EXPECT_EQ(normalOnly.edges.pixels, normalOnly.normalEdges.pixels);
-    EXPECT_EQ(depthOnly.depthMagnitude.pixels, normalOnly.depthMagnitude.pixels) << "magnitudes know no threshold";
+    EXPECT_EQ(normalOnly.edges, normalOnly.normalEdges);
+    EXPECT_EQ(depthOnly.depthMagnitude, normalOnly.depthMagnitude) << "magnitudes know no threshold";
 }
 
 TEST_P(DetectEdges, marksTheSamePixelsWhetherMagnitudesAreKeptOrNot) {
@@ -175,7 +175,7 @@ TEST_P(DetectEdges, marksTheSamePixelsWhetherMagnitudesAreKeptOrNot) {
         settings.detector.kernel = kernel;
         const Maps without = renderer().render(scene, camera, settings);
         settings.maps = classicMaps;
-        EXPECT_EQ(renderer().render(scene, camera, settings).edges.pixels, without.edges.pixels);
+        EXPECT_EQ(renderer().render(scene, camera, settings).edges.pixels(), without.edges.pixels());
         EXPECT_TRUE(without.depthMagnitude.empty());
     }
 }
@@ -185,12 +185,13 @@ gl::Texture randomSurface(gl::Gpu& gpu, Size size, const Camera& camera, std::mt
     std::uniform_real_distribution<float> normal{-1.0F, 1.0F};
     std::uniform_real_distribution<float> depth{static_cast<float>(camera.near), static_cast<float>(camera.far)};
     Image<float> surface{size, 4};
-    for (std::size_t i = 0; i < surface.pixels.size(); ++i) {
-        surface.pixels[i] = i % 4 == 3 ? depth(random) : normal(random);
+    for (std::size_t i = 0; i < surface.pixels().size(); ++i) {
+        surface.mutablePixels()[i] = i % 4 == 3 ? depth(random) : normal(random);
     }
     gl::Texture texture = gpu.textures.acquire(size, GL_RGBA32F);
     gpu.api.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-    gpu.api.TextureSubImage2D(texture.id(), 0, 0, 0, size.width, size.height, GL_RGBA, GL_FLOAT, surface.pixels.data());
+    gpu.api.TextureSubImage2D(texture.id(), 0, 0, 0, size.width, size.height, GL_RGBA, GL_FLOAT,
+                              surface.pixels().data());
     return texture;
 }
 
@@ -200,21 +201,22 @@ void expectSameInBlocks(gl::Gpu& gpu, const gl::Texture& surface, const Camera& 
                         std::mt19937& random) {
     const auto detect = [&] { return detectEdges(gpu, surface, camera, settings, Magnitudes::Keep); };
     const Image<float> first = gl::readFloats(gpu.api, *detect().magnitudes, 2);
-    const std::size_t count = first.pixels.size() / 2;
+    const std::size_t count = first.pixels().size() / 2;
     for (int trial = 0; trial < 8; ++trial) {
-        settings.depthThreshold = first.pixels[2 * (random() % count)];
-        settings.normalThreshold = first.pixels[2 * (random() % count) + 1];
+        settings.depthThreshold = first.pixels()[2 * (random() % count)];
+        settings.normalThreshold = first.pixels()[2 * (random() % count) + 1];
         const EdgeBuffers edges = detect();
         ASSERT_EQ(edges.size, surface.size());
         const Image<float> magnitudes = gl::readFloats(gpu.api, *edges.magnitudes, 2);
-        ASSERT_EQ(magnitudes.pixels, first.pixels) << "magnitudes know no threshold";
+        ASSERT_EQ(magnitudes, first) << "magnitudes know no threshold";
         const EdgeMarks marks = readMarks(gpu.api, edges);
         const Image<std::uint8_t> depth = mask(marks, EdgeMarks::depthEdge);
         const Image<std::uint8_t> normal = mask(marks, EdgeMarks::normalEdge);
         int different = 0;
         for (std::size_t i = 0; i < count; ++i) {
-            if (depth.pixels[i] != (magnitudes.pixels[2 * i] >= *settings.depthThreshold ? 255 : 0)) ++different;
-            if (normal.pixels[i] != (magnitudes.pixels[2 * i + 1] >= *settings.normalThreshold ? 255 : 0)) ++different;
+            if (depth.pixels()[i] != (magnitudes.pixels()[2 * i] >= *settings.depthThreshold ? 255 : 0)) ++different;
+            if (normal.pixels()[i] != (magnitudes.pixels()[2 * i + 1] >= *settings.normalThreshold ? 255 : 0))
+                ++different;
         }
         EXPECT_EQ(different, 0);
         EXPECT_GT(marked(depth), 0);
@@ -288,7 +290,7 @@ TEST_P(DetectEdges, givesTheBorderWhatRepeatingItImplies) {
                 EXPECT_NEAR(maps.normalMagnitude.at(x, y), 0.0, magnitudeTolerance);
             }
         }
-        EXPECT_THAT(maps.edges.pixels, Each(0));
+        EXPECT_THAT(maps.edges.pixels(), Each(0));
     }
 }
 
@@ -300,7 +302,7 @@ TEST_P(DetectEdges, worksOnPicturesSmallerThanTheKernel) {
             Settings settings = classic(size, classicMaps);
             settings.detector.kernel = kernel;
             const Maps maps = renderer().render(scene, camera, settings);
-            ASSERT_EQ(maps.edges.size, size);
+            ASSERT_EQ(maps.edges.size(), size);
             (void)expectEqualsReference(maps, settings.detector);
             if (size == Size{1, 1}) {
                 EXPECT_NEAR(maps.depthMagnitude.at(0, 0), 0.0, magnitudeTolerance);

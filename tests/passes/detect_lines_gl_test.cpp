@@ -78,17 +78,17 @@ public:
         const double focal =
             0.5 * size.height * camera.projection(size)[1][1] * (camera.orthographic() ? frame.unit : 1.0);
         const Image<std::uint8_t> expected = reference::detectLines(planes, focal, camera.orthographic(), creaseAngle);
-        EXPECT_EQ(marks.size, size);
+        EXPECT_EQ(marks.size(), size);
         Comparison result;
-        if (marks.pixels.size() != expected.pixels.size()) return result;
+        if (marks.pixels().size() != expected.pixels().size()) return result;
         constexpr unsigned exactBits =
             (raster::PairMark::background | raster::PairMark::patch) * 0x11U;  // compare ids: no rounding
-        for (std::size_t i = 0; i < marks.pixels.size(); ++i) {
-            const unsigned difference = marks.pixels[i] ^ static_cast<unsigned>(expected.pixels[i]);
+        for (std::size_t i = 0; i < marks.pixels().size(); ++i) {
+            const unsigned difference = marks.pixels()[i] ^ static_cast<unsigned>(expected.pixels()[i]);
             EXPECT_EQ(difference & exactBits, 0U) << "pixel " << i;
             result.different += std::popcount(difference);
-            result.decisions += planes.pixels[4 * i + 3] != 0.0F ? 2 : 0;
-            result.found |= expected.pixels[i];
+            result.decisions += planes.pixels()[4 * i + 3] != 0.0F ? 2 : 0;
+            result.found |= expected.pixels()[i];
         }
         return result;
     }
@@ -205,7 +205,7 @@ TEST(RegionsAround, holdMarkedPixelsAndTheirNeighboursOnce) {
         std::mt19937 random{7};
         for (int count = 0; count < 6; ++count) {
             Image<std::uint8_t> marks{size, 1};
-            for (int i = 0; i < count; ++i) marks.pixels[random() % marks.pixels.size()] = 16;
+            for (int i = 0; i < count; ++i) marks.mutablePixels()[random() % marks.pixels().size()] = 16;
             const std::vector<raster::Rectangle> regions = regionsAround(marks);
             for (int y = 0; y < size.height; ++y) {
                 for (int x = 0; x < size.width; ++x) {
@@ -242,8 +242,8 @@ TEST_P(DetectLines, whatIsReadOfRegionsIsWhatIsReadOfThePicture) {
     for (const raster::Rectangle& r : regions) {
         for (int y = r.y; y < r.y + r.size.height; ++y) {
             for (int x = r.x; x < r.x + r.size.width; ++x) {
-                for (int k = 0; k < 4; ++k) ASSERT_EQ(somePlanes.at(x, y, k), planes.at(x, y, k)) << x << ", " << y;
-                ASSERT_EQ(someTriangles.at(x, y), triangles.at(x, y)) << x << ", " << y;
+                for (int k = 0; k < 4; ++k) ASSERT_EQ(somePlanes(x, y, k), planes(x, y, k)) << x << ", " << y;
+                ASSERT_EQ(someTriangles(x, y), triangles(x, y)) << x << ", " << y;
             }
         }
     }

@@ -19,7 +19,7 @@ INKEDGE_ON_EACH_BACKEND(DrawGeometry);
 
 template <class T>
 std::ptrdiff_t differences(const Image<T>& a, const Image<T>& b) {
-    return std::inner_product(a.pixels.begin(), a.pixels.end(), b.pixels.begin(), std::ptrdiff_t{0}, std::plus{},
+    return std::inner_product(a.pixels().begin(), a.pixels().end(), b.pixels().begin(), std::ptrdiff_t{0}, std::plus{},
                               [](const T& x, const T& y) { return x == y ? 0 : 1; });
 }
 
@@ -43,16 +43,16 @@ TEST_P(DrawGeometry, InOnePassEqualsAPassForEach) {
             const Maps planes = drawn(Detector::Planes, {Map::Types, Map::Ids});
             for (int time = 0; time < 2; ++time) {
                 const Maps both = drawn(Detector::Planes, {Map::Depth, Map::Normal, Map::Types, Map::Ids});
-                EXPECT_EQ(both.depth.pixels, surface.depth.pixels) << asset;
-                EXPECT_EQ(both.windowDepth.pixels, surface.windowDepth.pixels) << asset;
-                EXPECT_EQ(both.normal.pixels, surface.normal.pixels) << asset;
-                EXPECT_EQ(both.types.pixels, planes.types.pixels) << asset;
-                EXPECT_EQ(both.ids.pixels, planes.ids.pixels) << asset;
-                EXPECT_EQ(both.picture.pixels, planes.picture.pixels) << asset;
+                EXPECT_EQ(both.depth, surface.depth) << asset;
+                EXPECT_EQ(both.windowDepth, surface.windowDepth) << asset;
+                EXPECT_EQ(both.normal, surface.normal) << asset;
+                EXPECT_EQ(both.types, planes.types) << asset;
+                EXPECT_EQ(both.ids, planes.ids) << asset;
+                EXPECT_EQ(both.picture, planes.picture) << asset;
             }
             const Maps classic = drawn(Detector::Classic, {Map::Depth, Map::Ids});
-            EXPECT_EQ(classic.picture.pixels, surface.picture.pixels) << asset;
-            EXPECT_EQ(classic.ids.pixels, planes.ids.pixels) << asset;
+            EXPECT_EQ(classic.picture, surface.picture) << asset;
+            EXPECT_EQ(classic.ids, planes.ids) << asset;
         }
     }
 }
@@ -91,9 +91,10 @@ TEST_P(DrawGeometry, SkipsHiddenBacksUnseen) {
             const Maps skipped = drawn(skipping);
             const Maps whole = drawn(drawing);
             std::ptrdiff_t different = 0;
-            for (std::size_t i = 0; i < whole.depth.pixels.size(); ++i) {
-                different += skipped.ids.pixels[4 * i] == whole.ids.pixels[4 * i] ? 0 : 1;
-                EXPECT_NEAR(skipped.depth.pixels[i], whole.depth.pixels[i], rounding * whole.depth.pixels[i]) << asset;
+            for (std::size_t i = 0; i < whole.depth.pixels().size(); ++i) {
+                different += skipped.ids.pixels()[4 * i] == whole.ids.pixels()[4 * i] ? 0 : 1;
+                EXPECT_NEAR(skipped.depth.pixels()[i], whole.depth.pixels()[i], rounding * whole.depth.pixels()[i])
+                    << asset;
             }
             EXPECT_LE(different, maxDifferent) << asset;
             EXPECT_LE(differences(skipped.picture, whole.picture), 12 * maxDifferent) << asset;

@@ -85,10 +85,10 @@ constexpr double windowTolerance = 1e-5;
 
 Difference compareWithReference(const Maps& maps, const Scene& scene, LightSpace space, double normalTolerance) {
     const Camera& camera = maps.camera;
-    const reference::Surface expected = reference::drawSurface(scene, camera, space, maps.depth.size);
+    const reference::Surface expected = reference::drawSurface(scene, camera, space, maps.depth.size());
     Difference result;
-    for (int y = 0; y < maps.depth.size.height; ++y) {
-        for (int x = 0; x < maps.depth.size.width; ++x) {
+    for (int y = 0; y < maps.depth.size().height; ++y) {
+        for (int x = 0; x < maps.depth.size().width; ++x) {
             const bool drawn = at(maps.normal, x, y) != glm::dvec3{0.0};
             const bool expectedDrawn = at(expected.normal, x, y) != glm::dvec3{0.0};
             if (drawn != expectedDrawn) ++result.coverage;
@@ -114,8 +114,8 @@ void expectEqualsReference(const Maps& maps, const Scene& scene, LightSpace spac
     // Pixels whose centre lies within 1/256 pixel of a triangle's edge, on either side, may fall to the neighbour:
     // 2/256 of the edges' length in pixels. The sum has most edges twice, once for each of their triangles, and half
     // are hidden: that is the margin.
-    const double bound = snapping * edgeLength(scene, maps.camera, maps.depth.size);
-    EXPECT_GT(found.pixels, maps.depth.size.width * maps.depth.size.height / 10) << "enough to see something";
+    const double bound = snapping * edgeLength(scene, maps.camera, maps.depth.size());
+    EXPECT_GT(found.pixels, maps.depth.size().width * maps.depth.size().height / 10) << "enough to see something";
     EXPECT_LE(found.coverage + found.atEdges, bound)
         << found.coverage << " differ in coverage, " << found.atEdges << " in value, of " << found.pixels;
 }
@@ -296,7 +296,7 @@ TEST_P(DrawSurface, keepsTheNearestSurfaceWhateverTheOrder) {
         for (const auto& order : {std::pair{front, behind}, std::pair{behind, front}}) {
             const Scene scene = scenes::sceneOf({{order.first, glm::dmat4{1.0}}, {order.second, glm::dmat4{1.0}}});
             const Maps maps = draw(renderer(), scene, camera, {8, 8});
-            EXPECT_THAT(maps.depth.pixels, testing::Each(testing::FloatNear(4.0F, 1e-5F)));
+            EXPECT_THAT(maps.depth.pixels(), testing::Each(testing::FloatNear(4.0F, 1e-5F)));
         }
     }
 }
@@ -355,7 +355,7 @@ TEST_P(DrawSurface, trustsNoStateThatItFinds) {
         settings.normalLights = lights;
         const auto surface = [&] {
             const Frame frame = frameOf(gpu(), upload, scene, camera, size);
-            return gl::readFloats(api, drawSurface(frame, settings).surface, 4).pixels;
+            return gl::readFloats(api, drawSurface(frame, settings).surface, 4).pixels();
         };
         const std::vector<float> clean = surface();
         // Leaves another picture in the textures that the next draw gets: what it fails to draw will show.

@@ -42,15 +42,15 @@ Image<float> seams(Size of, float period, float slope) {
 }
 
 Image<float> inSteps(Image<float> values) {
-    for (float& v : values.pixels) v = std::floor(v);
+    for (float& v : values.mutablePixels()) v = std::floor(v);
     return values;
 }
 
 gl::Texture uploaded(gl::Gpu& gpu, const Image<float>& values) {
-    gl::Texture texture = gpu.textures.acquire(values.size, GL_RGBA32F);
+    gl::Texture texture = gpu.textures.acquire(values.size(), GL_RGBA32F);
     gpu.api.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-    gpu.api.TextureSubImage2D(texture.id(), 0, 0, 0, values.size.width, values.size.height, GL_RGBA, GL_FLOAT,
-                              values.pixels.data());
+    gpu.api.TextureSubImage2D(texture.id(), 0, 0, 0, values.size().width, values.size().height, GL_RGBA, GL_FLOAT,
+                              values.pixels().data());
     return texture;
 }
 
@@ -62,13 +62,13 @@ int wronglyMarked(gl::Gpu& gpu, const Image<float>& values, FunctionSettings fun
     std::mt19937 random{2};
     int wrong = 0;
     for (int trial = 0; trial < 8; ++trial) {
-        const float threshold = magnitude.pixels[random() % magnitude.pixels.size()];
+        const float threshold = magnitude.pixels()[random() % magnitude.pixels().size()];
         function.threshold = threshold;
-        const EdgeMarks marks{values.size, gl::readIntegers(gpu.api, detectFunction(gpu, drawn, function))};
+        const EdgeMarks marks{values.size(), gl::readIntegers(gpu.api, detectFunction(gpu, drawn, function))};
         const Image<std::uint8_t> edges = mask(marks, EdgeMarks::functionEdge);
-        for (std::size_t i = 0; i < edges.pixels.size(); ++i) {
-            const float m = magnitude.pixels[i];
-            if (edges.pixels[i] != (m >= threshold ? 255 : 0) && std::abs(m - threshold) >= tolerance) ++wrong;
+        for (std::size_t i = 0; i < edges.pixels().size(); ++i) {
+            const float m = magnitude.pixels()[i];
+            if (edges.pixels()[i] != (m >= threshold ? 255 : 0) && std::abs(m - threshold) >= tolerance) ++wrong;
         }
     }
     return wrong;
@@ -98,15 +98,15 @@ TEST_P(FunctionEdges, ofLargeValuesThatStayTheSameHaveNoEdges) {
     const gl::Current current{context()};
     std::mt19937 random{3};
     Image<float> values = randomValues({64, 48}, 1.0F, random);
-    for (std::size_t i = 0; i < values.pixels.size(); ++i)
-        if (i % 4 != 3 && values.pixels[i - i % 4 + 3] < 1e29F) values.pixels[i] = 12'345'677.0F;
-    for (std::size_t i = 3; i < values.pixels.size(); i += 4)
-        if (values.pixels[i] < 1e29F) values.pixels[i] = 0.0F;
+    for (std::size_t i = 0; i < values.pixels().size(); ++i)
+        if (i % 4 != 3 && values.pixels()[i - i % 4 + 3] < 1e29F) values.mutablePixels()[i] = 12'345'677.0F;
+    for (std::size_t i = 3; i < values.pixels().size(); i += 4)
+        if (values.pixels()[i] < 1e29F) values.mutablePixels()[i] = 0.0F;
     for (const char* const kernel : {"height:kernel=sobel", "height:kernel=farid"}) {
         const gl::Texture drawn = uploaded(gpu(), values);
         const Image<float> magnitude =
             gl::readFloats(gpu().api, measureFunction(gpu(), drawn, surfaceFunction(kernel)), 1);
-        EXPECT_THAT(magnitude.pixels, testing::Each(0.0F)) << kernel;
+        EXPECT_THAT(magnitude.pixels(), testing::Each(0.0F)) << kernel;
     }
 }
 

@@ -152,12 +152,13 @@ TEST_P(Functions, haveTheMagnitudesOfTheirDefinition) {
             const Image<double> expected =
                 reference::functionMagnitude(toDouble(bench.values(camera, function)), function);
             const Image<float> found = bench.magnitude(camera, function);
-            const double largest = *std::ranges::max_element(expected.pixels);
+            const double largest = *std::ranges::max_element(expected.pixels());
             EXPECT_GT(largest, 0.0);
             int off = 0;
-            for (std::size_t i = 0; i < found.pixels.size(); ++i) {
+            for (std::size_t i = 0; i < found.pixels().size(); ++i) {
                 // A sum of 25 products in float: 25 * 6e-8 of the largest, with room.
-                if (std::abs(static_cast<double>(found.pixels[i]) - expected.pixels[i]) > 1e-5 * std::max(largest, 1.0))
+                if (std::abs(static_cast<double>(found.pixels()[i]) - expected.pixels()[i]) >
+                    1e-5 * std::max(largest, 1.0))
                     ++off;
             }
             EXPECT_LE(off, 2) << "pixels where a difference is within rounding of half the period";
@@ -176,7 +177,7 @@ Image<std::uint8_t> edgesOf(Renderer& renderer, const Scene& scene, const Camera
     return renderer.render(scene, camera, settings).edges;
 }
 
-long marked(const Image<std::uint8_t>& mask) { return std::ranges::count(mask.pixels, 255); }
+long marked(const Image<std::uint8_t>& mask) { return std::ranges::count(mask.pixels(), 255); }
 
 TEST_P(Functions, depthAndNormalAreTheClassicDetector) {
     const Scene scene = mixedScene();
@@ -184,8 +185,8 @@ TEST_P(Functions, depthAndNormalAreTheClassicDetector) {
     const Image<std::uint8_t> classic = edgesOf(renderer(), scene, camera, "", Detector::Classic);
     const Image<std::uint8_t> functions = edgesOf(renderer(), scene, camera, "depth;normal");
     long differing = 0;
-    for (std::size_t i = 0; i < classic.pixels.size(); ++i)
-        differing += classic.pixels[i] != functions.pixels[i] ? 1 : 0;
+    for (std::size_t i = 0; i < classic.pixels().size(); ++i)
+        differing += classic.pixels()[i] != functions.pixels()[i] ? 1 : 0;
     EXPECT_GT(marked(classic), 300);
     EXPECT_LE(differing, 2) << "pixels whose magnitude is within rounding of T";
 }
@@ -250,8 +251,8 @@ TEST_P(Functions, areDrawnOverTheDetectorsLines) {
     const Image<std::uint8_t> planes = edgesOf(renderer(), scene, camera, "", Detector::Planes);
     const Image<std::uint8_t> heights = edgesOf(renderer(), scene, camera, "height");
     const Image<std::uint8_t> both = edgesOf(renderer(), scene, camera, "height", Detector::Planes);
-    for (std::size_t i = 0; i < both.pixels.size(); ++i)
-        EXPECT_EQ(both.pixels[i], std::max(planes.pixels[i], heights.pixels[i]));
+    for (std::size_t i = 0; i < both.pixels().size(); ++i)
+        EXPECT_EQ(both.pixels()[i], std::max(planes.pixels()[i], heights.pixels()[i]));
     EXPECT_GT(marked(both), marked(planes));
 }
 
@@ -265,7 +266,7 @@ TEST_P(Functions, haveSmoothFinerLinesWithMoreSamples) {
     const auto darkness = [&](int samples) {
         settings.picture.supersampling = samples;
         double sum = 0.0;
-        for (const std::uint8_t p : renderer().render(scene, camera, settings).picture.pixels) sum += 255.0 - p;
+        for (const std::uint8_t p : renderer().render(scene, camera, settings).picture.pixels()) sum += 255.0 - p;
         return sum;
     };
     // Lines are two samples wide.
@@ -285,9 +286,9 @@ TEST_P(Functions, inTilesAreTheSame) {
     settings.picture.tileSize = 256;
     const Maps tiled = renderer().render(scene, camera, settings);
     long differing = 0;
-    for (std::size_t i = 0; i < whole.edges.pixels.size(); ++i) {
-        differing += whole.edges.pixels[i] != tiled.edges.pixels[i] ? 1 : 0;
-        differing += std::abs(whole.picture.pixels[i] - tiled.picture.pixels[i]) > 8 ? 1 : 0;
+    for (std::size_t i = 0; i < whole.edges.pixels().size(); ++i) {
+        differing += whole.edges.pixels()[i] != tiled.edges.pixels()[i] ? 1 : 0;
+        differing += std::abs(whole.picture.pixels()[i] - tiled.picture.pixels()[i]) > 8 ? 1 : 0;
     }
     EXPECT_LE(differing, 20) << "places within rounding of a step, where interpolation starts elsewhere";
     EXPECT_GT(marked(whole.edges), 1000);
@@ -350,7 +351,7 @@ TEST_P(Functions, ofAUserAreDrawnLikeOurs) {
     const Image<std::uint8_t> ours = edgesOf(renderer(), scene, camera, "height:step=0.5");
     const Image<std::uint8_t> theirs =
         edgesOf(renderer(), scene, camera, ("custom:" + mine.file() + ",a=0.5,threshold=2").c_str());
-    EXPECT_EQ(ours.pixels, theirs.pixels);
+    EXPECT_EQ(ours, theirs);
     EXPECT_GT(marked(ours), 50);
 }
 
@@ -404,11 +405,11 @@ TEST_P(Functions, profilesAndInternalEdgesEqualTheirDefinition) {
             reference::detectProfiles(toDouble(maps.depth), toDouble(maps.normal), camera, settings.detector);
         int far = 0;
         double sum = 0.0;
-        for (std::size_t i = 0; i < ink.pixels.size(); ++i) {
-            sum += ink.pixels[i];
+        for (std::size_t i = 0; i < ink.pixels().size(); ++i) {
+            sum += ink.pixels()[i];
             // Black ink on white. Depths in footprints are rounded to 6e-8 of some 100 pixels of focal length, which
             // the limit of 0.6 magnifies: far under half a step of 8 bits.
-            if (std::abs(255.0 - maps.picture.pixels[i] - 255.0 * ink.pixels[i]) > 1.0) ++far;
+            if (std::abs(255.0 - maps.picture.pixels()[i] - 255.0 * ink.pixels()[i]) > 1.0) ++far;
         }
         EXPECT_GT(sum, 200.0);
         EXPECT_EQ(far, 0);

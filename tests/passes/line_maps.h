@@ -30,7 +30,7 @@ inline Settings linesOf(Size size, std::vector<Map> maps = {Map::Types}) {
 
 template <class T>
 int countMarked(const Image<T>& map) {
-    return static_cast<int>(std::ranges::count_if(map.pixels, [](T value) { return value != 0; }));
+    return static_cast<int>(std::ranges::count_if(map.pixels(), [](T value) { return value != 0; }));
 }
 
 }  // namespace inkedge::line_maps

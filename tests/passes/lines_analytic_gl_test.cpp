@@ -89,8 +89,8 @@ TEST_P(Lines, ofATiltedPlaneAreNone) {
                     camera.near = orthographic ? camera.near - margin : 0.9 * camera.near;
                     camera.far += margin;
                     const Maps maps = renderer().render(scenes::sceneOf(mesh), camera, linesOf(size));
-                    EXPECT_THAT(maps.types.pixels, Each(0));
-                    EXPECT_THAT(maps.picture.pixels, Each(255));
+                    EXPECT_THAT(maps.types.pixels(), Each(0));
+                    EXPECT_THAT(maps.picture.pixels(), Each(255));
                 }
             }
         }
@@ -118,7 +118,8 @@ TEST_P(Lines, ofTwoPlanesThatBendByLessThanTheCreaseAngleAreNone) {
             }
             mesh.indices = {0, 1, 2, 0, 2, 3, 1, 4, 5, 1, 5, 2};
             const Maps maps = renderer().render(scenes::sceneOf(mesh), camera, linesOf(size));
-            const auto creases = std::ranges::count_if(maps.types.pixels, [](unsigned t) { return (t & crease) != 0; });
+            const auto creases =
+                std::ranges::count_if(maps.types.pixels(), [](unsigned t) { return (t & crease) != 0; });
             if (bend < 30.0)
                 EXPECT_EQ(creases, 0) << bend << ", " << tilt;
             else
@@ -143,15 +144,15 @@ Image<std::uint8_t> nearPoints(Size size, const std::vector<glm::dvec2>& points,
 }
 
 void expectMarksOnlyNear(const Maps& maps, const std::vector<glm::dvec2>& points, double distance) {
-    const Image<std::uint8_t> near = nearPoints(maps.types.size, points, distance);
+    const Image<std::uint8_t> near = nearPoints(maps.types.size(), points, distance);
     int marked = 0;
     int off = 0;
-    for (std::size_t i = 0; i < near.pixels.size(); ++i) {
-        marked += maps.types.pixels[i] != 0 ? 1 : 0;
-        off += maps.types.pixels[i] != 0 && near.pixels[i] == 0 ? 1 : 0;
+    for (std::size_t i = 0; i < near.pixels().size(); ++i) {
+        marked += maps.types.pixels()[i] != 0 ? 1 : 0;
+        off += maps.types.pixels()[i] != 0 && near.pixels()[i] == 0 ? 1 : 0;
     }
     EXPECT_EQ(off, 0) << "of " << marked << " marked pixels";
-    EXPECT_GT(marked, maps.types.size.height / 2);
+    EXPECT_GT(marked, maps.types.size().height / 2);
 }
 
 // A mark stands at the pixel on the nearer side: its centre is less than a step from the line, along x or y.

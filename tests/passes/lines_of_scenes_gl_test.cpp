@@ -34,8 +34,8 @@ Scene transformed(const Scene& scene, const glm::dmat4& transform) {
 // The share of line pixels that one picture has and the other has not.
 double changedShare(const Maps& a, const Maps& b) {
     int changed = 0;
-    for (std::size_t i = 0; i < a.types.pixels.size(); ++i) {
-        changed += (a.types.pixels[i] != 0) != (b.types.pixels[i] != 0) ? 1 : 0;
+    for (std::size_t i = 0; i < a.types.pixels().size(); ++i) {
+        changed += (a.types.pixels()[i] != 0) != (b.types.pixels()[i] != 0) ? 1 : 0;
     }
     EXPECT_GT(countMarked(a.types), 500);
     return static_cast<double>(changed) / countMarked(a.types);
@@ -120,7 +120,7 @@ Ids idsAt(const Maps& maps, int x, int y) {
 
 unsigned typesIn(const Maps& maps) {
     unsigned all = 0;
-    for (const std::uint16_t t : maps.types.pixels) all |= t;
+    for (const std::uint16_t t : maps.types.pixels()) all |= t;
     return all;
 }
 
@@ -136,7 +136,7 @@ TEST_P(LinesOfScenes, ofACubeAreOutlineAndCrease) {
 TEST_P(LinesOfScenes, ofASheetsBorderAreBoundaries) {
     const Mesh sheet = scenes::quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
     const Maps alone = renderer().render(scenes::sceneOf(sheet), flatCamera(), linesOf(square));
-    EXPECT_THAT(alone.types.pixels, Each(testing::AnyOf(0, static_cast<int>(outline | boundary))));
+    EXPECT_THAT(alone.types.pixels(), Each(testing::AnyOf(0, static_cast<int>(outline | boundary))));
     // 64 pixels along each side, corners once: the marks are on the sheet's side.
     EXPECT_EQ(countMarked(alone.types), 4 * 64 - 4);
     EXPECT_EQ(alone.types.at(32, 64), outline | boundary);
@@ -215,16 +215,16 @@ TEST_P(LinesOfScenes, areDrawnAsAskedAndCountedWhetherDrawnOrNot) {
     const Maps outlines = renderer().render(scene, camera, settings);
     settings.picture.lines = {};
     const Maps none = renderer().render(scene, camera, settings);
-    EXPECT_EQ(creases.types.pixels, all.types.pixels);
-    EXPECT_THAT(none.picture.pixels, Each(255));
-    EXPECT_THAT(none.edges.pixels, Each(0));
+    EXPECT_EQ(creases.types, all.types);
+    EXPECT_THAT(none.picture.pixels(), Each(255));
+    EXPECT_THAT(none.edges.pixels(), Each(0));
     int drawn = 0;
-    for (std::size_t i = 0; i < all.types.pixels.size(); ++i) {
-        ASSERT_EQ(all.edges.pixels[i] != 0, all.types.pixels[i] != 0);
-        ASSERT_EQ(creases.edges.pixels[i] != 0, (all.types.pixels[i] & crease) != 0);
-        ASSERT_EQ(outlines.edges.pixels[i] != 0, (all.types.pixels[i] & outline) != 0);
+    for (std::size_t i = 0; i < all.types.pixels().size(); ++i) {
+        ASSERT_EQ(all.edges.pixels()[i] != 0, all.types.pixels()[i] != 0);
+        ASSERT_EQ(creases.edges.pixels()[i] != 0, (all.types.pixels()[i] & crease) != 0);
+        ASSERT_EQ(outlines.edges.pixels()[i] != 0, (all.types.pixels()[i] & outline) != 0);
         // Together they are the whole, but where a crease runs into the outline.
-        drawn += std::min(creases.picture.pixels[i], outlines.picture.pixels[i]) == all.picture.pixels[i] ? 0 : 1;
+        drawn += std::min(creases.picture.pixels()[i], outlines.picture.pixels()[i]) == all.picture.pixels()[i] ? 0 : 1;
     }
     EXPECT_LE(drawn, 7 * 16);  // each of the cube's seven corners in view: a cell and the ink about it
     EXPECT_LT(countMarked(creases.edges), countMarked(outlines.edges));
@@ -242,20 +242,20 @@ TEST_P(LinesOfScenes, agreeWhateverTheSupersampling) {
         }
         const auto ink = [](const Maps& m) {
             double sum = 0.0;
-            for (const std::uint8_t p : m.picture.pixels) sum += 255.0 - p;
+            for (const std::uint8_t p : m.picture.pixels()) sum += 255.0 - p;
             return sum;
         };
         for (std::size_t i = 1; i < maps.size(); ++i) {
             SCOPED_TRACE(testing::Message() << asset << ", " << i);
-            ASSERT_EQ(maps[i].picture.size, pictureSize);
-            ASSERT_EQ(maps[i].types.size, pictureSize);
+            ASSERT_EQ(maps[i].picture.size(), pictureSize);
+            ASSERT_EQ(maps[i].types.size(), pictureSize);
             // More samples find more where lines stand closer than a pixel, and draw none of the others anew.
             EXPECT_NEAR(ink(maps[i]) / ink(maps[0]), 1.0, 0.06);
             int lost = 0;
             int dark = 0;
-            for (std::size_t k = 0; k < maps[0].picture.pixels.size(); ++k) {
-                dark += maps[0].picture.pixels[k] < 64 ? 1 : 0;
-                lost += maps[0].picture.pixels[k] < 64 && maps[i].picture.pixels[k] > 192 ? 1 : 0;
+            for (std::size_t k = 0; k < maps[0].picture.pixels().size(); ++k) {
+                dark += maps[0].picture.pixels()[k] < 64 ? 1 : 0;
+                lost += maps[0].picture.pixels()[k] < 64 && maps[i].picture.pixels()[k] > 192 ? 1 : 0;
             }
             EXPECT_GT(dark, 1000);
             EXPECT_LE(lost, dark / 200);
@@ -268,8 +268,8 @@ std::vector<int> extentsOfComponents(const Image<std::uint8_t>& mask) {
     std::vector<int> extents;
     Image<std::uint8_t> left = mask;
     std::vector<glm::ivec2> open;
-    for (int y = 0; y < mask.size.height; ++y) {
-        for (int x = 0; x < mask.size.width; ++x) {
+    for (int y = 0; y < mask.size().height; ++y) {
+        for (int x = 0; x < mask.size().width; ++x) {
             if (left.at(x, y) == 0) continue;
             glm::ivec2 low{x, y};
             glm::ivec2 high{x, y};
@@ -280,8 +280,8 @@ std::vector<int> extentsOfComponents(const Image<std::uint8_t>& mask) {
                 open.pop_back();
                 low = glm::min(low, p);
                 high = glm::max(high, p);
-                for (int j = std::max(0, p.y - 1); j <= std::min(mask.size.height - 1, p.y + 1); ++j) {
-                    for (int i = std::max(0, p.x - 1); i <= std::min(mask.size.width - 1, p.x + 1); ++i) {
+                for (int j = std::max(0, p.y - 1); j <= std::min(mask.size().height - 1, p.y + 1); ++j) {
+                    for (int i = std::max(0, p.x - 1); i <= std::min(mask.size().width - 1, p.x + 1); ++i) {
                         if (left.at(i, j) == 0) continue;
                         left.at(i, j) = 0;
                         open.emplace_back(i, j);

@@ -45,7 +45,7 @@ TEST_P(PictureFunctions, drawAPictureAsItIsOnDiskNow) {
     front.azimuthAngle = 0.0;
     const Camera camera = frameCamera(scene, front, settings.picture.size);
     const auto marked = [&] {
-        return std::ranges::count(renderer().render(scene, camera, settings).edges.pixels, 255);
+        return std::ranges::count(renderer().render(scene, camera, settings).edges.pixels(), 255);
     };
     putPicture(file, 0);
     const auto plain = marked();

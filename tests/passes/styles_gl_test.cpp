@@ -44,15 +44,15 @@ Camera cameraFor(const Scene& scene, bool orthographic = false) {
 
 // Pixels that differ by more than this.
 int farFrom(const Image<std::uint8_t>& found, const Image<double>& expected, double tolerance) {
-    EXPECT_EQ(found.pixels.size(), expected.pixels.size());
+    EXPECT_EQ(found.pixels().size(), expected.pixels().size());
     int far = 0;
-    for (std::size_t i = 0; i < found.pixels.size(); ++i)
-        far += std::abs(found.pixels[i] - 255.0 * expected.pixels[i]) > tolerance ? 1 : 0;
+    for (std::size_t i = 0; i < found.pixels().size(); ++i)
+        far += std::abs(found.pixels()[i] - 255.0 * expected.pixels()[i]) > tolerance ? 1 : 0;
     return far;
 }
 
 double sumOf(const Image<std::uint8_t>& ink) {
-    return std::accumulate(ink.pixels.begin(), ink.pixels.end(), 0.0) / 255.0;
+    return std::accumulate(ink.pixels().begin(), ink.pixels().end(), 0.0) / 255.0;
 }
 
 StyleSettings hatchWith(double bend, double shade, double width) {
@@ -195,9 +195,10 @@ TEST_P(Styles, aBrushEqualsItsDefinition) {
         const Image<float> read = gl::readFloats(gpu().api, buffers.surface, 4);
         Image<double> depth{size, 1};
         Image<double> normal{size, 3};
-        for (std::size_t i = 0; i < depth.pixels.size(); ++i) {
-            depth.pixels[i] = static_cast<double>(read.pixels[4 * i + 3]);
-            for (std::size_t c = 0; c < 3; ++c) normal.pixels[3 * i + c] = static_cast<double>(read.pixels[4 * i + c]);
+        for (std::size_t i = 0; i < depth.pixels().size(); ++i) {
+            depth.mutablePixels()[i] = static_cast<double>(read.pixels()[4 * i + 3]);
+            for (std::size_t c = 0; c < 3; ++c)
+                normal.mutablePixels()[3 * i + c] = static_cast<double>(read.pixels()[4 * i + c]);
         }
         for (const StyleSettings& settings : {sumiWith(6, 24), sumiWith(1, 0), sumiWith(12, 5, 40)}) {
             const Image<std::uint8_t> ink = sumi(frame, buffers.surface, settings);
@@ -281,16 +282,17 @@ TEST_P(Styles, pencilEqualsItsDefinition) {
     plain.picture.background.reset();
     set(plain, "line-style", "crease:color=#c02010,width=3", "");
     const Image<std::uint8_t> drawing = renderer().render(scene, cameraFor(scene), plain).picture;
-    ASSERT_EQ(drawing.channels, 4);
+    ASSERT_EQ(drawing.channels(), 4);
     const gl::Current current{context()};
     for (const StyleSettings& settings : {pencilWith(3, 3, 1), pencilWith(1, 0, 9), pencilWith(8, 20, 65535)}) {
         const Image<std::uint8_t> found = pencil(gpu(), drawing, settings, 4096);
         Image<double> expected = reference::pencil(drawing, settings);
         Image<std::uint8_t> visible = found;
         // A colour of which there is almost nothing is mostly rounding.
-        for (std::size_t i = 0; i < found.pixels.size(); i += 4) {
-            if (found.pixels[i + 3] >= 8) continue;
-            for (std::size_t c = 0; c < 3; ++c) visible.pixels[i + c] = 0, expected.pixels[i + c] = 0.0;
+        for (std::size_t i = 0; i < found.pixels().size(); i += 4) {
+            if (found.pixels()[i + 3] >= 8) continue;
+            for (std::size_t c = 0; c < 3; ++c)
+                visible.mutablePixels()[i + c] = 0, expected.mutablePixels()[i + c] = 0.0;
         }
         EXPECT_GT(sumOf(found), 100.0);
         EXPECT_LE(farFrom(visible, expected, 1.6), 4);
@@ -298,10 +300,10 @@ TEST_P(Styles, pencilEqualsItsDefinition) {
 }
 
 double meanDifference(const Image<std::uint8_t>& a, const Image<std::uint8_t>& b) {
-    EXPECT_EQ(a.pixels.size(), b.pixels.size());
+    EXPECT_EQ(a.pixels().size(), b.pixels().size());
     double sum = 0.0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += std::abs(a.pixels[i] - b.pixels[i]);
-    return sum / static_cast<double>(a.pixels.size());
+    for (std::size_t i = 0; i < a.pixels().size(); ++i) sum += std::abs(a.pixels()[i] - b.pixels()[i]);
+    return sum / static_cast<double>(a.pixels().size());
 }
 
 TEST_P(Styles, pencilStrokesStrayTheSameWayWhileTheCameraMoves) {
@@ -319,7 +321,7 @@ TEST_P(Styles, pencilStrokesStrayTheSameWayWhileTheCameraMoves) {
                               pictureOf(renderer(), scene, cameraAt(25.2), settings));
     };
     const Image<std::uint8_t> first = pictureOf(renderer(), scene, cameraAt(25.0), drawn);
-    EXPECT_EQ(first.pixels, pictureOf(renderer(), scene, cameraAt(25.0), drawn).pixels);
+    EXPECT_EQ(first.pixels(), pictureOf(renderer(), scene, cameraAt(25.0), drawn).pixels());
     // Three strokes move as much as three lines.
     EXPECT_LT(moved(drawn), 3.0 * moved(ink));
     drawn.style.pencilSeed = 2;
@@ -352,17 +354,17 @@ TEST_P(Styles, haveTheChannelsOfTheirColors) {
     for (const Style style : {Style::Ink, Style::Hatch, Style::Sumi, Style::Pencil}) {
         Settings settings;
         settings.style.style = style;
-        EXPECT_EQ(pictureOf(renderer(), scene, camera, settings).channels, 1);
+        EXPECT_EQ(pictureOf(renderer(), scene, camera, settings).channels(), 1);
         settings.picture.background = Color{20, 40, 90};
         settings.picture.lineColor = {255, 255, 255};
         const Image<std::uint8_t> blue = pictureOf(renderer(), scene, camera, settings);
-        ASSERT_EQ(blue.channels, 3);
+        ASSERT_EQ(blue.channels(), 3);
         EXPECT_EQ(blue.at(0, 0, 0), 20);
         EXPECT_EQ(blue.at(0, 0, 2), 90);
-        EXPECT_GT(*std::ranges::max_element(blue.pixels), 180) << "white lines";
+        EXPECT_GT(*std::ranges::max_element(blue.pixels()), 180) << "white lines";
         settings.picture.background.reset();
         const Image<std::uint8_t> none = pictureOf(renderer(), scene, camera, settings);
-        ASSERT_EQ(none.channels, 4);
+        ASSERT_EQ(none.channels(), 4);
         EXPECT_EQ(none.at(0, 0, 3), 0);
     }
 }
@@ -380,8 +382,8 @@ TEST_P(Styles, areDrawnInTilesAsInOnePiece) {
         settings.picture.tileSize = 256;
         const Image<std::uint8_t> tiled = renderer().render(scene, camera, settings).picture;
         int differing = 0;
-        for (std::size_t i = 0; i < whole.pixels.size(); ++i)
-            differing += std::abs(whole.pixels[i] - tiled.pixels[i]) > 1 ? 1 : 0;
+        for (std::size_t i = 0; i < whole.pixels().size(); ++i)
+            differing += std::abs(whole.pixels()[i] - tiled.pixels()[i]) > 1 ? 1 : 0;
         // Planes count from the tile's corner: marks and decisions within rounding.
         EXPECT_LE(differing, 20) << static_cast<int>(style.style);
     }
@@ -397,7 +399,7 @@ TEST_P(Styles, hatchMarksOfManySamplesAreFinerButNotDarker) {
         settings.picture.supersampling = samples;
         const Image<std::uint8_t> picture = pictureOf(renderer(), scene, camera, settings);
         double ink = 0.0;
-        for (const std::uint8_t value : picture.pixels) ink += 1.0 - value / 255.0;
+        for (const std::uint8_t value : picture.pixels()) ink += 1.0 - value / 255.0;
         return ink;
     };
     EXPECT_NEAR(inkOf(2), inkOf(1), 0.1 * inkOf(1));

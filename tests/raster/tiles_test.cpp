@@ -105,15 +105,16 @@ TEST(Tiles, areDrawnWithinAViewportThatEveryOpenGlHas) {
 
 TEST(Tiles, putTogetherAreThePicture) {
     Image<std::uint16_t> picture{{700, 650}, 3};
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) picture.pixels[i] = static_cast<std::uint16_t>(i * 31);
+    for (std::size_t i = 0; i < picture.pixels().size(); ++i)
+        picture.mutablePixels()[i] = static_cast<std::uint16_t>(i * 31);
     Image<std::uint16_t> fromDrawn;
     Image<std::uint16_t> fromKept;
-    for (const Tile& tile : tilesOf(picture.size, 256)) {
+    for (const Tile& tile : tilesOf(picture.size(), 256)) {
         keep(cropped(picture, tile.drawn), tile, fromDrawn);
         keep(cropped(picture, tile.kept), tile, fromKept);
     }
-    EXPECT_EQ(fromDrawn.pixels, picture.pixels);
-    EXPECT_EQ(fromKept.pixels, picture.pixels);
+    EXPECT_EQ(fromDrawn, picture);
+    EXPECT_EQ(fromKept, picture);
 }
 
 }  // namespace

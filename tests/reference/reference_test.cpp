@@ -29,8 +29,8 @@ Image<double> imageOf(Size size, double (*value)(int x, int y)) {
 }
 
 std::vector<double> row(const Image<double>& image, int y) {
-    const auto begin = image.pixels.begin() + static_cast<std::ptrdiff_t>(y) * image.size.width;
-    return {begin, begin + image.size.width};
+    const auto begin = image.pixels().begin() + static_cast<std::ptrdiff_t>(y) * image.size().width;
+    return {begin, begin + image.size().width};
 }
 
 TEST(GradientMagnitude, ofAStepIsFourUnderSobel) {
@@ -85,17 +85,17 @@ TEST(GradientMagnitude, repeatsTheBorder) {
 TEST(GradientMagnitude, ofAFlatImageIsZeroUpToTheBorder) {
     const auto flat = imageOf({4, 3}, [](int, int) { return 7.0; });
     for (const Kernel kernel : {Kernel::Sobel, Kernel::Farid}) {
-        EXPECT_THAT(gradientMagnitude(flat, 0, kernel).pixels, Each(testing::DoubleNear(0.0, exact)));
+        EXPECT_THAT(gradientMagnitude(flat, 0, kernel).pixels(), Each(testing::DoubleNear(0.0, exact)));
     }
 }
 
 TEST(GradientMagnitude, worksOnPicturesSmallerThanTheKernel) {
     for (const Kernel kernel : {Kernel::Sobel, Kernel::Farid}) {
         const auto one = imageOf({1, 1}, [](int, int) { return 3.0; });
-        EXPECT_THAT(gradientMagnitude(one, 0, kernel).pixels, Each(testing::DoubleNear(0.0, exact)));
+        EXPECT_THAT(gradientMagnitude(one, 0, kernel).pixels(), Each(testing::DoubleNear(0.0, exact)));
         const auto two = imageOf({2, 1}, [](int x, int) { return static_cast<double>(x); });
         const double step = kernel == Kernel::Sobel ? 4.0 : 0.388734 * 0.999999;
-        EXPECT_THAT(gradientMagnitude(two, 0, kernel).pixels, Each(testing::DoubleNear(step, exact)));
+        EXPECT_THAT(gradientMagnitude(two, 0, kernel).pixels(), Each(testing::DoubleNear(step, exact)));
     }
 }
 
@@ -104,7 +104,7 @@ TEST(GradientMagnitude, takesTheChannelAskedFor) {
     for (int y = 0; y < 4; ++y) {
         for (int x = 2; x < 4; ++x) image.at(x, y, 1) = 1.0;
     }
-    EXPECT_THAT(gradientMagnitude(image, 0, Kernel::Sobel).pixels, Each(0.0));
+    EXPECT_THAT(gradientMagnitude(image, 0, Kernel::Sobel).pixels(), Each(0.0));
     EXPECT_EQ(gradientMagnitude(image, 1, Kernel::Sobel).at(1, 1), 4.0);
     expectError(Error::Kind::Usage, StrEq("expected a channel below 3, found 3"),
                 [&] { (void)gradientMagnitude(image, 3, Kernel::Sobel); });
@@ -151,12 +151,13 @@ TEST(ScaledDepth, runsFromZeroAtNearToOneAtFar) {
     const auto depth = imageOf({3, 1}, [](int x, int) { return 2.0 + 3.0 * x; });  // 2, 5, 8
     for (const double height : {0.0, 1.0}) {
         const Camera camera = cameraBetween(2.0, 8.0, height);
-        EXPECT_THAT(scaledDepth(depth, camera, DepthMap::Linear).pixels, ElementsAre(0.0, 0.5, 1.0));
+        EXPECT_THAT(scaledDepth(depth, camera, DepthMap::Linear).pixels(), ElementsAre(0.0, 0.5, 1.0));
     }
     // Window depth in perspective is far (z - near) / (z (far - near)): 8 * 3 / (5 * 6) in the middle.
-    EXPECT_THAT(scaledDepth(depth, cameraBetween(2.0, 8.0), DepthMap::Window).pixels,
+    EXPECT_THAT(scaledDepth(depth, cameraBetween(2.0, 8.0), DepthMap::Window).pixels(),
                 ElementsAre(0.0, testing::DoubleNear(0.8, exact), 1.0));
-    EXPECT_THAT(scaledDepth(depth, cameraBetween(2.0, 8.0, 1.0), DepthMap::Window).pixels, ElementsAre(0.0, 0.5, 1.0));
+    EXPECT_THAT(scaledDepth(depth, cameraBetween(2.0, 8.0, 1.0), DepthMap::Window).pixels(),
+                ElementsAre(0.0, 0.5, 1.0));
 }
 
 TEST(ScaledDepth, ofWindowIsTheDepthThatTheProjectionGives) {
@@ -259,7 +260,7 @@ TEST(ReferenceSurface, keepsTheNearestAndTurnsNormalsToTheSideThatIsSeen) {
         const Scene scene = scenes::sceneOf(
             {{front, scenes::translation({0, 0, -6}) * turn}, {front, scenes::translation({0, 0, -3}) * turn}});
         const auto surface = drawSurface(scene, camera, LightSpace::World, {4, 4});
-        EXPECT_THAT(surface.depth.pixels, Each(testing::DoubleNear(3.0, exact)));
+        EXPECT_THAT(surface.depth.pixels(), Each(testing::DoubleNear(3.0, exact)));
         EXPECT_NEAR(surface.normal.at(1, 1, 2), 1.0, exact);
     }
 }
@@ -277,14 +278,13 @@ TEST(ReferenceSurface, drawsWhatReachesBehindTheCamera) {
 }
 
 TEST(ReferenceComposite, givesTheChannelsThatTheColorsNeed) {
-    Image<std::uint8_t> edges{{2, 1}, 1};
-    edges.pixels = {0, 255};
+    Image<std::uint8_t> edges{{2, 1}, 1, {0, 255}};
     PictureSettings picture;
-    EXPECT_THAT(composite(edges, picture).pixels, ElementsAre(255, 0));
+    EXPECT_THAT(composite(edges, picture).pixels(), ElementsAre(255, 0));
     picture.lineColor = {1, 2, 3};
-    EXPECT_THAT(composite(edges, picture).pixels, ElementsAre(255, 255, 255, 1, 2, 3));
+    EXPECT_THAT(composite(edges, picture).pixels(), ElementsAre(255, 255, 255, 1, 2, 3));
     picture.background = std::nullopt;
-    EXPECT_THAT(composite(edges, picture).pixels, ElementsAre(1, 2, 3, 0, 1, 2, 3, 255));
+    EXPECT_THAT(composite(edges, picture).pixels(), ElementsAre(1, 2, 3, 0, 1, 2, 3, 255));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST_P(BrushFile, isReadAgainWhenItHasChanged) {
     settings.lines.from = LinesFrom::Object;
     settings.lines.brush = (folder / "brush.png").string();
     const Camera camera = frameCamera(scene, {}, settings.picture.size);
-    const auto draw = [&] { return renderer().render(scene, camera, settings).picture.pixels; };
+    const auto draw = [&] { return renderer().render(scene, camera, settings).picture.pixels(); };
     putBrush(settings.lines.brush, 0);
     const auto full = draw();
     EXPECT_THAT(full, testing::Contains(0)) << "a dark brush gives full ink";

@@ -138,7 +138,7 @@ TEST(RendererContext, isMadeAtOnceOrWhenACallNeedsIt) {
     EXPECT_EQ(found.backend.backend, "");
     const Camera camera = frameCamera(scene, {}, size);
     const Maps maps = renderer.render(scene, camera, settingsOf(LinesFrom::Object));
-    EXPECT_EQ(maps.picture.size, size);
+    EXPECT_EQ(maps.picture.size(), size);
     EXPECT_EQ(maps.backend.backend, "");
     expectError(Error::Kind::Usage, message, [&] { (void)linesOf(renderer, scene, settingsOf(LinesFrom::Image)); });
     expectError(Error::Kind::Usage, message,
@@ -150,8 +150,8 @@ TEST_P(RendererLines, pictureIsTheSameWithoutAContext) {
     const Camera camera = frameCamera(scene, {}, size);
     const Settings settings = settingsOf(LinesFrom::Object);
     Renderer lazy{BackendSettings{GetParam(), {}}, ContextTime::WhenNeeded};
-    EXPECT_EQ(lazy.render(scene, camera, settings).picture.pixels,
-              renderer().render(scene, camera, settings).picture.pixels);
+    EXPECT_EQ(lazy.render(scene, camera, settings).picture.pixels(),
+              renderer().render(scene, camera, settings).picture.pixels());
     EXPECT_EQ(lazy.backend().backend, "");
     const Maps drawn = lazy.render(scene, camera, settingsOf(LinesFrom::Image));
     EXPECT_EQ(drawn.backend.backend, gl_test::backendName(GetParam()));
@@ -269,9 +269,9 @@ TEST_P(RendererLines, fromImageHaveNoneWhereASteepSurfaceGoesOn) {
         settings.maps = {Map::Edges};
         const Image<std::uint8_t> edges = renderer().render(scene, camera, settings).edges;
         int stray = 0;
-        for (std::size_t i = 0; i < edges.pixels.size(); ++i)
-            stray += edges.pixels[i] != 0 && near.pixels[i] == 0 ? 1 : 0;
-        EXPECT_GT(std::ranges::count(edges.pixels, 255), 500);
+        for (std::size_t i = 0; i < edges.pixels().size(); ++i)
+            stray += edges.pixels()[i] != 0 && near.pixels()[i] == 0 ? 1 : 0;
+        EXPECT_GT(std::ranges::count(edges.pixels(), 255), 500);
         EXPECT_EQ(stray, 0) << "from " << azimuth << " degrees";
     }
 }

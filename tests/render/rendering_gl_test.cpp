@@ -44,22 +44,22 @@ TEST_P(Rendering, givesOnlyTheMapsAskedFor) {
     const Scene scene = scenes::sceneOf(scenes::cube());
     const Camera camera = frameCamera(scene, {}, {20, 10});
     const Maps none = renderer().render(scene, camera, classic({20, 10}));
-    EXPECT_EQ(none.picture.size, (Size{20, 10}));
+    EXPECT_EQ(none.picture.size(), (Size{20, 10}));
     EXPECT_TRUE(none.depth.empty() && none.windowDepth.empty() && none.normal.empty() && none.depthMagnitude.empty() &&
                 none.normalMagnitude.empty() && none.depthEdges.empty() && none.normalEdges.empty() &&
                 none.edges.empty());
 
     const Maps depth = renderer().render(scene, camera, classic({20, 10}, {Map::Depth}));
-    EXPECT_EQ(depth.depth.size, (Size{20, 10}));
-    EXPECT_EQ(depth.windowDepth.size, (Size{20, 10}));
+    EXPECT_EQ(depth.depth.size(), (Size{20, 10}));
+    EXPECT_EQ(depth.windowDepth.size(), (Size{20, 10}));
     EXPECT_TRUE(depth.normal.empty() && depth.edges.empty() && depth.depthMagnitude.empty());
 
     const Maps edges = renderer().render(scene, camera, classic({20, 10}, {Map::Edges, Map::NormalEdges}));
-    EXPECT_EQ(edges.edges.size, (Size{20, 10}));
-    EXPECT_EQ(edges.normalEdges.size, (Size{20, 10}));
-    EXPECT_EQ(edges.normalMagnitude.size, (Size{20, 10}));
+    EXPECT_EQ(edges.edges.size(), (Size{20, 10}));
+    EXPECT_EQ(edges.normalEdges.size(), (Size{20, 10}));
+    EXPECT_EQ(edges.normalMagnitude.size(), (Size{20, 10}));
     EXPECT_TRUE(edges.depth.empty() && edges.depthEdges.empty() && edges.depthMagnitude.empty());
-    EXPECT_EQ(edges.picture.pixels, none.picture.pixels) << "the maps asked for change the picture";
+    EXPECT_EQ(edges.picture, none.picture) << "the maps asked for change the picture";
 }
 
 TEST_P(Rendering, putsRowZeroAtTheTop) {
@@ -129,7 +129,7 @@ TEST_P(Rendering, drawsAnotherSceneThatStandsWhereADeadOneStood) {
         const Scene scene = scenes::sceneOf(scenes::cube(side));
         maps = renderer().render(scene, squareCamera(), classic({16, 16}, {Map::Depth}));
     }
-    const auto drawn = std::ranges::count_if(maps->depth.pixels, [](float z) { return z < 8.9F; });
+    const auto drawn = std::ranges::count_if(maps->depth.pixels(), [](float z) { return z < 8.9F; });
     EXPECT_EQ(drawn, 12 * 12);
 }
 
@@ -175,7 +175,7 @@ TEST_P(Rendering, drawsTheWidestAndTheTallestPicture) {
     const Scene scene = scenes::sceneOf(scenes::cube());
     constexpr int maxSide = PictureSettings::maxSide;
     for (const Size size : {Size{maxSide, 1}, Size{1, maxSide}}) {
-        EXPECT_EQ(renderer().render(scene, frameCamera(scene, {}, size), classic(size)).picture.size, size);
+        EXPECT_EQ(renderer().render(scene, frameCamera(scene, {}, size), classic(size)).picture.size(), size);
     }
 }
 
@@ -203,9 +203,9 @@ TEST_P(Rendering, drawsNothingOfWhatIsBehindTheCamera) {
     cameraSettings.direction = glm::dvec3{0, 0, 1};
     const Camera camera = frameCamera(scene, cameraSettings, {16, 16});
     const Maps maps = renderer().render(scene, camera, classic({16, 16}, classicMaps));
-    EXPECT_THAT(maps.depth.pixels, Each(static_cast<float>(camera.far)));
-    EXPECT_THAT(maps.edges.pixels, Each(0));
-    EXPECT_THAT(maps.picture.pixels, Each(255));
+    EXPECT_THAT(maps.depth.pixels(), Each(static_cast<float>(camera.far)));
+    EXPECT_THAT(maps.edges.pixels(), Each(0));
+    EXPECT_THAT(maps.picture.pixels(), Each(255));
 }
 
 TEST_P(Rendering, ofAnExtremeScaleIsTheSamePicture) {
@@ -232,7 +232,7 @@ TEST_P(Rendering, ofAModelFarFromTheOriginIsTheSamePicture) {
         const Scene scene = scenes::sceneOf(scenes::cube(), scenes::translation(offset));
         return renderFramed(renderer(), scene, {96, 96});
     };
-    EXPECT_EQ(draw({8e6, -8e6, 8e6}).picture.pixels, draw({0, 0, 0}).picture.pixels);
+    EXPECT_EQ(draw({8e6, -8e6, 8e6}).picture.pixels(), draw({0, 0, 0}).picture.pixels());
 }
 
 TEST_P(Rendering, goesOnInARendererThatWasMoved) {

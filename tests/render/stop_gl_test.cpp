@@ -67,8 +67,8 @@ TEST_P(Stopping, beforeTheWork) {
 TEST_P(Stopping, changesNothingUnlessAskedFor) {
     const Settings settings = settingsOf(Style::Ink, LinesFrom::Image);
     const std::stop_source source;
-    EXPECT_EQ(renderer().render(scene_, camera_, settings, source.get_token()).picture.pixels,
-              renderer().render(scene_, camera_, settings).picture.pixels);
+    EXPECT_EQ(renderer().render(scene_, camera_, settings, source.get_token()).picture.pixels(),
+              renderer().render(scene_, camera_, settings).picture.pixels());
 }
 
 TEST_P(Stopping, ofAPictureAtAnyLookLeavesTheRendererAsItWas) {
@@ -79,9 +79,9 @@ TEST_P(Stopping, ofAPictureAtAnyLookLeavesTheRendererAsItWas) {
         const int looks = stopEverywhere([&] { (void)renderer().render(scene_, camera_, settings); });
         EXPECT_GT(looks, 4 * 4) << "four tiles of several stages";
         const Maps found = renderer().render(scene_, camera_, settings);
-        EXPECT_EQ(found.picture.pixels, expected.picture.pixels);
-        EXPECT_EQ(found.types.pixels, expected.types.pixels);
-        EXPECT_EQ(found.ids.pixels, expected.ids.pixels);
+        EXPECT_EQ(found.picture, expected.picture);
+        EXPECT_EQ(found.types, expected.types);
+        EXPECT_EQ(found.ids, expected.ids);
     }
 }
 
@@ -90,7 +90,7 @@ TEST_P(Stopping, ofAFunctionsEdgesAtAnyLook) {
     settings.detector.functions = {surfaceFunction("volume")};
     const Maps expected = renderer().render(scene_, camera_, settings);
     (void)stopEverywhere([&] { (void)renderer().render(scene_, camera_, settings); });
-    EXPECT_EQ(renderer().render(scene_, camera_, settings).picture.pixels, expected.picture.pixels);
+    EXPECT_EQ(renderer().render(scene_, camera_, settings).picture.pixels(), expected.picture.pixels());
 }
 
 TEST_P(Stopping, ofLinesFromImageAtAnyLook) {
@@ -108,8 +108,8 @@ TEST_P(Stopping, ofAFirstCallWhichMakesTheContext) {
         fresh.emplace(BackendSettings{GetParam(), {}}, ContextTime::WhenNeeded);
         (void)fresh->render(scene_, camera_, settings);
     });
-    EXPECT_EQ(fresh->render(scene_, camera_, settings).picture.pixels,
-              renderer().render(scene_, camera_, settings).picture.pixels);
+    EXPECT_EQ(fresh->render(scene_, camera_, settings).picture.pixels(),
+              renderer().render(scene_, camera_, settings).picture.pixels());
 }
 
 TEST_P(Stopping, fromAnotherThread) {
@@ -127,7 +127,7 @@ TEST_P(Stopping, fromAnotherThread) {
             (void)renderer().render(scene_, camera_, settings, source.get_token());
         }
     });
-    EXPECT_EQ(renderer().render(scene_, camera_, settings).picture.pixels, expected.picture.pixels);
+    EXPECT_EQ(renderer().render(scene_, camera_, settings).picture.pixels(), expected.picture.pixels());
 }
 
 TEST(StoppingObjectLines, atAnyLookLeavesWhatIsPreparedAsItWas) {

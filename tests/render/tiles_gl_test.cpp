@@ -38,27 +38,27 @@ Both drawBoth(Renderer& renderer, const Scene& scene, Settings settings, CameraS
 
 template <class T>
 std::size_t differing(const Image<T>& a, const Image<T>& b) {
-    if (a.size != b.size || a.channels != b.channels) return a.pixels.size() + b.pixels.size();
+    if (a.size() != b.size() || a.channels() != b.channels()) return a.pixels().size() + b.pixels().size();
     std::size_t count = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) count += a.pixels[i] != b.pixels[i] ? 1 : 0;
+    for (std::size_t i = 0; i < a.pixels().size(); ++i) count += a.pixels()[i] != b.pixels()[i] ? 1 : 0;
     return count;
 }
 
 // The largest difference, as a share of the largest value.
 double distance(const Image<float>& a, const Image<float>& b) {
-    EXPECT_EQ(a.size, b.size);
+    EXPECT_EQ(a.size(), b.size());
     double difference = 0.0;
     double largest = 1e-30;
-    for (std::size_t i = 0; i < std::min(a.pixels.size(), b.pixels.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(a.pixels().size(), b.pixels().size()); ++i) {
         difference =
-            std::max(difference, std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i])));
-        largest = std::max(largest, std::abs(static_cast<double>(a.pixels[i])));
+            std::max(difference, std::abs(static_cast<double>(a.pixels()[i]) - static_cast<double>(b.pixels()[i])));
+        largest = std::max(largest, std::abs(static_cast<double>(a.pixels()[i])));
     }
     return difference / largest;
 }
 
 void expectSame(const Both& both) {
-    EXPECT_EQ(both.whole.picture.size, both.tiled.picture.size);
+    EXPECT_EQ(both.whole.picture.size(), both.tiled.picture.size());
     EXPECT_EQ(differing(both.whole.picture, both.tiled.picture), 0);
     EXPECT_EQ(differing(both.whole.edges, both.tiled.edges), 0);
     EXPECT_EQ(differing(both.whole.depthEdges, both.tiled.depthEdges), 0);
@@ -148,7 +148,7 @@ TEST_P(Tiling, drawsPicturesThatAreLongerThanAnyTarget) {
     cameraSettings.focalPoint = glm::dvec3{0, 0, 0};
     const Camera camera = frameCamera(scene, cameraSettings, settings.picture.size);
     const Image<std::uint8_t> wide = renderer().render(scene, camera, settings).picture;
-    ASSERT_EQ(wide.size, (Size{20000, 300}));
+    ASSERT_EQ(wide.size(), (Size{20000, 300}));
 
     Settings piece = settings;
     piece.picture.size = {1000, 300};
