@@ -4,6 +4,8 @@ import base64
 import json
 import struct
 
+from lib.glb import glb_file
+
 PACK = {5120: "b", 5121: "B", 5122: "h", 5123: "H", 5125: "I", 5126: "f"}
 QUAD = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 1)]
 FACES = [0, 1, 2, 0, 2, 3]
@@ -55,8 +57,7 @@ class Model:
         text = self.document()
         text += b" " * (-len(text) % 4)
         data = bytes(self.data) + bytes(-len(self.data) % 4)
-        chunks = struct.pack("<II", len(text), 0x4E4F534A) + text + struct.pack("<II", len(data), 0x004E4942) + data
-        return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+        return glb_file(text, data)
 
     def gltf(self):
         return self.document("data:application/octet-stream;base64," + base64.b64encode(self.data).decode())
