@@ -53,7 +53,7 @@ def objs():
     obj("obj_material_library_outside", PICTURE,
         "mtllib ../../../../../../etc/passwd\nmtllib /dev/zero\n" + TRIANGLE + "f 1 2 3\n")
     obj("obj_includes_itself", PICTURE, "call obj_includes_itself.obj\n" + TRIANGLE + "f 1 2 3\n")
-    obj("obj_utf16", "zero byte", (TRIANGLE + "f 1 2 3\n").encode("utf-16"))
+    obj("obj_utf16", "UTF-16 text", (TRIANGLE + "f 1 2 3\n").encode("utf-16"))
 
 
 def facet(values):
