@@ -16,7 +16,7 @@ OWNERS = {  # of the other public headers
     "images": ["encode_png"],
     "settings": ["setting_table", "settings", "surface_functions"],
     "mesh": ["mesh", "mesh_arrays"],
-    "formats": ["load_scene"],
+    "formats": ["inspect_model", "load_scene"],
     "scene": ["scene"],
     "camera": ["camera", "views"],
     "gl": ["backends"],

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <charconv>
+#include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace inkedge::formats {
@@ -34,6 +36,15 @@ namespace inkedge::formats {
     const std::string_view word = text.substr(0, end);
     text.remove_prefix(end);
     return word;
+}
+
+/// "1 mesh", "2 meshes".
+/// @param several  the plural; empty: the word with an s
+[[nodiscard]] inline std::string counted(std::uint64_t count, std::string_view word, std::string_view several = {}) {
+    std::string text = std::to_string(count) + ' ';
+    if (count == 1 || several.empty()) text += word;
+    if (count != 1) text += several.empty() ? "s" : several;
+    return text;
 }
 
 /// The number that a whole text stands for; none if it is no number.

@@ -10,6 +10,7 @@
 #include <inkedge/error.h>
 #include <inkedge/export.h>
 #include <inkedge/image.h>
+#include <inkedge/inspect_model.h>
 #include <inkedge/job.h>
 #include <inkedge/line_types.h>
 #include <inkedge/lines.h>

@@ -81,6 +81,8 @@ public:
         std::vector<Material> materials;    ///< Mesh::materials counts them from 1; may be empty
         std::vector<std::string> warnings;  ///< one line each: what the file holds that is not drawn
         SceneSource source;
+        /// What a file holds in place of triangles, if it draws none: "24 points", "2 meshes that no node draws".
+        std::vector<std::string> undrawn;
     };
 
     /// Checks the data, and makes the normals that are missing, split at settings.creaseAngle.

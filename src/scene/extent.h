@@ -9,7 +9,8 @@
 namespace inkedge::scene {
 
 /// Instances of meshes, and the box of each mesh: of its positions less its origin. The vertices of an instance are
-/// skipped if its box cannot change a result.
+/// skipped if its box cannot change a result. Instances whose vertices all lie at one point do not count, unless none
+/// has an extent.
 struct InstancedBoxes {
     std::span<const Mesh> meshes;
     std::span<const Box> boxes;  ///< one per mesh

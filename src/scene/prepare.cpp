@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <glm/common.hpp>
 
 #include <inkedge/error.h>
@@ -26,7 +28,9 @@ namespace {
 
 void dropEmptyInstances(Scene::Data& data) {
     std::erase_if(data.instances, [&](const Instance& i) { return data.meshes[i.mesh].indices.empty(); });
-    if (data.instances.empty()) refuse("expected at least one triangle to draw, found none");
+    if (!data.instances.empty()) return;
+    const std::string there = data.undrawn.empty() ? "" : fmt::format(": {}", fmt::join(data.undrawn, ", "));
+    refuse("expected at least one triangle to draw, found none" + there);
 }
 
 bool isDoubleSided(const std::vector<Material>& materials, std::uint32_t material) {

@@ -7,6 +7,7 @@ namespace {
 using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 class Inspect : public Command {
 protected:
@@ -58,10 +59,31 @@ TEST_F(Inspect, SaysItInLinesForPeople) {
         EXPECT_THAT(outcome.out, HasSubstr(line));
 }
 
+TEST_F(Inspect, SaysWhatThereIsInsteadOfTriangles) {
+    const std::string cloud = file("cloud.ply",
+                                   "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+                                   "property float z\nend_header\n0 0 0\n1 0 0\n");
+    const json found = inspected(cloud);
+    EXPECT_EQ(found.at("triangles"), 0);
+    EXPECT_EQ(found.at("not_drawn"), json({"2 points"}));
+    EXPECT_EQ(found.at("bounds"), nullptr);
+    const Outcome outcome = run({"inspect", cloud});
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_THAT(outcome.out,
+                StartsWith(cloud + ": PLY\ntriangles  0 in 0 instances of 0 meshes\nnot drawn  2 points\nwarning"));
+    const Outcome refused = run({"render", cloud, "-o", "cloud.png"});
+    EXPECT_EQ(refused.exitCode, 3);
+    EXPECT_THAT(refused.error, HasSubstr("cloud.ply: expected at least one triangle to draw, found none: 2 points\n"));
+    EXPECT_EQ(inspected(emptyModel()).at("not_drawn"), json({"no mesh"}));
+    EXPECT_EQ(inspected(asset("primitives.glb")).at("not_drawn"), json::array());
+}
+
 TEST_F(Inspect, ErrorsAreThoseOfRender) {
-    const Outcome outcome = run({"inspect", emptyModel()});
-    EXPECT_EQ(outcome.exitCode, 3);
-    EXPECT_THAT(outcome.error, HasSubstr("empty.gltf: expected at least one triangle to draw, found none\n"));
+    const std::string broken = file("broken.obj", "v 0 0 0\nf 1 2 3\n");
+    for (const Outcome& outcome : {run({"inspect", broken}), run({"render", broken, "-o", "broken.png"})}) {
+        EXPECT_EQ(outcome.exitCode, 3);
+        EXPECT_THAT(outcome.error, HasSubstr("broken.obj: line 2: expected a vertex from 1 to 1, found 3\n"));
+    }
     EXPECT_EQ(run({"inspect", "missing.glb"}).exitCode, 3);
     EXPECT_EQ(run({"inspect"}).exitCode, 2);
 }

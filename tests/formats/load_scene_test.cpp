@@ -297,7 +297,7 @@ TEST_F(LoadScene, gltfInMemoryIsDrawnWithoutAPictureInAFile) {
 
 TEST_F(LoadScene, bytesThatDrawNothingAreRefusedByTheirName) {
     EXPECT_EQ(refusalOf("v 0 0 0\nv 1 0 0\nl 1 2\n", "a.obj"),
-              "a.obj: expected at least one triangle to draw, found none");
+              "a.obj: expected at least one triangle to draw, found none: 1 line");
 }
 
 }  // namespace

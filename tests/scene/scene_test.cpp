@@ -128,6 +128,31 @@ TEST(Scene, refusesToDrawNothing) {
     expectRefusal(data, "expected at least one triangle to draw, found none");
 }
 
+TEST(Scene, saysWhatThereIsInsteadOfTriangles) {
+    Scene::Data data;
+    data.undrawn = {"8 points", "1 line"};
+    expectRefusal(data, "expected at least one triangle to draw, found none: 8 points, 1 line");
+}
+
+TEST(Scene, isBoundedWithoutInstancesOfNoExtent) {
+    const Scene alone{cubeData()};
+    for (const glm::dmat4& rotation : {glm::dmat4{1.0}, scenes::rotation(30, {1, 2, 3})}) {
+        auto data = cubeData();
+        data.instances.push_back(
+            {"shrunk", 0, scenes::translation({20, -30, 5}) * rotation * scenes::scaling(glm::dvec3{0.0})});
+        const Scene scene{data};
+        EXPECT_EQ(scene.box().min, alone.box().min);
+        EXPECT_EQ(scene.box().max, alone.box().max);
+        EXPECT_EQ(scene.bounds().radius, alone.bounds().radius);
+        EXPECT_EQ(support(scene, {1, 0, 0}), support(alone, {1, 0, 0}));
+        data.instances.erase(data.instances.begin());
+        EXPECT_EQ(Scene{data}.box().min, glm::dvec3(20, -30, 5)) << "if none has one, all count";
+        data.instances[0].transform = scenes::translation({20, 0, 0}) * scenes::scaling({0.0, 1.0, 1.0});
+        data.instances.push_back({"cube", 0, glm::dmat4{1.0}});
+        EXPECT_EQ(Scene{data}.box().max.x, 20.0) << "a flat one has an extent";
+    }
+}
+
 TEST(Scene, refusesBoundsThatOverflow) {
     auto data = cubeData();
     data.instances[0].transform = scenes::scaling(glm::dvec3{1e200});

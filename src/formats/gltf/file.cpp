@@ -166,16 +166,37 @@ void checkExtents(const Json& document, const char* list, const char* kind) {
         base::within(base::label(kind, i), [&] { checkExtents((*found)[i]); });
 }
 
+// Whether an extension is about what a drawing of lines never shows: light, sound, physics, behaviour, metadata, and
+// coarser models for the distance.
+bool isBesideTheDrawing(std::string_view extension) {
+    constexpr std::array subjects{
+        "lights_"sv,         "environment"sv,   "materials_"sv,
+        "audio"sv,           "physics_"sv,      "rigid_body"sv,
+        "collider"sv,        "collision_"sv,    "vehicle_"sv,
+        "articulations"sv,   "interactivity"sv, "xmp"sv,
+        "mesh_manifold"sv,   "lod"sv,           "structural_metadata"sv,
+        "mesh_features"sv,   "metadata"sv,      "geometry_metadata"sv,
+        "implicit_shapes"sv, "single_root"sv,   "springBone"sv,
+        "packing_"sv,        "seat"sv,          "instance_features"sv,
+        "spawn_point"sv,     "link"sv,          "feature_metadata"sv,
+    };
+    const std::size_t vendorEnd = extension.find('_');
+    if (vendorEnd == std::string_view::npos) return false;
+    const std::string_view subject = extension.substr(vendorEnd + 1);
+    return std::ranges::any_of(subjects, [&](std::string_view known) { return subject.starts_with(known); });
+}
+
 // Whether an extension is read, or does not change the shape.
 bool isRead(std::string_view extension) {
     constexpr std::array names{
-        "KHR_mesh_quantization"sv,  "EXT_mesh_gpu_instancing"sv, "KHR_texture_transform"sv,
-        "KHR_texture_basisu"sv,     "EXT_texture_webp"sv,        "KHR_lights_punctual"sv,
-        "KHR_animation_pointer"sv,  "KHR_node_visibility"sv,     "KHR_node_hoverability"sv,
-        "KHR_node_selectability"sv, "EXT_lights_image_based"sv,  "EXT_mesh_primitive_edge_visibility"sv,
+        "KHR_mesh_quantization"sv,  "EXT_mesh_gpu_instancing"sv,
+        "KHR_texture_transform"sv,  "KHR_texture_basisu"sv,
+        "EXT_texture_webp"sv,       "KHR_animation_pointer"sv,
+        "KHR_node_visibility"sv,    "KHR_node_hoverability"sv,
+        "KHR_node_selectability"sv, "EXT_mesh_primitive_edge_visibility"sv,
     };
     return readsCompression(extension) || std::ranges::find(names, extension) != names.end() ||
-           extension.starts_with("KHR_materials_") || extension.starts_with("KHR_xmp");
+           isBesideTheDrawing(extension);
 }
 
 std::vector<std::string> extensionsIn(const Json& document, const char* list) {

@@ -26,6 +26,7 @@
 #include "formats/gltf/instancing.h"
 #include "formats/gltf/model.h"
 #include "formats/gltf/nodes.h"
+#include "formats/gltf/not_drawn.h"
 #include "formats/gltf/paint.h"
 #include "formats/gltf/shape.h"
 #include "formats/gltf/triangles.h"
@@ -68,7 +69,8 @@ public:
         for (const Material& material : file_.materials)
             data_.materials.push_back({material.name, material.doubleSided});
         if (settings_.paint) readPaints();
-        for (const auto& [number, shown] : nodesOfScene(model_, nodes_, settings_.scene)) {
+        const std::vector<DrawnNode> drawn = nodesOfScene(model_, nodes_, settings_.scene);
+        for (const auto& [number, shown] : drawn) {
             addNode(number);
             base::within(nodeLabel(model_, number), [&, node = number, visible = shown] {
                 if (model_.nodes[node].camera != -1) addCamera(node);
@@ -76,6 +78,8 @@ public:
             });
         }
         warnOfModes();
+        if (data_.instances.empty())
+            data_.undrawn = insteadOfTriangles(model_, nodes_, drawn, settings_.scene, notDrawn_);
         return std::move(data_);
     }
 
@@ -166,12 +170,17 @@ private:
                 if (drawsTriangles(mode))
                     append(shape, readPrimitive(source.primitives[i], pose, isNew ? where : std::string{}));
                 else if (isNew)
-                    ++ignored_[modeName];
+                    leaveOut(source.primitives[i], modeName);
             });
         }
         if (shape.indices.empty()) return {};
         data_.meshes.push_back(meshOf(std::move(shape), source.name));
         return static_cast<std::uint32_t>(data_.meshes.size() - 1);
+    }
+
+    void leaveOut(const tinygltf::Primitive& primitive, std::string_view modeName) {
+        ++ignored_[modeName];
+        notDrawn_.add(model_, primitive);
     }
 
     // Warnings start with warnedAs. If that is empty the primitive's warnings have been given before.
@@ -186,7 +195,10 @@ private:
         if (material == nullptr && primitive.material != -1 && !warnedAs.empty())
             warn(fmt::format("{}: expected a material below {}, found {}", warnedAs, file_.materials.size(),
                              primitive.material));
-        if (isIgnored(material)) return part;
+        if (isIgnored(material)) {
+            ++notDrawn_.transparent;
+            return part;
+        }
         spend(elementCount(model_, position->second, "POSITION"));
         part.positions = readVectors<glm::dvec3>(model_, position->second, "POSITION", anyPosition);
         const std::size_t count = part.positions.size();
@@ -296,7 +308,9 @@ private:
     // A cut-out whose picture cannot be read is drawn whole, with a warning.
     void cutOut(const Material& material, const tinygltf::Primitive& primitive, Shape& part) {
         try {
+            const std::size_t before = part.indices.size() / 3;
             cutOuts_.apply(material, primitive, part);
+            if (part.indices.empty()) notDrawn_.maskedAway += before;
             spend(part.indices.size());
         } catch (const Error& error) {
             if (!uncut_.insert(primitive.material).second) return;
@@ -352,7 +366,8 @@ private:
     std::map<std::pair<int, std::vector<double>>, std::optional<std::uint32_t>> meshes_;  // by mesh and morph weights
     std::set<int> seen_;                               // meshes whose ignored primitives have been counted
     std::map<std::string_view, std::size_t> ignored_;  // primitives by mode
-    std::set<int> uncut_;                              // materials that a warning names
+    NotDrawn notDrawn_;
+    std::set<int> uncut_;  // materials that a warning names
     std::uint64_t elementsLeft_;
 };
 

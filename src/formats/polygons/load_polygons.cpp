@@ -20,6 +20,7 @@
 #include "formats/polygons/polygon_file.h"
 #include "formats/polygons/polygons.h"
 #include "formats/polygons/stl.h"
+#include "formats/text.h"
 
 namespace inkedge::polygons {
 namespace {
@@ -64,7 +65,9 @@ public:
         mesh_.textureCoordinates = std::move(file_.textureCoordinates);
         mesh_.name = name;
         warn();
-        if (!mesh_.indices.empty()) {
+        if (mesh_.indices.empty()) {
+            data_.undrawn = insteadOfTriangles();
+        } else {
             data_.meshes.push_back(std::move(mesh_));
             data_.instances.push_back({name, 0, glm::dmat4{1.0}});
         }
@@ -216,6 +219,14 @@ private:
     }
 
     // ---- after it
+
+    [[nodiscard]] std::vector<std::string> insteadOfTriangles() const {
+        std::vector<std::string> found;
+        if (file_.points > 0) found.push_back(formats::counted(file_.points, "point"));
+        if (file_.lines > 0) found.push_back(formats::counted(file_.lines, "line"));
+        if (file_.faceCount > 0) found.push_back(formats::counted(file_.faceCount, "face") + " of repeated vertices");
+        return found;
+    }
 
     void warn() {
         data_.warnings = std::move(file_.warnings);

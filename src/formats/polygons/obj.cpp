@@ -40,7 +40,10 @@ public:
                      [&] { checkIndex(position_, positions_.size(), "a vertex"); });
         base::within(base::label("line", normal_.line), [&] { checkIndex(normal_, normals_.size(), "a normal"); });
         base::within(base::label("line", texture_.line), [&] { checkIndex(texture_, textures_.size(), "a vt"); });
-        if (file_.faceCount + file_.points + file_.lines == 0) base::refuse("expected faces, found none");
+        if (file_.faceCount + file_.points + file_.lines == 0) {
+            if (positions_.empty()) base::refuse("expected faces, found none");
+            file_.points = positions_.size();
+        }
         fillVertices();
         return std::move(file_);
     }

@@ -172,13 +172,11 @@ PolygonFile readStl(ByteSpan bytes) {
     if (!exact && content.find('\0') == std::string_view::npos) {
         if (!is(formats::trimmed(content).substr(0, 5), "solid"))
             base::refuse(fmt::format("expected STL, found {}", base::kindOf(content)));
-        PolygonFile file = TextReader{content}.read();
-        if (file.faceCount == 0) base::refuse("expected facets, found none");
-        return file;
+        return TextReader{content}.read();
     }
     if (bytes.size() < dataStart)
         base::refuse(fmt::format("expected an STL file of at least {} bytes, found {}", dataStart, bytes.size()));
-    if (bytes.size() == dataStart && binarySize(bytes) == dataStart) base::refuse("expected facets, found none");
+    if (bytes.size() == dataStart && binarySize(bytes) == dataStart) return {};  // of no triangle
     return readBinary(bytes);
 }
 

@@ -153,9 +153,31 @@ TEST_F(SceneChoice, KeepsNodesWhoseVisibilityIsNoObject) {
 
 TEST_F(SceneChoice, WarnsOfExtensionsThatAreUsedButNotRead) {
     Model model = triangle();
-    model.json["extensionsUsed"] = {"EXT_mesh_manifold", "KHR_materials_sheen", "ACME_fur"};
+    model.json["extensionsUsed"] = {"ACME_mesh_fur", "KHR_materials_sheen", "ACME_fur"};
     EXPECT_THAT(load(model).warnings,
-                ElementsAre("uses extensions that this version does not read: EXT_mesh_manifold, ACME_fur"));
+                ElementsAre("uses extensions that this version does not read: ACME_mesh_fur, ACME_fur"));
+}
+
+TEST_F(SceneChoice, IsSilentOnExtensionsThatCannotChangeTheDrawing) {
+    Model model = triangle();
+    model.json["extensionsUsed"] = {"EXT_mesh_manifold",
+                                    "MSFT_lod",
+                                    "KHR_lights_punctual",
+                                    "EXT_lights_ies",
+                                    "ADOBE_materials_thin_transparency",
+                                    "KHR_xmp_json_ld",
+                                    "KHR_audio_emitter",
+                                    "OMI_physics_body",
+                                    "KHR_physics_rigid_bodies",
+                                    "EXT_structural_metadata",
+                                    "EXT_mesh_features",
+                                    "AGI_articulations",
+                                    "KHR_interactivity",
+                                    "MSFT_packing_normalRoughnessMetallic"};
+    model.json["extensionsRequired"] = {"EXT_mesh_manifold"};
+    const Scene::Data data = load(model);
+    EXPECT_THAT(data.warnings, IsEmpty());
+    EXPECT_THAT(data.instances, SizeIs(1));
 }
 
 // ---- materials

@@ -144,6 +144,20 @@ TEST_F(LoadPolygons, ignoresPointsAndLinesWithOneWarning) {
     EXPECT_THAT(points.warnings, ElementsAre("2 points and 0 lines are not drawn"));
 }
 
+TEST_F(LoadPolygons, sayWhatThereIsInsteadOfTriangles) {
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    EXPECT_THAT(obj(points).undrawn, ElementsAre("3 points"));
+    EXPECT_THAT(obj(points + "p 1 2\np 3\nl 1 2\n").undrawn, ElementsAre("3 points", "1 line"));
+    EXPECT_THAT(plyFile(ply("ascii", floatXyz, "0 0 0\n1 0 0\n", 2, 0)).undrawn, ElementsAre("2 points"));
+    EXPECT_THAT(plyFile(ply("ascii", floatXyz, "0 0 0\n1 0 0\n3 0 1 1\n", 2)).undrawn,
+                ElementsAre("1 face of repeated vertices"));
+    EXPECT_THAT(obj(triangleObj).undrawn, IsEmpty());
+    for (const Scene::Data& data : {stl("solid\nendsolid\n"), stl(binaryStl(0))}) {
+        EXPECT_THAT(data.instances, IsEmpty());
+        EXPECT_THAT(data.undrawn, IsEmpty());
+    }
+}
+
 TEST_F(LoadPolygons, leavesOutTrianglesWithARepeatedVertex) {
     EXPECT_EQ(corners(plyFile(ply("ascii", floatXyz, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 1\n", 3, 2))),
               triangleCorners);

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "formats/gltf/model.h"
+#include "formats/gltf/nodes.h"
+
+namespace inkedge::gltf {
+
+/// What the meshes of a scene hold that is not drawn.
+struct NotDrawn {
+    std::uint64_t points = 0;
+    std::uint64_t lines = 0;
+    std::uint64_t maskedAway = 0;   ///< triangles
+    std::uint64_t transparent = 0;  ///< primitives that LoadSettings::transparent leaves out
+
+    /// Adds the points or lines of a primitive of no triangles. What its accessors say is not checked.
+    void add(const tinygltf::Model&, const tinygltf::Primitive&);
+};
+
+/// What a file holds whose scene draws no triangle, in words: "8 points", "2 meshes that no node draws".
+/// @param drawn  nodesOfScene() of the scene
+/// @param scene  LoadSettings::scene
+[[nodiscard]] std::vector<std::string> insteadOfTriangles(const tinygltf::Model&, const Nodes&,
+                                                          std::span<const DrawnNode> drawn, std::optional<int> scene,
+                                                          const NotDrawn&);
+
+}  // namespace inkedge::gltf

@@ -1,0 +1,105 @@
+#include "formats/gltf/not_drawn.h"
+
+#include "formats/gltf/gltf_files.h"
+#include "formats/gltf/triangles.h"
+
+namespace inkedge::gltf {
+namespace {
+
+using namespace gltf_files;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class InsteadOfTriangles : public GltfFileTest {
+protected:
+    [[nodiscard]] std::vector<std::string> of(const Model& model, const LoadSettings& settings = {}) const {
+        return load(model, settings).undrawn;
+    }
+    // Twelve vertices as a mode that is not triangles, drawn twice.
+    [[nodiscard]] Model twelve(Mode mode) const {
+        Model model;
+        const std::vector<float> numbers(36, 0.5F);
+        Json primitive = positions(model.accessor(numbers, "VEC3"));
+        primitive["mode"] = static_cast<int>(mode);
+        model.mesh(primitive);
+        model.root({{"mesh", 0}});
+        model.root({{"mesh", 0}});
+        return model;
+    }
+};
+
+TEST_F(InsteadOfTriangles, areCountedPointsAndLines) {
+    EXPECT_THAT(of(twelve(Mode::Points)), ElementsAre("12 points"));
+    EXPECT_THAT(of(twelve(Mode::Lines)), ElementsAre("6 lines"));
+    EXPECT_THAT(of(twelve(Mode::LineStrip)), ElementsAre("11 lines"));
+    EXPECT_THAT(of(twelve(Mode::LineLoop)), ElementsAre("12 lines"));
+    Model both = twelve(Mode::Points);
+    Json line = positions(0);
+    line["mode"] = 1;
+    line["indices"] = both.accessor<std::uint16_t>({0, 1}, "SCALAR");
+    both.json["meshes"][0]["primitives"].push_back(line);
+    EXPECT_THAT(of(both), ElementsAre("12 points", "1 line"));
+}
+
+TEST_F(InsteadOfTriangles, areNothingWhereThereIsATriangle) {
+    Model model = triangle();
+    Json point = positions(0);
+    point["mode"] = 0;
+    model.json["meshes"][0]["primitives"].push_back(point);
+    EXPECT_THAT(of(model), IsEmpty());
+}
+
+TEST_F(InsteadOfTriangles, areOtherScenesWithMeshes) {
+    Model model = triangle();
+    model.json["scenes"].push_back({{"nodes", Json::array()}});
+    model.json["scene"] = 1;
+    EXPECT_THAT(of(model), ElementsAre("scene 1 is empty", "scene 0 has 1 mesh: --scene 0"));
+    LoadSettings settings;
+    settings.scene = 0;
+    EXPECT_THAT(of(model, settings), IsEmpty());
+}
+
+TEST_F(InsteadOfTriangles, areMeshesThatNoNodeDraws) {
+    Model model = triangle();
+    model.mesh(positions(0));
+    model.json["nodes"][0].erase("mesh");
+    EXPECT_THAT(of(model), ElementsAre("2 meshes that no node draws"));
+    model.json.erase("nodes");
+    model.json.erase("scenes");
+    EXPECT_THAT(of(model), ElementsAre("2 meshes that no node draws"));
+}
+
+TEST_F(InsteadOfTriangles, areNodesAndCamerasWithoutAMesh) {
+    Model model;
+    EXPECT_THAT(of(model), ElementsAre("no mesh"));
+    model.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}});
+    model.root({{"camera", 0}});
+    model.root({{"name", "empty"}});
+    EXPECT_THAT(of(model), ElementsAre("no mesh", "2 nodes", "1 camera"));
+}
+
+TEST_F(InsteadOfTriangles, areMeshesThatAreHiddenMaskedOrLeftOut) {
+    Model hidden = triangle();
+    hidden.json["nodes"][0]["extensions"] = {{"KHR_node_visibility", {{"visible", false}}}};
+    EXPECT_THAT(of(hidden), ElementsAre("1 mesh in hidden nodes"));
+
+    Model masked = triangle();
+    masked.json["meshes"][0]["primitives"][0]["material"] =
+        masked.add("materials", {{"alphaMode", "MASK"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0}}}}});
+    EXPECT_THAT(of(masked), ElementsAre("all triangles are masked away"));
+
+    Model glass = triangle();
+    glass.json["meshes"][0]["primitives"][0]["material"] = glass.add("materials", {{"alphaMode", "BLEND"}});
+    LoadSettings settings;
+    settings.transparent = Transparent::Ignore;
+    EXPECT_THAT(of(glass, settings), ElementsAre(HasSubstr("all triangles are transparent")));
+    EXPECT_THAT(of(glass), IsEmpty());
+
+    Model bare = triangle();
+    bare.json["meshes"][0]["primitives"][0]["attributes"] = {{"NORMAL", 0}};
+    EXPECT_THAT(of(bare), ElementsAre("1 mesh without triangles"));
+}
+
+}  // namespace
+}  // namespace inkedge::gltf
