@@ -83,11 +83,17 @@ struct ViewSegments {
         if (segment.hidden) return Seen::Hidden;
         const glm::dvec3 point = pointAt(s, at);
         if (rays.hides(screen, point, segment.faces, slackOf(segment, segment.slack, components))) return Seen::Hidden;
-        if (segment.curve != Curve::Contour && segment.curve != Curve::Boundary) return Seen::Inside;
+        const bool isContour = segment.curve == Curve::Contour;
+        const bool isCrease = segment.curve == Curve::Crease && segment.edgeOn;  // or the ridge of two faces edge-on
+        if (!isContour && !isCrease && segment.curve != Curve::Boundary) return Seen::Inside;
         if (segment.curve == Curve::Boundary && goesOnAcross(segment, point)) return Seen::Seam;
-        const double beyond = outside + segment.slack / screen.footprint(point);
-        const glm::dvec3 beside = point + screen.across(beyond * outward(s), point);
-        return rays.meets(screen, beside) ? Seen::Inside : Seen::Outline;
+        const glm::dvec2 across = (outside + segment.slack / screen.footprint(point)) * outward(s);
+        const auto surfaceAt = [&](glm::dvec2 beside) {
+            return rays.meets(screen, point + screen.across(beside, point));
+        };
+        if (!surfaceAt(across)) return Seen::Outline;
+        // What is seen edge-on ends to both sides.
+        return segment.edgeOn && !isContour && !surfaceAt(-across) ? Seen::Outline : Seen::Inside;
     }
 };
 
@@ -99,7 +105,7 @@ LineType typeOf(Curve curve, Seen seen) {
         case Curve::Boundary:
             return seen == Seen::Outline ? LineType::Outline : LineType::Boundary;
         case Curve::Crease:
-            return LineType::Crease;
+            return seen == Seen::Outline ? LineType::Outline : LineType::Crease;
         case Curve::Intersection:
             return LineType::Intersection;
         case Curve::Isoparametric:

@@ -44,7 +44,8 @@ struct Segment {
     bool drawn = true;     ///< false: the segment is not drawn, but may hide lines behind it
     bool marked = false;   ///< whether it is drawn as LineType::Marked where its own type is not drawn
     bool occludes = true;  ///< whether the surface ends or turns away here, so that it may hide lines behind it
-    bool hidden = false;   ///< whether the closed component that the segment lies on hides it: no ray is needed
+    bool hidden = false;   ///< whether the surface that the segment lies on hides it: no ray is needed
+    bool edgeOn = false;   ///< of edges: whether one of their faces is seen edge-on, as the line itself
     std::array<scene::SceneFace, 2> faces{noFace, noFace};  ///< the faces that the segment lies on: they do not hide it
     std::array<glm::dvec3, 2> ends{};
     std::array<Key, 2> keys{noKey, noKey};

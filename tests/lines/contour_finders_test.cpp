@@ -40,17 +40,41 @@ struct Searched {
 
     // By the definition, an edge at a time.
     [[nodiscard]] Edges expected(const MeshEye& eye) const {
-        const Mesh& mesh = scene.meshes()[number];
-        const auto isFront = [&](std::uint32_t t) {
-            const glm::dvec3 corner{mesh.positions[mesh.indices[3 * std::size_t{t}]]};
-            return glm::dot(edges.faceNormals[t], eye.orthographic ? eye.direction : corner - eye.position) < 0.0;
+        enum { Back, Front, EdgeOn };
+        const auto facing = [&](std::uint32_t t) {
+            const glm::dvec3 view = viewOf(eye, 3 * t);
+            const double height = glm::dot(edges.faceNormals[t], view);
+            const bool edgeOn = edges.faceNormals[t] != glm::dvec3{0.0} &&
+                                std::abs(height) <= double{edges.edgeOnSines[t]} * glm::length(view);
+            return edgeOn ? EdgeOn : height < 0.0 ? Front : Back;
         };
         Edges found;
         for (std::uint32_t e = 0; e < edges.shared.halfEdges.size(); ++e) {
-            const bool differ = isFront(edges.shared.faces[2 * e]) != isFront(edges.shared.faces[2 * e + 1]);
-            if (differ != (edges.shared.against[e] != 0)) found.push_back(e);
+            const std::uint32_t first = edges.shared.faces[2 * e];
+            const std::uint32_t second = edges.shared.faces[2 * e + 1];
+            const bool differ = facing(first) != facing(second);
+            const std::uint32_t edgeOn = facing(first) == EdgeOn ? first : second;
+            const bool contour = facing(edgeOn) == EdgeOn ? differ && isBehind(eye, edgeOn, edges.shared.halfEdges[e])
+                                                          : differ != (edges.shared.against[e] != 0);
+            if (contour) found.push_back(e);
         }
         return found;
+    }
+
+    [[nodiscard]] glm::dvec3 corner(std::uint32_t c) const {
+        const Mesh& mesh = scene.meshes()[number];
+        return glm::dvec3{mesh.positions[mesh.indices[c]]};
+    }
+    [[nodiscard]] glm::dvec3 viewOf(const MeshEye& eye, std::uint32_t c) const {
+        return eye.orthographic ? eye.direction : corner(c) - eye.position;
+    }
+
+    // Whether a face, at right angles to an edge, goes on away from the eye.
+    [[nodiscard]] bool isBehind(const MeshEye& eye, std::uint32_t t, std::uint32_t halfEdge) const {
+        const glm::dvec3 along = glm::normalize(corner(mesh::nextHalfEdge(halfEdge)) - corner(halfEdge));
+        const glm::dvec3 middle = (corner(3 * t) + corner(3 * t + 1) + corner(3 * t + 2)) / 3.0 - corner(halfEdge);
+        const glm::dvec3 view = viewOf(eye, halfEdge);
+        return glm::dot(middle, view) - glm::dot(middle, along) * glm::dot(along, view) >= 0.0;
     }
 
     [[nodiscard]] double lengthOf(const Edges& some) const {

@@ -104,6 +104,8 @@ ContourSearch::ContourSearch(const Mesh& mesh, const mesh::MeshTopology& topolog
         }
     });
     for (const float offset : planes_.offset) planes_.largestOffset = std::max(planes_.largestOffset, std::abs(offset));
+    for (const float sine : edges.edgeOnSines) planes_.largestSine = std::max(planes_.largestSine, sine);
+    for (const glm::vec3 p : mesh.positions) planes_.reach = std::max(planes_.reach, glm::length(p));
 }
 
 ContourSearch::~ContourSearch() = default;
@@ -115,19 +117,20 @@ FoundContours ContourSearch::find(const MeshEye& eye, ContourFinder finder, Cont
         return {searchAtRandom(eye, memory), {}};
     FoundContours found;
     found.facing = findFacing(eye);
-    found.edges = findDiffering(found.facing);
+    found.edges = findDiffering(eye, found.facing);
     return found;
 }
 
-// Compares n . C > n . p in floats, which is right if the two sides differ by more than the rounding. The other faces,
-// about one in a million, are looked at again in doubles.
-std::vector<std::uint8_t> ContourSearch::findFacing(const MeshEye& eye) const {
+// Compares n . C > n . p in floats, which is right if the two sides differ by more than the rounding, and than faces
+// that are seen edge-on may. The other faces, about one in a thousand, are looked at again in doubles.
+std::vector<Facing> ContourSearch::findFacing(const MeshEye& eye) const {
     constexpr std::size_t blockSize = 512;
     const glm::vec3 to{eye.orthographic ? -eye.direction : eye.position};
     const float scale = eye.orthographic ? 0.0F : 1.0F;
     const float size = std::abs(to.x) + std::abs(to.y) + std::abs(to.z) + scale * planes_.largestOffset;
-    const float doubt = 8.0F * FLT_EPSILON * size + FLT_MIN;
-    std::vector<std::uint8_t> facing(planes_.x.size());
+    const float farthest = glm::length(to) + scale * planes_.reach;
+    const float doubt = 8.0F * FLT_EPSILON * size + 1.001F * planes_.largestSine * farthest + FLT_MIN;
+    std::vector<Facing> facing(planes_.x.size());
     base::inRanges(facing.size(), [&](std::size_t rangeBegin, std::size_t rangeEnd) {
         for (std::size_t begin = rangeBegin; begin < rangeEnd; begin += blockSize) {
             const std::size_t end = std::min(begin + blockSize, rangeEnd);
@@ -139,18 +142,19 @@ std::vector<std::uint8_t> ContourSearch::findFacing(const MeshEye& eye) const {
                 heights[t - begin] = height;
                 doubtful |= std::abs(height) > doubt ? 0 : 1;
             }
-            for (std::size_t t = begin; t < end; ++t) facing[t] = heights[t - begin] > 0.0F ? 1 : 0;
+            for (std::size_t t = begin; t < end; ++t)
+                facing[t] = heights[t - begin] > 0.0F ? Facing::Front : Facing::Back;
             if (doubtful == 0) continue;
             for (std::size_t t = begin; t < end; ++t)
                 if (!(std::abs(heights[t - begin]) > doubt))
-                    facing[t] = isFront(eye, static_cast<std::uint32_t>(t)) ? 1 : 0;
+                    facing[t] = this->facing(eye, static_cast<std::uint32_t>(t));
         }
     });
     return facing;
 }
 
 // Goes through the edge table: an exclusive or per edge.
-std::vector<std::uint32_t> ContourSearch::findDiffering(const std::vector<std::uint8_t>& facing) const {
+std::vector<std::uint32_t> ContourSearch::findDiffering(const MeshEye& eye, const std::vector<Facing>& facing) const {
     constexpr std::size_t batch = 8;
     const MeshEdges::Shared& shared = edges_.shared;
     std::mutex mutex;
@@ -158,7 +162,13 @@ std::vector<std::uint32_t> ContourSearch::findDiffering(const std::vector<std::u
     base::inRanges(shared.halfEdges.size(), [&](std::size_t begin, std::size_t end) {
         std::vector<std::uint32_t> found;
         const auto differs = [&](std::size_t e) -> std::uint8_t {
-            return facing[shared.faces[2 * e]] ^ facing[shared.faces[2 * e + 1]] ^ shared.against[e];
+            return static_cast<std::uint8_t>(facing[shared.faces[2 * e]]) ^
+                   static_cast<std::uint8_t>(facing[shared.faces[2 * e + 1]]) ^ shared.against[e];
+        };
+        const auto take = [&](std::size_t e) {
+            if (isContour(eye, static_cast<std::uint32_t>(e), facing[shared.faces[2 * e]],
+                          facing[shared.faces[2 * e + 1]]))
+                found.push_back(static_cast<std::uint32_t>(e));
         };
         std::size_t e = begin;
         for (; e + batch <= end; e += batch) {
@@ -166,10 +176,10 @@ std::vector<std::uint32_t> ContourSearch::findDiffering(const std::vector<std::u
             for (std::size_t k = 0; k < batch; ++k) differ[k] = differs(e + k);
             if (std::bit_cast<std::uint64_t>(differ) == 0) continue;
             for (std::size_t k = 0; k < batch; ++k)
-                if (differ[k] != 0) found.push_back(static_cast<std::uint32_t>(e + k));
+                if (differ[k] != 0) take(e + k);
         }
         for (; e < end; ++e)
-            if (differs(e) != 0) found.push_back(static_cast<std::uint32_t>(e));
+            if (differs(e) != 0) take(e);
         const std::scoped_lock lock{mutex};
         pieces.emplace_back(begin, std::move(found));
     });
@@ -181,9 +191,29 @@ std::vector<std::uint32_t> ContourSearch::findDiffering(const std::vector<std::u
 }
 
 bool ContourSearch::isContour(const MeshEye& eye, std::uint32_t edge) const {
-    const bool first = isFront(eye, edges_.shared.faces[2 * edge]);
-    const bool second = isFront(eye, edges_.shared.faces[2 * edge + 1]);
-    return (first != second) != (edges_.shared.against[edge] != 0);
+    return isContour(eye, edge, facing(eye, edges_.shared.faces[2 * edge]),
+                     facing(eye, edges_.shared.faces[2 * edge + 1]));
+}
+
+bool ContourSearch::isContour(const MeshEye& eye, std::uint32_t edge, Facing first, Facing second) const {
+    const bool firstIsEdgeOn = first == Facing::EdgeOn;
+    if (!firstIsEdgeOn && second != Facing::EdgeOn) return (first != second) != (edges_.shared.against[edge] != 0);
+    if (first == second) return false;
+    const std::uint32_t edgeOn = edges_.shared.faces[2 * edge + (firstIsEdgeOn ? 0 : 1)];
+    return !liesBefore(eye, edgeOn, edges_.shared.halfEdges[edge]);
+}
+
+bool ContourSearch::liesBefore(const MeshEye& eye, std::uint32_t t, std::uint32_t halfEdge) const {
+    const auto corner = [&](std::uint32_t h) { return glm::dvec3{mesh_.positions[mesh_.indices[h]]}; };
+    const glm::dvec3 from = corner(halfEdge);
+    const glm::dvec3 along = glm::normalize(corner(mesh::nextHalfEdge(halfEdge)) - from);
+    glm::dvec3 farthest{0.0};  // from the edge, across it
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+        const glm::dvec3 to = corner(h) - from;
+        const glm::dvec3 across = to - glm::dot(to, along) * along;
+        if (glm::dot(across, across) > glm::dot(farthest, farthest)) farthest = across;
+    }
+    return glm::dot(farthest, eye.view(from)) < 0.0;
 }
 
 std::vector<std::uint32_t> ContourSearch::searchMap(const MeshEye& eye) const {

@@ -26,10 +26,14 @@ struct MeshEye {
     [[nodiscard]] glm::dvec3 view(glm::dvec3 p) const noexcept { return orthographic ? direction : p - position; }
 };
 
+/// How a face is seen. Front: its normal points towards the eye. EdgeOn: as a line, within MeshEdges::edgeOnSines;
+/// rounding then says nothing about the side that is seen.
+enum class Facing : std::uint8_t { Back = 0, Front = 1, EdgeOn = 2 };
+
 /// The contour edges of a mesh for one eye.
 struct FoundContours {
     std::vector<std::uint32_t> edges;  ///< into MeshEdges::shared, ascending
-    std::vector<std::uint8_t> facing;  ///< one per face: 1 if it is front-facing; empty unless every edge was looked at
+    std::vector<Facing> facing;        ///< one per face; empty unless every edge was looked at
 };
 
 /// What ContourFinder::Random remembers of the last view of an instance.
@@ -39,7 +43,9 @@ struct ContourMemory {
 };
 
 /// Finds the contour edges of one mesh: those between a front-facing and a back-facing face (Hertzmann 1999, section
-/// 3.2). Safe to use from several threads, each with a memory of its own.
+/// 3.2). Those between a face that is seen edge-on and another face are contours too, if the edge is nearer to the eye
+/// than the edge-on face is: the contour stays closed, along the near side of what is seen edge-on. Safe to use from
+/// several threads, each with a memory of its own.
 class ContourSearch {
 public:
     /// @param edges  of the mesh; all three must outlive this
@@ -61,11 +67,17 @@ public:
     /// @throws Error  (Kind::Usage) for Gauss with a perspective eye
     [[nodiscard]] FoundContours find(const MeshEye&, ContourFinder, ContourMemory&) const;
 
-    /// Whether face t is front-facing: its normal points towards the eye. A face without a normal is not.
-    [[nodiscard]] bool isFront(const MeshEye& eye, std::uint32_t t) const {
-        const glm::dvec3 corner{mesh_.positions[mesh_.indices[3 * std::size_t{t}]]};
-        return glm::dot(edges_.faceNormals[t], eye.view(corner)) < 0.0;
+    /// How face t is seen. A face without a normal is Back.
+    [[nodiscard]] Facing facing(const MeshEye& eye, std::uint32_t t) const {
+        const glm::dvec3 view = eye.view(glm::dvec3{mesh_.positions[mesh_.indices[3 * std::size_t{t}]]});
+        const double height = glm::dot(edges_.faceNormals[t], view);
+        const double sine = double{edges_.edgeOnSines[t]};
+        if (sine > 0.0 && height * height <= sine * sine * glm::dot(view, view)) return Facing::EdgeOn;
+        return height < 0.0 ? Facing::Front : Facing::Back;
     }
+
+    /// Whether face t, which is seen edge-on, lies before an edge of it: the face then hides the edge.
+    [[nodiscard]] bool liesBefore(const MeshEye&, std::uint32_t t, std::uint32_t halfEdge) const;
 
     /// Makes the data of a finder now rather than for its first view.
     /// @return  the bytes that the data take, without the edge table
@@ -80,15 +92,18 @@ private:
     struct Planes {
         std::vector<float> x, y, z, offset;
         float largestOffset = 0.0F;
+        float largestSine = 0.0F;  // of MeshEdges::edgeOnSines
+        float reach = 0.0F;        // the distance of the farthest position from the mesh's origin
     };
 
-    [[nodiscard]] std::vector<std::uint8_t> findFacing(const MeshEye&) const;
-    [[nodiscard]] std::vector<std::uint32_t> findDiffering(const std::vector<std::uint8_t>& facing) const;
+    [[nodiscard]] std::vector<Facing> findFacing(const MeshEye&) const;
+    [[nodiscard]] std::vector<std::uint32_t> findDiffering(const MeshEye&, const std::vector<Facing>& facing) const;
     [[nodiscard]] std::vector<std::uint32_t> searchAtRandom(const MeshEye&, ContourMemory&) const;
     [[nodiscard]] std::vector<std::uint32_t> searchMap(const MeshEye&) const;
     [[nodiscard]] const Samples& samples() const;
     [[nodiscard]] const GaussMap& map() const;
     [[nodiscard]] bool isContour(const MeshEye&, std::uint32_t edge) const;
+    [[nodiscard]] bool isContour(const MeshEye&, std::uint32_t edge, Facing first, Facing second) const;
 
     const Mesh& mesh_;
     const mesh::MeshTopology& topology_;

@@ -8,6 +8,8 @@
 #include <glm/matrix.hpp>
 
 #include "base/parallel.h"
+#include "lines/find/beside_edge.h"
+#include "lines/find/facet.h"
 #include "mesh/subdivide.h"
 #include "scene/prepared.h"
 
@@ -97,6 +99,11 @@ private:
         return segment;
     }
 
+    [[nodiscard]] bool isEdgeOn(std::uint32_t t) const { return facing(t) == Facing::EdgeOn; }
+    [[nodiscard]] Facing facing(std::uint32_t t) const {
+        return contours_.facing.empty() ? search_.facing(eye_, t) : contours_.facing[t];
+    }
+
     // Whether a closed component is concave at an edge: the component itself hides such a contour.
     [[nodiscard]] bool isHiddenFold(std::uint32_t e) const {
         const std::uint32_t h = edges_.shared.halfEdges[e];
@@ -105,7 +112,11 @@ private:
         const std::uint32_t other = topology_.twins[h];
         if (edges_.faceNormals[other / 3] == glm::dvec3{0.0}) return false;  // too thin to say
         const glm::dvec3 opposite = position(mesh::nextHalfEdge(mesh::nextHalfEdge(other)));
-        return glm::dot(edges_.faceNormals[t], opposite - position(h)) * edges_.closed[t] > 0.0;
+        const double height = glm::dot(edges_.faceNormals[t], opposite - position(h)) * edges_.closed[t];
+        if (!isEdgeOn(t) && !isEdgeOn(edges_.shared.faces[2 * e + 1])) return height > 0.0;
+        // Two faces of one plane, of which only one counts as edge-on, are no fold.
+        const double rounding = 2.0 * double{edges_.edgeOnSines[t]} * glm::length(opposite - position(h));
+        return height > rounding;
     }
 
     // Whether a smooth contour replaces a contour edge.
@@ -142,6 +153,7 @@ private:
             segment.faces[0] = face(edges_.shared.faces[2 * e]);
             segment.inner = innerOf(h);
             segment.hidden = hidden;
+            segment.edgeOn = isEdgeOn(edges_.shared.faces[2 * e]) || isEdgeOn(edges_.shared.faces[2 * e + 1]);
             segment.occludes = !hidden;
             segment.drawn = !isReplaced(e);
             segment.marked = marksOutlines() && isMarked(h);
@@ -150,8 +162,13 @@ private:
 
     [[nodiscard]] bool isBack(std::uint32_t t) const {
         if (!hidesItsBack(t)) return false;
-        const bool front = contours_.facing.empty() ? search_.isFront(eye_, t) : contours_.facing[t] != 0;
-        return front != (edges_.closed[t] > 0);
+        const Facing seen = facing(t);
+        return seen == Facing::EdgeOn || (seen == Facing::Front) != (edges_.closed[t] > 0);
+    }
+
+    // Whether a face is seen edge-on and lies before an edge of it.
+    [[nodiscard]] bool covers(std::uint32_t t, std::uint32_t halfEdge) const {
+        return isEdgeOn(t) && search_.liesBefore(eye_, t, halfEdge);
     }
 
     void addCreases() {
@@ -164,11 +181,14 @@ private:
         for (const std::uint32_t e : edges) {  // both lists are in order
             while (nextContour < contours_.edges.size() && contours_.edges[nextContour] < e) ++nextContour;
             if (nextContour < contours_.edges.size() && contours_.edges[nextContour] == e && !isReplaced(e)) continue;
+            const std::uint32_t first = edges_.shared.faces[2 * e];
             const std::uint32_t other = edges_.shared.faces[2 * e + 1];
-            const bool hidden = isBack(other) && isBack(edges_.shared.faces[2 * e]);
-            if (hidden && !keepsHidden()) continue;
             const std::uint32_t h = edges_.shared.halfEdges[e];
-            add(isMarked(h) ? Curve::Marked : Curve::Crease, h, face(other)).hidden = hidden;
+            const bool hidden = (isBack(other) && isBack(first)) || covers(first, h) || covers(other, h);
+            if (hidden && !keepsHidden()) continue;
+            Segment& segment = add(isMarked(h) ? Curve::Marked : Curve::Crease, h, face(other));
+            segment.hidden = hidden;
+            segment.edgeOn = isEdgeOn(first) || isEdgeOn(other);
         }
     }
 
@@ -176,8 +196,9 @@ private:
         for (const BorderSegment& part : borders_) {
             Curve curve = Curve::Boundary;
             const bool marked = part.marked && draws(LineType::Marked);
+            const auto [own, other] = besideBorder(part);
             if (part.other != noFace) {
-                if (bothToOneSide(part)) {
+                if (own.side * other.side >= 0 && own.side + other.side != 0) {
                     curve = Curve::Contour;
                 } else if (marked) {
                     curve = Curve::Marked;
@@ -187,7 +208,13 @@ private:
                     continue;  // a seam
                 }
             }
+            const bool hidden = own.covers || other.covers;
+            if (hidden && !keepsHidden()) continue;
             Segment& segment = add(curve, part.halfEdge, part.other);
+            segment.hidden = hidden;
+            segment.occludes = segment.occludes && !hidden;
+            segment.edgeOn = own.side == 0 || (part.other != noFace && other.side == 0);
+            if (curve == Curve::Contour && own.side == 0) segment.inner = part.otherInner;
             segment.marked = segment.occludes && marked && marksOutlines();
             const std::array<glm::dvec3, 2> whole = segment.ends;
             const auto cut = [&](std::size_t end, double at) {
@@ -199,13 +226,18 @@ private:
         }
     }
 
-    // Whether the two faces at a seam lie to one side of it in the picture: the seam is then a contour.
-    [[nodiscard]] bool bothToOneSide(const BorderSegment& part) const {
-        const glm::dvec3 from = toWorld(position(part.halfEdge));
-        const glm::dvec3 to = toWorld(position(mesh::nextHalfEdge(part.halfEdge)));
-        const glm::dvec3 inner = toWorld(position(mesh::nextHalfEdge(mesh::nextHalfEdge(part.halfEdge))));
-        const glm::dvec3 side = glm::cross(to - from, screen_.ray(from));
-        return (glm::dot(side, inner - from) > 0.0) == (glm::dot(side, part.otherInner - from) > 0.0);
+    // The face of a border, and the face that goes on beyond the border. If both lie to one side, or one of them is
+    // seen edge-on, the seam between them is a contour.
+    [[nodiscard]] std::pair<BesideEdge, BesideEdge> besideBorder(const BorderSegment& part) const {
+        const std::uint32_t h = part.halfEdge;
+        const std::array<glm::dvec3, 2> edge{toWorld(position(h)), toWorld(position(mesh::nextHalfEdge(h)))};
+        const glm::dvec3 view = screen_.ray(edge[0]);
+        const BesideEdge own =
+            besideEdge(edge, toWorld(position(mesh::nextHalfEdge(mesh::nextHalfEdge(h)))), view, isEdgeOn(h / 3));
+        if (part.other == noFace) return {own, {0, false}};
+        const glm::dvec3 normal = glm::cross(edge[1] - edge[0], part.otherInner - edge[0]);
+        const double sine = std::abs(glm::dot(normal, view)) / (glm::length(normal) * glm::length(view));
+        return {own, besideEdge(edge, part.otherInner, view, sine <= double{edges_.edgeOnSines[h / 3]})};
     }
 
     // Adds edges of many faces. Such an edge is a contour if all its faces lie to one side of it in the picture.
@@ -214,21 +246,32 @@ private:
             const std::uint32_t begin = edges_.manyBegins[i];
             const std::uint32_t end = edges_.manyBegins[i + 1];
             const std::uint32_t first = edges_.many[begin];
-            const glm::dvec3 from = position(first);
-            const glm::dvec3 side = glm::cross(position(mesh::nextHalfEdge(first)) - from, view(from));
+            const std::array<glm::dvec3, 2> edge{position(first), position(mesh::nextHalfEdge(first))};
             bool left = false;
             bool right = false;
             bool marked = false;
+            bool edgeOn = false;
+            bool hidden = false;
+            std::uint32_t inner = first;  // a half-edge of a face that is not seen edge-on, if there is one
             for (std::uint32_t k = begin; k < end; ++k) {
                 const std::uint32_t h = edges_.many[k];
-                const double distance = glm::dot(side, position(mesh::nextHalfEdge(mesh::nextHalfEdge(h))) - from);
-                left = left || distance > 0.0;
-                right = right || distance < 0.0;
+                const BesideEdge at = besideEdge(edge, position(mesh::nextHalfEdge(mesh::nextHalfEdge(h))),
+                                                 view(edge[0]), isEdgeOn(h / 3));
+                left = left || at.side > 0;
+                right = right || at.side < 0;
                 marked = marked || isMarked(h);
+                edgeOn = edgeOn || at.side == 0;
+                hidden = hidden || at.covers;
+                if (isEdgeOn(inner / 3)) inner = h;
             }
+            if (hidden && !keepsHidden()) continue;
             const Curve inside = marked ? Curve::Marked : Curve::Crease;
             Segment& segment = add(left != right ? Curve::Contour : inside, first, face(edges_.many[begin + 1] / 3));
             segment.marked = segment.occludes && marked && marksOutlines();
+            segment.hidden = hidden;
+            segment.occludes = segment.occludes && !hidden;
+            segment.edgeOn = edgeOn;
+            segment.inner = toWorld(position(mesh::nextHalfEdge(mesh::nextHalfEdge(inner))));
         }
     }
 
@@ -260,24 +303,18 @@ private:
         return noFace;
     }
 
-    // Equation 2 at each vertex: n . (x - C).
+    // Equation 2 at each vertex: n . (x - C). Exactly 0 where only rounding says that it is not.
     void computeViewDots() {
         viewDots_.resize(mesh_.positions.size());
         base::inRanges(viewDots_.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                viewDots_[i] = glm::dot(glm::dvec3{mesh_.normals[i]}, view(glm::dvec3{mesh_.positions[i]}));
+            for (std::size_t i = begin; i < end; ++i) {
+                const glm::dvec3 toEye = view(glm::dvec3{mesh_.positions[i]});
+                const double dot = glm::dot(glm::dvec3{mesh_.normals[i]}, toEye);
+                const double sine = double{edges_.normalSines[i]};
+                viewDots_[i] = dot * dot <= sine * sine * glm::dot(toEye, toEye) ? 0.0 : dot;
+            }
         });
     }
-
-    // A triangle for the search of smooth contours.
-    struct Facet {
-        std::uint32_t face;  // of the mesh, that the triangle is or lies on
-        glm::dvec3 corners[3];
-        double viewDots[3];   // n . (x - C) at the corners
-        double planeViewDot;  // that of the triangle's plane, whose normal is on the side of the corners' normals
-        Key edges[3];         // the names of the edges from each corner to the next
-        double size;          // mesh units: how far off the mesh the triangle may lie
-    };
 
     void addRefinedContours() {
         const auto projection = screen_.orthographic() ? mesh::Projection::Orthographic : mesh::Projection::Perspective;
@@ -286,7 +323,7 @@ private:
             mesh::refineNear(mesh_, *choice_.control, eye, projection, choice_.refinement);
         std::unordered_map<std::uint64_t, std::uint32_t> edges;
         for (std::size_t t = 0; t < refined.controlTriangles.size(); ++t) {
-            Facet facet{refined.controlTriangles[t], {}, {}, 0.0, {}, longestEdge(refined.controlTriangles[t])};
+            Facet facet{refined.controlTriangles[t], longestEdge(refined.controlTriangles[t])};
             glm::dvec3 normals{0.0};
             const std::uint32_t* const corners = &refined.indices[3 * t];
             for (std::size_t k = 0; k < 3; ++k) {
@@ -298,8 +335,7 @@ private:
                 facet.edges[k] =
                     refinedKey(instance_, edges.try_emplace((std::uint64_t{low} << 32U) | high, next).first->second);
             }
-            facet.planeViewDot = viewDotOfPlane(facet.corners, normals);
-            addSmoothContour(facet);
+            addSmoothContour(facet, facet.planeViewDot(normals, view(facet.corners[0])));
         }
     }
 
@@ -315,11 +351,10 @@ private:
         computeViewDots();
         for (std::uint32_t t = 0; t < topology_.patches.size(); ++t) {
             const std::uint32_t* const corners = &mesh_.indices[3 * std::size_t{t}];
-            const bool plus[3]{viewDots_[corners[0]] >= 0.0, viewDots_[corners[1]] >= 0.0,
-                               viewDots_[corners[2]] >= 0.0};
-            if (plus[0] == plus[1] && plus[1] == plus[2]) continue;
+            const auto lowHigh = std::minmax({viewDots_[corners[0]], viewDots_[corners[1]], viewDots_[corners[2]]});
+            if (lowHigh.first > 0.0 || lowHigh.second < 0.0 || lowHigh.first == lowHigh.second) continue;
             if (!smooth_[topology_.patches[t]] || topology_.originals[t] != t) continue;
-            Facet facet{t, {}, {}, 0.0, {}, longestEdge(t)};
+            Facet facet{t, longestEdge(t)};
             glm::dvec3 normals{0.0};
             for (std::uint32_t k = 0; k < 3; ++k) {
                 const std::uint32_t h = 3 * t + k;
@@ -329,21 +364,19 @@ private:
                 normals += glm::dvec3{mesh_.normals[corners[k]]};
                 facet.edges[k] = edgeKey(instance_, mesh::isHalfEdge(twin) ? std::min(h, twin) : h);
             }
-            facet.planeViewDot = viewDotOfPlane(facet.corners, normals);
-            addSmoothContour(facet);
+            addSmoothContour(facet, facet.planeViewDot(normals, view(facet.corners[0])));
         }
     }
 
-    [[nodiscard]] double viewDotOfPlane(const glm::dvec3 (&corners)[3], glm::dvec3 normals) const {
-        const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-        return glm::dot(normal, view(corners[0])) * (glm::dot(normal, normals) < 0.0 ? -1.0 : 1.0);
-    }
-
-    void addSmoothContour(const Facet& facet) {
-        const auto& [face, corners, viewDots, planeViewDot, edges, size] = facet;
-        const bool plus[3]{viewDots[0] >= 0.0, viewDots[1] >= 0.0, viewDots[2] >= 0.0};
+    void addSmoothContour(const Facet& facet, double planeViewDot) {
+        const auto& [face, size, corners, viewDots, edges] = facet;
+        const glm::dvec3 seen = view(corners[0]);
+        const int zero = hidesItsBack(face) ? int{edges_.closed[face]} : facet.signOfZero(seen);
+        const auto isPlus = [&](double dot) { return dot > 0.0 || (dot == 0.0 && zero > 0); };
+        const std::array<bool, 3> plus{isPlus(viewDots[0]), isPlus(viewDots[1]), isPlus(viewDots[2])};
         if (plus[0] == plus[1] && plus[1] == plus[2]) return;
-        const bool hidden = hidesItsBack(face) && turnsTowardsEye(corners, viewDots, edges_.closed[face]);
+        // The surface, followed away from the eye, turns its front to the eye: the surface then hides the contour.
+        const bool hidden = hidesItsBack(face) && facet.growthAlong(seen) * edges_.closed[face] < 0.0;
         if (hidden && !keepsHidden()) return;
         Segment segment;
         segment.hidden = hidden;
@@ -364,16 +397,6 @@ private:
         segment.inner = toWorld(corners[inner]);
         segment.slack = size * std::cbrt(std::abs(glm::determinant(glm::dmat3{toWorld_})));
         to_.push_back(segment);
-    }
-
-    // Whether the surface, followed away from the eye, turns its front to the eye: the surface then hides the contour.
-    [[nodiscard]] bool turnsTowardsEye(const glm::dvec3 (&corners)[3], const double (&viewDots)[3], int outward) const {
-        const glm::dvec3 u = corners[1] - corners[0];
-        const glm::dvec3 v = corners[2] - corners[0];
-        const glm::dvec3 normal = glm::cross(u, v);
-        const glm::dvec3 gradient =
-            glm::cross(v, normal) * (viewDots[1] - viewDots[0]) + glm::cross(normal, u) * (viewDots[2] - viewDots[0]);
-        return glm::dot(gradient, view(corners[0])) * outward < 0.0;
     }
 
     std::uint32_t instance_;

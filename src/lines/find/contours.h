@@ -37,18 +37,19 @@ struct InstanceEdges {
 
 /// The contours, boundaries, creases, marked edges and isoparametric lines of one instance that a camera may see.
 ///
-/// A mesh contour is an edge between a front-facing and a back-facing face (Hertzmann 1999, section 3.2). A smooth
-/// contour crosses faces where n . (x - C), interpolated between their corners, is zero (equations 2 to 4); zero counts
-/// as plus. With Contour::Auto a patch has smooth contours if the edges of its mesh contour are under smoothEdge pixels
-/// long in the mean. Smooth contours then lie within about a pixel of the mesh contours, without their zigzag; on
-/// patches with larger faces the mesh contours are drawn.
+/// A mesh contour is an edge between a front-facing and a back-facing face (Hertzmann 1999, section 3.2), or along the
+/// near side of a face that is seen edge-on. A smooth contour crosses faces where n . (x - C), interpolated between
+/// their corners, is zero (equations 2 to 4); zero counts as the far side. With Contour::Auto a patch has smooth
+/// contours if the edges of its mesh contour are under smoothEdge pixels long in the mean. Smooth contours then lie
+/// within about a pixel of the mesh contours, without their zigzag; on patches with larger faces the mesh contours are
+/// drawn.
 ///
 /// With a refinement every patch has smooth contours. They are those of the limit surface, found on the triangles of
 /// refineNear(). All other lines are those of the mesh.
 ///
 /// On closed, consistently wound components some lines are hidden by the component itself: contours at concave edges,
-/// smooth contours where the surface turns towards the eye, and lines within or between back-facing faces. They are
-/// left out, or marked as hidden if hidden lines are drawn.
+/// smooth contours where the surface turns towards the eye, and lines within or between back-facing faces. A face seen
+/// edge-on hides its edges on the far side. All these are left out, or marked as hidden if hidden lines are drawn.
 /// @param memory  of the instance, for ContourFinder::Random
 void collectInstanceCurves(const Scene&, std::uint32_t instance, const InstanceEdges&, ContourMemory& memory,
                            const Screen&, const CurveChoice&, std::vector<Segment>& to);

@@ -68,12 +68,14 @@ std::uint32_t squareOf(std::uint64_t arc) { return keyOf(arc) >> levelBits; }
 
 GaussMap::GaussMap(const MeshEdges& edges) {
     const MeshEdges::Shared& shared = edges.shared;
+    for (const float sine : edges.edgeOnSines) largestSine_ = std::max(largestSine_, double{sine});
     std::vector<std::uint64_t> arcs;  // key, edge
     for (std::uint32_t e = 0; e < shared.halfEdges.size(); ++e) {
         const glm::dvec3 a = edges.faceNormals[shared.faces[2 * e]];
         const glm::dvec3 b = edges.faceNormals[shared.faces[2 * e + 1]];
         const bool against = shared.against[e] != 0;
-        if (a == b && !against) continue;
+        const bool alike = edges.edgeOnSines[shared.faces[2 * e]] == edges.edgeOnSines[shared.faces[2 * e + 1]];
+        if (a == b && !against && alike) continue;
         const auto key = cellKey(a, against ? -b : b);
         if (key) {
             arcs.push_back(std::uint64_t{*key} << 32U | e);
@@ -129,7 +131,8 @@ void GaussMap::findNear(glm::dvec3 direction, std::vector<std::uint32_t>& to) co
                   edges_.begin() + static_cast<std::ptrdiff_t>(end));
     };
     add(0, largeEnd_);
-    const double slack = 1e-9 * glm::length(direction);  // far more than the rounding of a dot product
+    // Far more than the rounding of a dot product, and faces seen edge-on; the cube reaches to the root of 3.
+    const double slack = (1e-9 + 2.0 * largestSine_) * glm::length(direction);
     for (std::size_t c = 0; c < cells_.size();) {
         const Cell& cell = cells_[c];
         const std::uint32_t axis = cell.side / 2;

@@ -19,7 +19,8 @@ namespace inkedge::lines {
 /// cell only because it lies across a border between cells.
 class GaussMap {
 public:
-    /// O(n log n). Edges between faces with the same normal are left out: they are never contours.
+    /// O(n log n). Edges between faces with the same normal and MeshEdges::edgeOnSines are left out: they are never
+    /// contours.
     explicit GaussMap(const MeshEdges&);
 
     /// Finds the edges that may be contours: all contours, and some edges whose arcs only come near the great circle.
@@ -48,6 +49,7 @@ private:
     std::vector<Cell> cells_;           // each before its descendants
     std::vector<std::uint32_t> edges_;  // into MeshEdges::shared
     std::size_t largeEnd_ = 0;          // the first edges of edges_, up to here, fit no cell
+    double largestSine_ = 0.0;          // of MeshEdges::edgeOnSines
 };
 
 }  // namespace inkedge::lines

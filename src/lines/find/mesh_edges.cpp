@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "base/parallel.h"
 #include "mesh/closed_surface.h"
 
 namespace inkedge::lines {
@@ -114,12 +115,40 @@ void addShared(const Mesh& mesh, const mesh::MeshTopology& topology, std::uint32
     shared.split.push_back(crease || !sameNormals(mesh, topology, h, twin) ? 1 : 0);
 }
 
+// A corner that is off by an error tilts its face by up to the error through the face's height there.
+std::vector<float> edgeOnSinesOf(const Mesh& mesh, const std::vector<glm::dvec3>& normals) {
+    constexpr float sixDigits = 5e-6F;  // of the largest coordinate: what most programs write by default
+    constexpr float largest = 1e-3F;    // slivers have no smaller angle, but are seen at all others
+    float reach = 0.0F;
+    for (const glm::vec3 p : mesh.positions) reach = std::max({reach, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    std::vector<float> sines(normals.size());
+    base::inRanges(sines.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            const std::uint32_t* const i = &mesh.indices[3 * t];
+            const glm::vec3 a = (mesh.positions[i[1]] - mesh.positions[i[0]]) / reach;
+            const glm::vec3 b = (mesh.positions[i[2]] - mesh.positions[i[0]]) / reach;
+            const float longest = std::max({glm::dot(a, a), glm::dot(b, b), glm::dot(b - a, b - a)});
+            const glm::vec3 cross = glm::cross(a, b);
+            const float area = std::sqrt(glm::dot(cross, cross));  // of both the face and its mirror image
+            const float error = sixDigits * std::sqrt(longest);
+            sines[t] = normals[t] == glm::dvec3{0.0} ? -1.0F : error < largest * area ? error / area : largest;
+        }
+    });
+    return sines;
+}
+
 }  // namespace
 
 MeshEdges findEdges(const Mesh& mesh, const mesh::MeshTopology& topology, double creaseAngle) {
     const double creaseCosine = std::cos(glm::radians(creaseAngle));
     MeshEdges edges;
     edges.faceNormals = mesh::makeFaceNormals(mesh);
+    edges.edgeOnSines = edgeOnSinesOf(mesh, edges.faceNormals);
+    edges.normalSines.resize(mesh.positions.size(), 0.0F);
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        float& sine = edges.normalSines[mesh.indices[i]];
+        sine = std::max(sine, edges.edgeOnSines[i / 3]);
+    }
     for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
         if (mesh::isHalfEdge(topology.twins[h]) && h < topology.twins[h])
             addShared(mesh, topology, h, creaseCosine, edges);

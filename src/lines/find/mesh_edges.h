@@ -30,6 +30,11 @@ struct MeshEdges {
     std::vector<std::uint32_t> manyBegins;  ///< into many: where each such edge begins, and the end of the last one
 
     std::vector<glm::dvec3> faceNormals;  ///< as MeshTopology::faceNormals
+    /// One per face: the largest sine of the angle between the face and a view of it that may be 0, for positions are
+    /// known to six digits only. Below 0: the face has no normal.
+    std::vector<float> edgeOnSines;
+    /// One per position: the largest of those of its faces, for its normal is made of theirs.
+    std::vector<float> normalSines;
 
     std::vector<std::int8_t> closed;  ///< as componentOrientations() gives them
 };
