@@ -105,7 +105,7 @@ ContourSearch::ContourSearch(const Mesh& mesh, const mesh::MeshTopology& topolog
     });
     for (const float offset : planes_.offset) planes_.largestOffset = std::max(planes_.largestOffset, std::abs(offset));
     for (const float sine : edges.edgeOnSines) planes_.largestSine = std::max(planes_.largestSine, sine);
-    for (const glm::vec3 p : mesh.positions) planes_.reach = std::max(planes_.reach, glm::length(p));
+    for (const glm::vec3 p : mesh.positions) planes_.reach = std::max(planes_.reach, glm::length(glm::dvec3{p}));
 }
 
 ContourSearch::~ContourSearch() = default;
@@ -128,7 +128,7 @@ std::vector<Facing> ContourSearch::findFacing(const MeshEye& eye) const {
     const glm::vec3 to{eye.orthographic ? -eye.direction : eye.position};
     const float scale = eye.orthographic ? 0.0F : 1.0F;
     const float size = std::abs(to.x) + std::abs(to.y) + std::abs(to.z) + scale * planes_.largestOffset;
-    const float farthest = glm::length(to) + scale * planes_.reach;
+    const auto farthest = static_cast<float>(glm::length(glm::dvec3{to}) + double{scale} * planes_.reach);
     const float doubt = 8.0F * FLT_EPSILON * size + 1.001F * planes_.largestSine * farthest + FLT_MIN;
     std::vector<Facing> facing(planes_.x.size());
     base::inRanges(facing.size(), [&](std::size_t rangeBegin, std::size_t rangeEnd) {

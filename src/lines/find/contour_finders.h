@@ -93,7 +93,7 @@ private:
         std::vector<float> x, y, z, offset;
         float largestOffset = 0.0F;
         float largestSine = 0.0F;  // of MeshEdges::edgeOnSines
-        float reach = 0.0F;        // the distance of the farthest position from the mesh's origin
+        double reach = 0.0;        // the distance of the farthest position from the mesh's origin
     };
 
     [[nodiscard]] std::vector<Facing> findFacing(const MeshEye&) const;

@@ -65,7 +65,8 @@ Whole wholeOf(const Mesh& mesh, const mesh::MeshTopology& topology, const std::v
     constexpr int maxThin = 32;  // thin faces in a row
     Whole whole{t};
     const auto length = [&](std::uint32_t h) {
-        return glm::length(mesh.positions[mesh.indices[mesh::nextHalfEdge(h)]] - mesh.positions[mesh.indices[h]]);
+        return glm::distance(glm::dvec3{mesh.positions[mesh.indices[mesh::nextHalfEdge(h)]]},
+                             glm::dvec3{mesh.positions[mesh.indices[h]]});
     };
     std::uint32_t entry = mesh::noHalfEdge;
     for (int step = 0; step < maxThin && normals[whole.face] == glm::dvec3{0.0}; ++step) {

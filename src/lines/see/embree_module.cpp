@@ -6,9 +6,14 @@
 #endif
 
 #include <algorithm>
+#include <cfloat>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include <inkedge/export.h>
 
@@ -80,7 +85,8 @@ SceneHandle makeMeshScene(const Device& device, const RayMesh& mesh) {
     void* const indices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                                   3 * sizeof(std::uint32_t), mesh.indices.size() / 3);
     check(device);
-    std::ranges::copy(mesh.positions, static_cast<glm::vec3*>(positions));
+    std::ranges::transform(mesh.positions, static_cast<glm::vec3*>(positions),
+                           [&](glm::vec3 p) { return glm::vec3{mesh.scale * glm::dvec3{p}}; });
     auto* const to = static_cast<std::uint32_t*>(indices);
     std::ranges::copy(mesh.indices, to);
     for (std::size_t t = 0; t < mesh.originals.size(); ++t)
@@ -108,16 +114,43 @@ RTCRay toEmbree(const Ray& ray) noexcept {
     return result;
 }
 
+// Whether Embree, which inverts a transform in floats, can bring rays into its space. Its own assertions end the process
+// where it cannot.
+bool canBeInverted(const glm::mat4x3& transform) {
+    constexpr double largest = 1e15;  // of a factor: rays that start within a few units stay below largestCoordinate
+    const glm::dmat3 linear{glm::dmat4x3{transform}};
+    const double volume = std::abs(glm::determinant(linear));
+    if (!(volume >= double{FLT_MIN})) return false;
+    const glm::dmat3 back = glm::inverse(linear);
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row)
+            if (!(std::abs(back[column][row]) <= largest)) return false;
+        if (!(std::abs(double{transform[3][column]}) <= largest)) return false;
+    }
+    return true;
+}
+
+// Not so where a member is no number.
+bool isUsable(const Ray& ray) noexcept {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(std::abs(ray.from[axis]) <= largestCoordinate)) return false;
+        if (!(std::abs(ray.along[axis]) <= largestCoordinate)) return false;
+    }
+    return std::isfinite(ray.begin) && ray.begin <= ray.end;
+}
+
 class EmbreeRays final : public Rays {
 public:
     EmbreeRays(std::span<const RayMesh> meshes, std::span<const RayInstance> instances) {
         for (const RayMesh& mesh : meshes) meshes_.push_back(makeMeshScene(device_, mesh));
-        for (const RayInstance& instance : instances) {
+        for (std::uint32_t i = 0; i < instances.size(); ++i) {
+            const RayInstance& instance = instances[i];
+            if (!canBeInverted(instance.transform)) continue;
             const Geometry geometry{rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE)};
             rtcSetGeometryInstancedScene(geometry.get(), meshes_[instance.mesh].get());
             rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &instance.transform[0][0]);
             rtcCommitGeometry(geometry.get());
-            rtcAttachGeometry(top_.get(), geometry.get());  // numbered as the instances are
+            rtcAttachGeometryByID(top_.get(), geometry.get(), i);
         }
         rtcSetSceneFlags(top_.get(), RTC_SCENE_FLAG_ROBUST);
         rtcCommitScene(top_.get());
@@ -125,6 +158,7 @@ public:
     }
 
     [[nodiscard]] std::optional<RayHit> first(const Ray& ray) const noexcept override {
+        if (!isUsable(ray)) return {};
         RTCRayHit hit{};
         hit.ray = toEmbree(ray);
         hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -135,6 +169,7 @@ public:
     }
 
     [[nodiscard]] bool meetsAny(const Ray& ray) const noexcept override {
+        if (!isUsable(ray)) return false;
         RTCRay embreeRay = toEmbree(ray);
         occlude(embreeRay);
         return embreeRay.tfar < 0.0F;
@@ -164,7 +199,7 @@ private:
 
 }  // namespace
 
-extern "C" INKEDGE_API const RayMaker* inkedge_embree_1() noexcept {
+extern "C" INKEDGE_API const RayMaker* inkedge_embree_2() noexcept {
     static constexpr RayMaker functions{[](std::span<const RayMesh> meshes, std::span<const RayInstance> instances) {
         return modules::guarded([&] { return MadeRays{std::make_unique<EmbreeRays>(meshes, instances), {}}; });
     }};

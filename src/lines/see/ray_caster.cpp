@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat4x3.hpp>
 
@@ -18,17 +19,30 @@ namespace {
 
 constexpr double minStep = 1e-5;  // of a point's distance: a face must be nearer by more to hide the point
 
-std::unique_ptr<Rays> raysOf(const Scene& scene) {
+// A power of two, so that nothing is rounded, that brings a length to 1..2. 1 for no length.
+double scaleOf(double length) { return length > 0.0 ? std::ldexp(1.0, -std::ilogb(length)) : 1.0; }
+
+double reachOf(const Box& box) {
+    const glm::dvec3 reach = glm::max(glm::abs(box.min), glm::abs(box.max));
+    return std::max({reach.x, reach.y, reach.z});
+}
+
+// Rays are cast in a space of the scene's own size, and each mesh is held in one of the mesh's: Embree goes wrong with
+// numbers far from 1.
+std::unique_ptr<Rays> raysOf(const Scene& scene, double scale) {
     std::vector<RayMesh> meshes;
     for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
         const Mesh& mesh = scene.meshes()[i];
-        meshes.push_back({mesh.positions, mesh.indices, scene::topologyOf(scene, i).originals});
+        meshes.push_back(
+            {mesh.positions, scaleOf(reachOf(scene.meshBox(i))), mesh.indices, scene::topologyOf(scene, i).originals});
     }
     std::vector<RayInstance> instances;
     for (const Instance& instance : scene.instances()) {
         glm::dmat4 transform = instance.transform;
         transform[3] += transform * glm::dvec4{scene.meshes()[instance.mesh].origin, 0.0};
         transform[3] -= glm::dvec4{scene.bounds().centre, 0.0};
+        for (int column = 0; column < 3; ++column) transform[column] *= scale / meshes[instance.mesh].scale;
+        transform[3] *= scale;
         instances.push_back({instance.mesh, glm::mat4x3{transform}});
     }
     constexpr Error::Kind kind = Error::Kind::Runtime;
@@ -39,8 +53,9 @@ std::unique_ptr<Rays> raysOf(const Scene& scene) {
 
 struct RayCaster::State {
     const Scene& scene;
-    std::unique_ptr<Rays> rays;
-    double radius = 0.0;
+    double radius;
+    double scale;  // to the space in which rays are cast
+    std::unique_ptr<Rays> rays = raysOf(scene, scale);
 
     // The part of a ray within the scene's bounding sphere: floats are precise there, however far off the eye is.
     struct Way {
@@ -60,8 +75,9 @@ struct RayCaster::State {
         return {point - along, along, std::max(0.0, (near - enter) / (1.0 - enter))};
     }
 
-    [[nodiscard]] static Ray rayAlong(const Way& way, double begin, double end) {
-        return {glm::vec3{way.from}, glm::vec3{way.along}, static_cast<float>(begin), static_cast<float>(end)};
+    [[nodiscard]] Ray rayAlong(const Way& way, double begin, double end) const {
+        return {glm::vec3{scale * way.from}, glm::vec3{scale * way.along}, static_cast<float>(begin),
+                static_cast<float>(end)};
     }
 
     // Where the way meets the plane of a face, in double precision; for a face seen edge-on the single precision value.
@@ -79,8 +95,8 @@ struct RayCaster::State {
 };
 
 RayCaster::RayCaster(const Scene& scene)
-    : state_{std::make_unique<State>(
-          State{scene, raysOf(scene), std::max(scene.bounds().radius, std::numeric_limits<double>::min())})} {}
+    : state_{std::make_unique<State>(State{scene, std::max(scene.bounds().radius, std::numeric_limits<double>::min()),
+                                           scaleOf(scene.bounds().radius)})} {}
 
 RayCaster::~RayCaster() = default;
 
@@ -95,7 +111,7 @@ bool RayCaster::hides(const Screen& screen, glm::dvec3 point, std::span<const sc
     const double end = 1.0 - (minStep * distance + alike) / length;
     double begin = way.begin;
     for (int i = 0; i < maxHits && begin < end; ++i) {
-        const std::optional<RayHit> hit = state_->rays->first(State::rayAlong(way, begin, end));
+        const std::optional<RayHit> hit = state_->rays->first(state_->rayAlong(way, begin, end));
         if (!hit) return false;
         const scene::SceneFace face{hit->instance, hit->triangle};
         const bool counts = std::ranges::find(own, face) == own.end();
@@ -110,7 +126,7 @@ std::optional<glm::dvec3> RayCaster::firstNormal(glm::dvec3 from, glm::dvec3 to,
     constexpr int maxHits = 8;
     double begin = 0.0;
     for (int i = 0; i < maxHits && begin < 1.0; ++i) {
-        const std::optional<RayHit> hit = state_->rays->first(State::rayAlong({from, to - from, 0.0}, begin, 1.0));
+        const std::optional<RayHit> hit = state_->rays->first(state_->rayAlong({from, to - from, 0.0}, begin, 1.0));
         if (!hit) return {};
         const scene::SceneFace face{hit->instance, hit->triangle};
         if (std::ranges::find(own, face) == own.end()) {
@@ -127,7 +143,7 @@ std::optional<glm::dvec3> RayCaster::firstNormal(glm::dvec3 from, glm::dvec3 to,
 
 bool RayCaster::meets(const Screen& screen, glm::dvec3 point) const {
     const State::Way way = state_->wayTo(screen, point);
-    return state_->rays->meetsAny(State::rayAlong(way, way.begin, std::numeric_limits<double>::infinity()));
+    return state_->rays->meetsAny(state_->rayAlong(way, way.begin, std::numeric_limits<double>::infinity()));
 }
 
 }  // namespace inkedge::lines

@@ -29,7 +29,8 @@ struct RayHit {
     float at;                ///< t
 };
 
-/// Finds the triangles of instances that rays meet, from either side. Thread-safe.
+/// Finds the triangles of instances that rays meet, from either side. A ray with a number that is not finite, or beyond
+/// largestCoordinate, meets nothing; only its end may be infinite. Thread-safe.
 class Rays {
 public:
     Rays() = default;
@@ -42,16 +43,20 @@ public:
     [[nodiscard]] virtual bool meetsAny(const Ray&) const noexcept = 0;
 };
 
+/// Embree leaves out what lies beyond 1.8e18, silently.
+inline constexpr float largestCoordinate = 1e18F;
+
 /// The triangles of a mesh. Triangles that repeat another are left out: they would hide each other's edges.
 struct RayMesh {
     std::span<const glm::vec3> positions;
+    double scale;                              ///< of the positions, which it brings to about 1
     std::span<const std::uint32_t> indices;    ///< three per triangle
     std::span<const std::uint32_t> originals;  ///< MeshTopology::originals
 };
 
 struct RayInstance {
     std::uint32_t mesh;
-    glm::mat4x3 transform;
+    glm::mat4x3 transform;  ///< of the scaled positions
 };
 
 struct MadeRays {
@@ -61,12 +66,12 @@ struct MadeRays {
 
 struct RayMaker {
     /// Builds a bounding volume hierarchy for each mesh, and one for the instances. Keeps no reference to the
-    /// arguments.
+    /// arguments. An instance as thin as rounding, which no ray can be brought to, is left out.
     MadeRays (*make)(std::span<const RayMesh>, std::span<const RayInstance>);
 };
 inline constexpr modules::ModuleOf<RayMaker> embreeModule{{.purpose = "lines from object space",
                                                            .file = "inkedge_embree.so",
-                                                           .symbol = "inkedge_embree_1",
+                                                           .symbol = "inkedge_embree_2",
                                                            .library = "Embree",
                                                            .option = "INKEDGE_EMBREE",
                                                            .remedy = "use --lines-from image"}};
