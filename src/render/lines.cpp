@@ -6,6 +6,7 @@
 
 #include "gl/stage_clock.h"
 #include "lines/describe.h"
+#include "lines/specks.h"
 #include "render/plan.h"
 #include "render/tiles.h"
 #include "trace/join_pieces.h"
@@ -18,6 +19,7 @@ Lines objectLines(const Scene& scene, const Camera& camera, const RenderSettings
     const lines::ObjectLines& prepared = kept.objectLines(scene);
     clock.finish("prepare lines");
     Lines found = prepared.find(camera, settings);
+    lines::leaveOutSpecks(found.lines);
     lines::describe(found, scene, settings, LinesFrom::Object);
     found.backend = kept.backend();
     found.times.insert(found.times.begin(), before.begin(), before.end());
@@ -42,6 +44,7 @@ Lines imageLines(const Scene& scene, const Camera& camera, const RenderSettings&
     graphics.gpu().textures.trim();
     found.size = settings.picture.size;
     found.camera = camera;
+    lines::leaveOutSpecks(found.lines);
     lines::describe(found, scene, settings, LinesFrom::Image);
     found.backend = kept.backend();
     return found;
