@@ -156,6 +156,11 @@ enum class ContourFinder {
 };
 /// What becomes of hidden lines.
 enum class HiddenLines { None, Dashed, Solid };
+/// What becomes of lines that fall on each other in the picture: that run along each other, 0.1 pixels apart or less.
+enum class CoincidentLines {
+    Merge,  ///< the nearest seen one stays, of the first type that any of the seen ones has; of hidden ones the nearest
+    Keep,   ///< all stay
+};
 /// How wide a stroke is along its line, as a share of its type's width: 0.5 to 1.5 where it varies.
 enum class StrokeWidth {
     Constant,
@@ -176,6 +181,7 @@ struct LineSettings {
     Contour contour = Contour::Auto;
     ContourFinder contourFinder = ContourFinder::Every;
     HiddenLines hidden = HiddenLines::None;
+    CoincidentLines coincident = CoincidentLines::Merge;
     double simplify = 0.25;  ///< pixels that polylines in files may deviate from those found; 0: every point is kept
     StrokeWidth strokeWidth = StrokeWidth::Constant;
     /// Pixels over which a free end of a line runs out to nothing. An end is free where no drawn line of any type goes

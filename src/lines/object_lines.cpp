@@ -15,6 +15,7 @@
 #include "camera/stands_outside.h"
 #include "lines/bridge_gaps.h"
 #include "lines/chains.h"
+#include "lines/coincident.h"
 #include "lines/find/contour_finders.h"
 #include "lines/find/contours.h"
 #include "lines/find/intersections.h"
@@ -338,6 +339,9 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings) co
                 result.lines.push_back(makeLine(view, chains[c], part, settings.picture.lines));
     }
     result.lines = bridgeGaps(std::move(result.lines), screen, scene.bounds().centre);
+    if (settings.lines.coincident == CoincidentLines::Merge) {
+        result.lines = mergeCoincident(std::move(result.lines), settings.picture, screen, scene.bounds().centre);
+    }
     clock.finish("lines");
     return result;
 }

@@ -58,6 +58,7 @@ const std::map<std::string_view, Example>& examples() {
         {"lines-from", {.value = "image", .wrong = "scene", .shows = "/settings/lines-from", .becomes = "\"image\""}},
         {"contour", {.value = "smooth", .wrong = "round", .shows = "/settings/contour", .becomes = "\"smooth\""}},
         {"hidden", {.value = "dashed", .wrong = "dotted", .shows = "/settings/hidden", .becomes = "\"dashed\""}},
+        {"coincident", {.value = "keep", .wrong = "all", .shows = "/settings/coincident", .becomes = "\"keep\""}},
         {"page-size",
          {.value = "A4-landscape", .wrong = "210x297", .shows = "/settings/page-size", .becomes = "\"297mmx210mm\""}},
         {"contour-finder",

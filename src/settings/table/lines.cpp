@@ -9,6 +9,7 @@ using Names = std::string_view;
 constexpr std::array linesFromNames{Names{"auto"}, Names{"image"}, Names{"object"}};
 constexpr std::array contourNames{Names{"auto"}, Names{"mesh"}, Names{"smooth"}};
 constexpr std::array hiddenNames{Names{"none"}, Names{"dashed"}, Names{"solid"}};
+constexpr std::array coincidentNames{Names{"merge"}, Names{"keep"}};
 constexpr std::array strokeWidthNames{Names{"constant"}, Names{"depth"}, Names{"curvature"}};
 
 std::string isolineRange() { return rangeOf(isolineSteps); }
@@ -35,6 +36,11 @@ std::vector<SettingDescription> lineRows() {
          row(
              {.name = "hidden", .help = "how hidden lines are drawn; lines from object"}, Choice{hiddenNames},
              [](auto& s) -> auto& { return s.lines.hidden; }),
+         row(
+             {.name = "coincident",
+              .help = "merge: of lines within 0.1 px of each other the nearest that is seen; keep: all; lines from "
+                      "object"},
+             Choice{coincidentNames}, [](auto& s) -> auto& { return s.lines.coincident; }),
          row(
              {.name = "stroke-width",
               .help = "wider where nearer, or where straighter: half to one and a half widths; lines from object"},

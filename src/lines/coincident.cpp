@@ -1,0 +1,222 @@
+#include "lines/coincident.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include <glm/geometric.hpp>
+
+#include "base/stop.h"
+#include "lines/coincident_runs.h"
+#include "lines/picture_grid.h"
+
+namespace inkedge::lines {
+namespace {
+
+constexpr double asNear = 0.1;      // pixel footprints of depth: no line is nearer than the other
+constexpr double shortest = 1e-3;   // pixels: shorter pieces have no direction, and shorter overlaps are none
+constexpr double roundAnEnd = 1.0;  // pixels along a line: what is as near as that to itself only bends
+constexpr std::uint32_t piecesBetweenLooks = 256;
+
+double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+
+// A straight piece of a line.
+struct Piece {
+    std::uint32_t line;
+    std::uint32_t number;  // in the line
+    glm::dvec2 a;
+    glm::dvec2 b;
+    double start;  // pixels along the line to a
+};
+
+// Two pieces along each other. Positions along a line count pieces, as those of a Part do.
+struct Overlap {
+    struct Side {
+        std::uint32_t line;
+        double from;
+        double to;  // may be less than from
+        double depth;
+    };
+    Side stays;
+    Side goes;
+};
+
+class Merger {
+public:
+    Merger(std::vector<Line> lines, const PictureSettings& picture, const Screen& screen, glm::dvec3 origin)
+        : lines_{std::move(lines)}, screen_{screen}, origin_{origin}, runs_(lines_.size()) {
+        for (std::uint32_t i = 0; i < lines_.size(); ++i)
+            if (picture.lines.contains(lines_[i].type)) addPieces(i);
+    }
+
+    std::vector<Line> merge() {
+        std::vector<Overlap> overlaps = findOverlaps();
+        if (overlaps.empty()) return std::move(lines_);
+        // The nearest first: what has gone makes no other line go.
+        std::ranges::stable_sort(overlaps, {}, [&](const Overlap& overlap) { return rank(overlap.stays); });
+        for (const Overlap& overlap : overlaps) settle(overlap);
+        std::vector<Line> merged;
+        for (std::uint32_t i = 0; i < lines_.size(); ++i) {
+            if (!runs_[i]) {
+                merged.push_back(std::move(lines_[i]));
+            } else {
+                for (const Run& run : runs_[i]->cleaned()) merged.push_back(cut(lines_[i], run));
+            }
+        }
+        return merged;
+    }
+
+private:
+    void addPieces(std::uint32_t i) {
+        const Line& line = lines_[i];
+        const std::size_t count = line.points.size() - (line.closed ? 0 : 1);
+        double start = 0.0;
+        for (std::uint32_t k = 0; k < count; ++k) {
+            const Piece piece{i, k, line.points[k].pixel, line.points[(k + 1) % line.points.size()].pixel, start};
+            const double length = glm::distance(piece.a, piece.b);
+            if (length > shortest) pieces_.push_back(piece);
+            start += length;
+        }
+        lengths_.resize(lines_.size());
+        lengths_[i] = start;
+    }
+
+    [[nodiscard]] std::vector<Overlap> findOverlaps() const {
+        const PictureGrid grid{screen_.size()};
+        const CellLists listed{grid, pieces_.size(), [&](std::uint32_t p, auto&& visit) {
+                                   grid.forEachCell(pieces_[p].a, pieces_[p].b, coincidentWithin, visit);
+                               }};
+        std::vector<Overlap> overlaps;
+        std::vector<std::uint32_t> lookedAtFor(pieces_.size(), ~0U);
+        for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
+            if (p % piecesBetweenLooks == 0) base::stopIfAsked();
+            grid.forEachCell(pieces_[p].a, pieces_[p].b, 0.0, [&](std::size_t cell) {
+                for (const std::uint32_t other : listed.in(cell)) {
+                    if (other >= p) break;
+                    if (lookedAtFor[other] == p) continue;
+                    lookedAtFor[other] = p;
+                    if (const auto overlap = overlapOf(pieces_[p], pieces_[other])) overlaps.push_back(*overlap);
+                }
+            });
+        }
+        return overlaps;
+    }
+
+    // The stretch of p along which q runs.
+    [[nodiscard]] std::optional<Overlap> overlapOf(const Piece& p, const Piece& q) const {
+        const double length = glm::distance(p.a, p.b);
+        const glm::dvec2 along = (p.b - p.a) / length;
+        const double apart[2]{cross(along, q.a - p.a), cross(along, q.b - p.a)};
+        if (std::min(apart[0], apart[1]) > coincidentWithin || std::max(apart[0], apart[1]) < -coincidentWithin)
+            return {};
+        const double at[2]{glm::dot(along, q.a - p.a), glm::dot(along, q.b - p.a)};
+        const double whole = at[1] - at[0];
+        if (std::abs(whole) <= shortest) return {};
+        // Shares of q: first where it lies beside p, then where it is near enough.
+        double shares[2]{(0.0 - at[0]) / whole, (length - at[0]) / whole};
+        if (shares[0] > shares[1]) std::swap(shares[0], shares[1]);
+        double from = std::max(0.0, shares[0]);
+        double to = std::min(1.0, shares[1]);
+        const double slope = apart[1] - apart[0];
+        if (std::abs(slope) > 1e-12) {
+            const double low = (-coincidentWithin - apart[0]) / slope;
+            const double high = (coincidentWithin - apart[0]) / slope;
+            from = std::max(from, std::min(low, high));
+            to = std::min(to, std::max(low, high));
+        }
+        if ((to - from) * std::abs(whole) <= shortest) return {};
+        const auto shareOfP = [&](double share) { return std::clamp((at[0] + share * whole) / length, 0.0, 1.0); };
+        if (p.line == q.line && bends(p, shareOfP(0.5 * (from + to)), q, 0.5 * (from + to))) return {};
+        return decided(sideOf(p, shareOfP(from), shareOfP(to)), sideOf(q, from, to));
+    }
+
+    // Whether two points of one line are near each other because it has not gone on far from one to the other.
+    [[nodiscard]] bool bends(const Piece& p, double atP, const Piece& q, double atQ) const {
+        const double between =
+            std::abs(p.start + atP * glm::distance(p.a, p.b) - q.start - atQ * glm::distance(q.a, q.b));
+        const double round = lines_[p.line].closed ? lengths_[p.line] - between : between;
+        return std::min(between, round) < roundAnEnd;
+    }
+
+    [[nodiscard]] Overlap::Side sideOf(const Piece& piece, double from, double to) const {
+        const double middle = piece.number + 0.5 * (from + to);
+        const glm::dvec3 point = pointAt(lines_[piece.line], middle).position - origin_;
+        const double depth = screen_.depth(point);
+        const double footprint = screen_.footprint(point);
+        // In footprints: in perspective these grow with the depth.
+        const double steps = screen_.orthographic() ? depth / footprint : std::log(depth) * depth / footprint;
+        return {piece.line, piece.number + from, piece.number + to, steps};
+    }
+
+    [[nodiscard]] Overlap decided(const Overlap::Side& p, const Overlap::Side& q) const {
+        const auto order = [&](const Overlap::Side& side) {
+            return std::tuple{lines_[side.line].type, side.line, side.from};
+        };
+        const bool seenAlike = lines_[p.line].visible == lines_[q.line].visible;
+        bool pStays = lines_[p.line].visible;
+        if (seenAlike) pStays = std::abs(p.depth - q.depth) > asNear ? p.depth < q.depth : order(p) < order(q);
+        return pStays ? Overlap{p, q} : Overlap{q, p};
+    }
+
+    [[nodiscard]] std::tuple<bool, double, LineType, std::uint32_t> rank(const Overlap::Side& side) const {
+        const Line& line = lines_[side.line];
+        return {!line.visible, std::floor(side.depth / asNear), line.type, side.line};
+    }
+
+    void settle(const Overlap& overlap) {
+        const Line& stays = lines_[overlap.stays.line];
+        const Line& goes = lines_[overlap.goes.line];
+        if (runsOf(overlap.stays.line).hasGone(0.5 * (overlap.stays.from + overlap.stays.to))) return;
+        if (stays.visible && goes.visible && goes.type < stays.type)
+            runsOf(overlap.stays.line).add(overlap.stays.from, overlap.stays.to, goes.type);
+        runsOf(overlap.goes.line).add(overlap.goes.from, overlap.goes.to, {});
+    }
+
+    CoincidentRuns& runsOf(std::uint32_t line) {
+        if (!runs_[line]) runs_[line].emplace(lines_[line]);
+        return *runs_[line];
+    }
+
+    [[nodiscard]] LinePoint pointAt(const Line& line, double position) const {
+        const std::size_t count = line.points.size();
+        const auto piece = static_cast<std::size_t>(position);
+        const LinePoint& p = line.points[piece % count];
+        const double share = position - static_cast<double>(piece);
+        if (share == 0.0) return p;
+        const LinePoint& q = line.points[(piece + 1) % count];
+        const double inSpace = screen_.unproject(share, screen_.project(p.position - origin_).inverseDepth,
+                                                 screen_.project(q.position - origin_).inverseDepth);
+        return {p.pixel + share * (q.pixel - p.pixel), p.position + inSpace * (q.position - p.position)};
+    }
+
+    // A run may go on over the start of a closed line.
+    [[nodiscard]] Line cut(const Line& line, const Run& run) const {
+        Line part = line;
+        part.type = *run.type;
+        if (line.closed && run.end - run.begin >= static_cast<double>(line.points.size())) return part;
+        part.closed = false;
+        part.points.clear();
+        part.points.push_back(pointAt(line, run.begin));
+        for (double joint = std::floor(run.begin) + 1.0; joint < run.end; ++joint)
+            part.points.push_back(pointAt(line, joint));
+        part.points.push_back(pointAt(line, run.end));
+        return part;
+    }
+
+    std::vector<Line> lines_;
+    const Screen& screen_;
+    glm::dvec3 origin_;
+    std::vector<Piece> pieces_;
+    std::vector<double> lengths_;                      // of lines, pixels
+    std::vector<std::optional<CoincidentRuns>> runs_;  // one per line; none: it stays as it is
+};
+
+}  // namespace
+
+std::vector<Line> mergeCoincident(std::vector<Line> lines, const PictureSettings& picture, const Screen& screen,
+                                  glm::dvec3 origin) {
+    return Merger{std::move(lines), picture, screen, origin}.merge();
+}
+
+}  // namespace inkedge::lines

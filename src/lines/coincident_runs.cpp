@@ -1,0 +1,111 @@
+#include "lines/coincident_runs.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "lines/coincident.h"
+#include "lines/see/visible_parts.h"
+
+namespace inkedge::lines {
+namespace {
+
+void joinAlike(std::vector<Run>& runs) {
+    std::vector<Run> joined;
+    for (const Run& run : runs) {
+        if (!joined.empty() && joined.back().type == run.type) {
+            joined.back().end = run.end;
+        } else {
+            joined.push_back(run);
+        }
+    }
+    runs = std::move(joined);
+}
+
+}  // namespace
+
+CoincidentRuns::CoincidentRuns(const Line& line) : own_{line.type}, closed_{line.closed}, lengths_{0.0} {
+    const std::size_t count = line.points.size();
+    for (std::size_t i = 0; i + (closed_ ? 0 : 1) < count; ++i)
+        lengths_.push_back(lengths_.back() + glm::distance(line.points[i].pixel, line.points[(i + 1) % count].pixel));
+}
+
+void CoincidentRuns::add(double from, double to, std::optional<LineType> type) {
+    if (from > to) std::swap(from, to);
+    if (type) {
+        typed_.push_back({from, to, type});
+        return;
+    }
+    auto next = gone_.upper_bound(from);
+    if (next != gone_.begin() && std::prev(next)->second >= from) --next;
+    while (next != gone_.end() && next->first <= to) {
+        from = std::min(from, next->first);
+        to = std::max(to, next->second);
+        next = gone_.erase(next);
+    }
+    gone_.emplace(from, to);
+}
+
+bool CoincidentRuns::hasGone(double position) const {
+    const auto next = gone_.upper_bound(position);
+    return next != gone_.begin() && std::prev(next)->second >= position;
+}
+
+double CoincidentRuns::lengthAt(double position) const {
+    const auto i = std::min(static_cast<std::size_t>(position), lengths_.size() - 2);
+    return lengths_[i] + (position - static_cast<double>(i)) * (lengths_[i + 1] - lengths_[i]);
+}
+
+double CoincidentRuns::length(const Run& run) const { return lengthAt(run.end) - lengthAt(run.begin); }
+
+// The line from its start to its end, each run with what becomes of it.
+std::vector<Run> CoincidentRuns::parted() const {
+    std::vector<double> changes{0.0, static_cast<double>(lengths_.size() - 1)};
+    std::vector<Run> changed = typed_;
+    for (const auto& [begin, end] : gone_) changed.push_back({begin, end, {}});
+    for (const Run& run : changed) changes.insert(changes.end(), {run.begin, run.end});
+    std::ranges::sort(changes);
+    std::vector<Run> runs;
+    for (std::size_t i = 0; i + 1 < changes.size(); ++i) {
+        if (changes[i] == changes[i + 1]) continue;
+        runs.push_back({changes[i], changes[i + 1], own_});
+    }
+    for (const Run& over : changed) {
+        const auto first = std::ranges::lower_bound(runs, over.begin, {}, &Run::begin);
+        for (auto run = first; run != runs.end() && run->begin < over.end; ++run)
+            run->type = over.type ? std::optional{std::min(*run->type, *over.type)} : std::nullopt;
+    }
+    joinAlike(runs);
+    return runs;
+}
+
+// Runs on which no other line falls become as those beside them.
+void CoincidentRuns::absorb(std::vector<Run>& runs, double shorterThan) const {
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        if (runs.size() == 1 || runs[i].type != own_ || length(runs[i]) >= shorterThan) continue;
+        runs[i].type = runs[i > 0 ? i - 1 : i + 1].type;
+    }
+    joinAlike(runs);
+}
+
+std::vector<Run> CoincidentRuns::cleaned() const {
+    std::vector<Run> runs = parted();
+    absorb(runs, 2.0 * coincidentWithin);
+    const auto isOwn = [&](const Run& run) { return run.type == own_; };
+    if (std::ranges::any_of(runs, isOwn)) {
+        for (Run& run : runs)
+            if (length(run) < minCoincident) run.type = own_;
+        joinAlike(runs);
+        absorb(runs, minPart);
+    }
+    if (closed_ && runs.size() > 1 && runs.front().type == runs.back().type) {
+        runs.back().end += runs.front().end;
+        runs.erase(runs.begin());
+    }
+    std::erase_if(runs, [](const Run& run) { return !run.type; });
+    return runs;
+}
+
+}  // namespace inkedge::lines

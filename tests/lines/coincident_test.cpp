@@ -1,0 +1,176 @@
+#include "lines/coincident.h"
+
+#include <gmock/gmock.h>
+
+#include "lines/views.h"
+
+namespace inkedge::lines {
+namespace {
+
+using namespace scenes;
+using namespace views;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr double exact = 1e-6;  // pixels: doubles, from corners that floats hold
+
+// Lines in the plane z = depth before a camera that sees a unit as a pixel: x to the right, y down.
+class Plane {
+public:
+    Plane()
+        : camera_{orthographic({200, -150, 100}, 300.0, {200, -150, 0})}, screen_{camera_, glm::dvec3{0.0}, size_} {}
+
+    [[nodiscard]] static Line line(LineType type, std::vector<glm::dvec2> pixels, double depth = 0.0) {
+        Line line;
+        line.type = type;
+        line.object = 1;
+        for (const glm::dvec2 pixel : pixels) line.points.push_back({pixel, {pixel.x, -pixel.y, -depth}});
+        return line;
+    }
+    [[nodiscard]] static Line hidden(Line line) {
+        line.visible = false;
+        return line;
+    }
+    [[nodiscard]] static Line closed(Line line) {
+        line.closed = true;
+        return line;
+    }
+    [[nodiscard]] std::vector<Line> merged(std::vector<Line> lines, LineTypes drawn = allLineTypes) const {
+        PictureSettings picture;
+        picture.size = size_;
+        picture.lines = drawn;
+        return mergeCoincident(std::move(lines), picture, screen_, glm::dvec3{0.0});
+    }
+
+private:
+    Size size_{400, 300};
+    Camera camera_;
+    Screen screen_;
+};
+
+std::vector<glm::dvec2> pixelsOf(const Line& line) {
+    std::vector<glm::dvec2> pixels;
+    for (const LinePoint& point : line.points) pixels.push_back(point.pixel);
+    return pixels;
+}
+
+TEST(Coincident, LinesAreOneOfTheNearestSeenOne) {
+    const Plane plane;
+    const auto far = Plane::line(LineType::Crease, {{10, 20}, {110, 20}}, 5.0);
+    auto near = Plane::line(LineType::Crease, {{110, 20.05}, {10, 20.05}}, 1.0);
+    near.object = 2;
+    for (const auto& lines : {std::vector{far, near}, std::vector{near, far}}) {
+        const auto merged = plane.merged(lines);
+        ASSERT_THAT(merged, SizeIs(1));
+        EXPECT_EQ(merged[0].object, 2U);
+    }
+}
+
+TEST(Coincident, LinesTakeTheTypeThatComesFirstWhereTheyRun) {
+    const auto merged = Plane{}.merged({Plane::line(LineType::Crease, {{10, 20}, {110, 20}}, 1.0),
+                                        Plane::line(LineType::Outline, {{40, 20}, {80, 20}}, 5.0)});
+    ASSERT_THAT(merged, SizeIs(3));
+    EXPECT_EQ(merged[0].type, LineType::Crease);
+    EXPECT_EQ(merged[1].type, LineType::Outline);
+    EXPECT_EQ(merged[2].type, LineType::Crease);
+    EXPECT_NEAR(length(merged[1]), 40.0, exact);
+    EXPECT_NEAR(merged[1].points[0].position.z, -1.0, exact);
+    EXPECT_NEAR(length(merged), 100.0, exact);
+}
+
+TEST(Coincident, HiddenLinesGoBelowSeenOnesAndKeepTheTypeOfThese) {
+    const auto merged = Plane{}.merged({Plane::hidden(Plane::line(LineType::Outline, {{0, 20}, {110, 20}}, 0.0)),
+                                        Plane::line(LineType::Crease, {{30, 20}, {110, 20}}, 0.0)});
+    ASSERT_THAT(merged, SizeIs(2));
+    EXPECT_FALSE(merged[0].visible);
+    EXPECT_THAT(pixelsOf(merged[0]), testing::ElementsAre(glm::dvec2(0, 20), glm::dvec2(30, 20)));
+    EXPECT_EQ(merged[1].type, LineType::Crease);
+}
+
+TEST(Coincident, OfSeveralHiddenLinesOneStays) {
+    std::vector<Line> lines;
+    for (int i = 0; i < 5; ++i) lines.push_back(Plane::hidden(Plane::line(LineType::Crease, {{10, 20}, {110, 50}}, i)));
+    const auto merged = Plane{}.merged(lines);
+    ASSERT_THAT(merged, SizeIs(1));
+    EXPECT_EQ(merged[0].points[0].position.z, 0.0);
+}
+
+TEST(Coincident, ClosedLinesAreCutOpenWhereOthersRunAndStayWholeElsewhere) {
+    const std::vector<glm::dvec2> square{{10, 10}, {110, 10}, {110, 110}, {10, 110}};
+    const auto whole = Plane::closed(Plane::line(LineType::Crease, square, 1.0));
+    EXPECT_THAT(Plane{}.merged({whole, whole}), SizeIs(1));
+    const auto merged = Plane{}.merged({whole, Plane::line(LineType::Outline, {{110, 20}, {110, 90}}, 0.0)});
+    ASSERT_THAT(merged, SizeIs(2));
+    EXPECT_FALSE(merged[0].closed);
+    EXPECT_THAT(pixelsOf(merged[0]),
+                testing::ElementsAre(glm::dvec2(110, 90), glm::dvec2(110, 110), glm::dvec2(10, 110), glm::dvec2(10, 10),
+                                     glm::dvec2(110, 10), glm::dvec2(110, 20)));
+}
+
+TEST(Coincident, ALineThatRunsBackOverItselfIsDrawnOnce) {
+    const auto merged = Plane{}.merged({Plane::line(LineType::Crease, {{10, 20}, {110, 20}, {30, 20}})});
+    EXPECT_NEAR(length(merged), 100.0, 1.5);  // a bend's own pixel stays
+}
+
+TEST(Coincident, LinesThatCrossOrMeetOrRunFurtherOffStay) {
+    std::vector<Line> lines;
+    for (int i = 0; i < 100; ++i)  // as near to each other along the first line as to it
+        lines.push_back(Plane::line(LineType::Crease, {{10 + 0.3 * i, 10}, {10 + 0.3 * i, 110}}));
+    lines.push_back(Plane::line(LineType::Occlusion, {{0, 50}, {100, 50}}));
+    lines.push_back(Plane::line(LineType::Boundary, {{0, 50.15}, {100, 50.15}}));
+    lines.push_back(Plane::line(LineType::Outline, {{0, 200}, {100, 200}}));
+    lines.push_back(Plane::line(LineType::Outline, {{100, 200}, {200, 210}}));
+    const auto merged = Plane{}.merged(lines);
+    ASSERT_THAT(merged, SizeIs(lines.size()));
+    for (std::size_t i = 0; i < lines.size(); ++i) EXPECT_EQ(pixelsOf(merged[i]), pixelsOf(lines[i]));
+}
+
+TEST(Coincident, LinesThatAreNotDrawnMakeNoneGo) {
+    const std::vector<Line> lines{Plane::line(LineType::Outline, {{10, 20}, {110, 20}}),
+                                  Plane::line(LineType::Crease, {{10, 20}, {110, 20}})};
+    const auto merged = Plane{}.merged(lines, LineType::Crease);
+    EXPECT_THAT(thoseOf(merged, LineType::Crease), SizeIs(1));
+    EXPECT_THAT(thoseOf(Plane{}.merged(lines), LineType::Crease), IsEmpty());
+}
+
+// Where no line is both nearer than the next and within reach of it, the last may not go for one that went itself.
+TEST(Coincident, SomeLineStaysWhereverOneWas) {
+    std::vector<Line> lines;
+    for (int i = 0; i < 40; ++i) {
+        const double y = 20 + 0.07 * i;
+        lines.push_back(Plane::line(i % 2 == 0 ? LineType::Crease : LineType::Outline, {{10, y}, {110, y}}, 0.07 * i));
+    }
+    const auto merged = Plane{}.merged(lines);
+    EXPECT_LT(merged.size(), lines.size());
+    for (const Line& line : lines) {
+        const auto near = [&](const Line& other) {
+            return std::abs(other.points[0].pixel.y - line.points[0].pixel.y) <= coincidentWithin;
+        };
+        EXPECT_TRUE(std::ranges::any_of(merged, near)) << line.points[0].pixel.y;
+    }
+}
+
+Settings keeping(HiddenLines hidden, CoincidentLines coincident) {
+    Settings settings = settingsOf({.size = {400, 300}, .contour = Contour::Auto, .hidden = hidden});
+    settings.lines.coincident = coincident;
+    return settings;
+}
+
+TEST(Coincident, TheSameMeshTwiceIsDrawnAsOnce) {
+    const Scene once = sceneOf(cube(2.0));
+    Scene::Data data;
+    data.meshes = {cube(2.0)};
+    data.instances = {{"a", 0, glm::dmat4{1.0}}, {"b", 0, glm::dmat4{1.0}}};
+    const Scene twice{std::move(data)};
+    const Camera camera = perspective({5, 4, 7});
+    for (const HiddenLines hidden : {HiddenLines::None, HiddenLines::Dashed}) {
+        const auto merge = keeping(hidden, CoincidentLines::Merge);
+        const double right = length(ObjectLines{once}.find(camera, merge).lines);
+        EXPECT_NEAR(length(ObjectLines{twice}.find(camera, merge).lines), right, exact);
+        const auto keep = keeping(hidden, CoincidentLines::Keep);
+        EXPECT_NEAR(length(ObjectLines{twice}.find(camera, keep).lines), 2.0 * right, exact);
+    }
+}
+
+}  // namespace
+}  // namespace inkedge::lines
