@@ -7,6 +7,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "formats/gltf/animation_target.h"
+#include "formats/gltf/nodes.h"
 #include "formats/text.h"
 
 namespace inkedge::gltf {
@@ -19,6 +21,11 @@ const Expected rotations{vec4,
                          {Component::Float, Component::Int8, Component::Uint8, Component::Int16, Component::Uint16}};
 const Expected weights{scalar,
                        {Component::Float, Component::Int8, Component::Uint8, Component::Int16, Component::Uint16}};
+const Expected booleans{scalar, {Component::Uint8}};
+
+// What KHR_animation_pointer allows for floats.
+constexpr std::initializer_list<Component> anyNumber{Component::Float, Component::Int8,   Component::Uint8,
+                                                     Component::Int16, Component::Uint16, Component::Uint32};
 
 constexpr std::size_t longestList = 10;  // of animations in a message
 
@@ -52,6 +59,9 @@ Moment momentAt(const std::vector<double>& times, double time) {
     return {next - 1, next, (time - times[next - 1]) / step, step};
 }
 
+// How values between two keys are found where the interpolation is LINEAR. Booleans step in any.
+enum class Between { Straight, Turned, Stepped };
+
 // The value of a sampler at a time: `width` numbers.
 class Sampler {
 public:
@@ -76,20 +86,20 @@ public:
             if (!std::isfinite(value)) base::refuse("expected finite values, found one that is not");
     }
 
-    [[nodiscard]] std::vector<double> at(double time, bool rotation) const {
+    [[nodiscard]] std::vector<double> at(double time, Between between) const {
         const Moment m = momentAt(times_, time);
         std::vector<double> result(width_);
         for (std::size_t i = 0; i < width_; ++i) {
             const double a = value(m.before, i);
             const double b = value(m.after, i);
-            if (step_)
+            if (step_ || between == Between::Stepped)
                 result[i] = a;
             else if (cubic_)
                 result[i] = hermite(m, i);
             else
                 result[i] = a + m.share * (b - a);
         }
-        if (rotation && !cubic_ && !step_) slerp(m, result);
+        if (between == Between::Turned && !cubic_ && !step_) slerp(m, result);
         return result;
     }
 
@@ -123,30 +133,77 @@ private:
     std::size_t width_ = 0;
 };
 
-// Sets a node to what a channel says at a time; false if the channel drives something that is not read.
+using Property = AnimationTarget::Property;
+
+// A property of a node that is a fixed number of floats.
+struct Vector {
+    Property property;
+    const Expected& expected;
+    std::vector<double> tinygltf::Node::*member;
+};
+const Vector nodeVectors[]{{Property::Translation, vectors, &tinygltf::Node::translation},
+                           {Property::Rotation, rotations, &tinygltf::Node::rotation},
+                           {Property::Scale, vectors, &tinygltf::Node::scale}};
+
+void setVector(tinygltf::Node& node, const Vector& vector, std::vector<double> values) {
+    if (values.size() != vector.expected.type.components)
+        base::refuse(
+            fmt::format("expected {} numbers a key, found {}", vector.expected.type.components, values.size()));
+    node.matrix.clear();  // which an animated node must not have
+    node.*(vector.member) = std::move(values);
+}
+
+// The weights that a target drives, as many as there are morph targets if it is one of them that is driven.
+std::vector<double>& weightsOf(tinygltf::Model& model, const AnimationTarget& target) {
+    const auto index = static_cast<std::size_t>(target.index);
+    const int meshIndex = target.ofMesh ? target.index : model.nodes[index].mesh;
+    std::vector<double>& all = target.ofMesh ? model.meshes[index].weights : model.nodes[index].weights;
+    if (!target.element) return all;
+    const tinygltf::Mesh& mesh = at(model.meshes, meshIndex, "a mesh");
+    const std::size_t count = mesh.primitives.empty() ? 0 : mesh.primitives.front().targets.size();
+    if (*target.element >= count)
+        base::refuse(fmt::format("expected a weight below {}, found {}", count, *target.element));
+    if (all.empty()) all = mesh.weights;
+    all.resize(std::max(all.size(), count));
+    return all;
+}
+
+void setWeights(tinygltf::Model& model, const AnimationTarget& target, std::vector<double> values) {
+    std::vector<double>& all = weightsOf(model, target);
+    if (!target.element) {
+        all = std::move(values);
+        return;
+    }
+    if (values.size() != 1) base::refuse(fmt::format("expected 1 number a key, found {}", values.size()));
+    all[*target.element] = values.front();
+}
+
+// Sets a node or a mesh to what a channel says at a time; false if the channel drives something that is not read.
 bool apply(tinygltf::Model& model, const tinygltf::Animation& animation, const tinygltf::AnimationChannel& channel,
            double time) {
-    struct Target {
-        std::string_view path;
-        const Expected& expected;
-        std::size_t width;  // 0: any
-        std::vector<double> tinygltf::Node::*member;
+    const std::optional<AnimationTarget> target = targetOf(channel);
+    if (!target) return false;
+    if (target->index == -1) return true;
+    if (target->ofMesh)
+        static_cast<void>(at(model.meshes, target->index, "a mesh"));
+    else
+        static_cast<void>(at(model.nodes, target->index, "a node"));
+    const auto valuesAt = [&](Expected expected, Between between) {
+        if (channel.target_path == "pointer" && target->property != Property::Visible) expected.components = anyNumber;
+        return Sampler{model, at(animation.samplers, channel.sampler, "a sampler"), expected}.at(time, between);
     };
-    static const Target targets[]{{"translation", vectors, 3, &tinygltf::Node::translation},
-                                  {"rotation", rotations, 4, &tinygltf::Node::rotation},
-                                  {"scale", vectors, 3, &tinygltf::Node::scale},
-                                  {"weights", weights, 0, &tinygltf::Node::weights}};
-    const auto* const target = std::ranges::find(targets, channel.target_path, &Target::path);
-    if (target == std::end(targets)) return false;
-    if (channel.target_node == -1) return true;
-    static_cast<void>(at(model.nodes, channel.target_node, "a node"));
-    const Sampler sampler{model, at(animation.samplers, channel.sampler, "a sampler"), target->expected};
-    std::vector<double> values = sampler.at(time, target->path == "rotation");
-    if (target->width != 0 && values.size() != target->width)
-        base::refuse(fmt::format("expected {} numbers a key, found {}", target->width, values.size()));
-    tinygltf::Node& node = model.nodes[static_cast<std::size_t>(channel.target_node)];
-    if (target->width != 0) node.matrix.clear();  // which an animated node must not have
-    node.*(target->member) = std::move(values);
+    const auto index = static_cast<std::size_t>(target->index);
+    if (target->property == Property::Visible) {
+        const std::vector<double> shown = valuesAt(booleans, Between::Stepped);
+        if (shown.size() != 1) base::refuse(fmt::format("expected 1 value a key, found {}", shown.size()));
+        setVisible(model.nodes[index], shown.front() != 0.0);
+    } else if (target->property == Property::Weights) {
+        setWeights(model, *target, valuesAt(weights, Between::Straight));
+    } else {
+        const Vector& vector = *std::ranges::find(nodeVectors, target->property, &Vector::property);
+        const bool turns = target->property == Property::Rotation;
+        setVector(model.nodes[index], vector, valuesAt(vector.expected, turns ? Between::Turned : Between::Straight));
+    }
     return true;
 }
 

@@ -186,6 +186,17 @@ bool isBesideTheDrawing(std::string_view extension) {
     return std::ranges::any_of(subjects, [&](std::string_view known) { return subject.starts_with(known); });
 }
 
+// glTF allows channels whose target has no node, tinygltf does not: it gets a node that is none.
+void completeTargets(Json& document) {
+    const auto animations = document.find("animations");
+    if (animations == document.end() || !animations->is_array()) return;
+    for (Json& animation : *animations) {
+        if (!animation.is_object() || !member(animation, "channels").is_array()) continue;
+        for (Json& channel : animation["channels"])
+            if (member(channel, "target").is_object()) channel["target"].emplace("node", -1);
+    }
+}
+
 // Whether an extension is read, or does not change the shape.
 bool isRead(std::string_view extension) {
     constexpr std::array names{
@@ -312,6 +323,7 @@ File readFile(const formats::ModelInput& input, const LoadLimits& limits) {
     Json document = parseJson(chunks.json);
     checkVersion(document);
     checkRequiredExtensions(document);
+    completeTargets(document);
     checkExtents(document, "accessors", "accessor");
     checkExtents(document, "bufferViews", "bufferView");
     file.extensions = extensionsIn(document, "extensionsUsed");

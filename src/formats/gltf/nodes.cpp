@@ -11,6 +11,8 @@ namespace inkedge::gltf {
 
 namespace {
 
+constexpr const char* visibilityExtension = "KHR_node_visibility";
+
 const std::vector<double>& sized(const std::vector<double>& numbers, std::size_t size, std::string_view property) {
     if (!numbers.empty() && numbers.size() != size)
         base::refuse(fmt::format("expected {} numbers as {}, found {}", size, property, numbers.size()));
@@ -60,7 +62,7 @@ std::vector<int> parentsOf(const tinygltf::Model& model) {
 }
 
 bool isHidden(const tinygltf::Node& node) {
-    const auto extension = node.extensions.find("KHR_node_visibility");
+    const auto extension = node.extensions.find(visibilityExtension);
     if (extension == node.extensions.end()) return false;
     const tinygltf::Value& visible = member(extension->second, "visible");
     return visible.IsBool() && !visible.Get<bool>();
@@ -78,6 +80,11 @@ const std::vector<int>* rootsOf(const tinygltf::Model& model, std::optional<int>
 }
 
 }  // namespace
+
+void setVisible(tinygltf::Node& node, bool visible) {
+    node.extensions[visibilityExtension] =
+        tinygltf::Value{tinygltf::Value::Object{{"visible", tinygltf::Value{visible}}}};
+}
 
 glm::dmat4 compose(const glm::dvec3& translation, const glm::dvec4& rotation, const glm::dvec3& scale) {
     const double length = glm::length(rotation);

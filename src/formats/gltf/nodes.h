@@ -14,6 +14,9 @@
 
 namespace inkedge::gltf {
 
+/// Sets whether KHR_node_visibility hides a node.
+void setVisible(tinygltf::Node&, bool visible);
+
 /// The node trees of a file.
 struct Nodes {
     std::vector<int> parents;         ///< -1: a root
