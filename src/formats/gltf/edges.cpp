@@ -1,6 +1,7 @@
 #include "formats/gltf/edges.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,7 +12,8 @@ namespace inkedge::gltf {
 
 namespace {
 
-constexpr const char* extensionName = "EXT_mesh_primitive_edge_visibility";
+constexpr const char* visibilityExtension = "EXT_mesh_primitive_edge_visibility";
+constexpr const char* outlineExtension = "CESIUM_primitive_outline";
 
 struct Edge {
     std::uint64_t vertices;  // the smaller one in the upper half
@@ -44,6 +46,20 @@ std::vector<std::uint8_t> readVisibility(const tinygltf::Model& model, const tin
     return edges;
 }
 
+void checkVertex(double index, std::size_t at, std::size_t vertexCount) {
+    if (!(index < static_cast<double>(vertexCount)))
+        base::refuse(
+            fmt::format("indices: expected vertex indices below {}, found {} at index {}", vertexCount, index, at));
+}
+
+// Sorted, and without repeats.
+std::vector<Edge> onceEach(std::vector<Edge> edges) {
+    std::ranges::sort(edges, {}, &Edge::vertices);
+    const auto same = [](const Edge& a, const Edge& b) { return a.vertices == b.vertices; };
+    edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
+    return edges;
+}
+
 // Reads strings of vertices, which the largest value of the component type separates.
 void readLineString(const tinygltf::Model& model, const tinygltf::Value& line, std::size_t vertexCount,
                     std::vector<Edge>& edges) {
@@ -56,9 +72,7 @@ void readLineString(const tinygltf::Model& model, const tinygltf::Value& line, s
                                                             : 4294967295.0;
     for (std::size_t i = 0; i < indices.size(); ++i) {
         if (indices[i] == restart) continue;
-        if (!(indices[i] < static_cast<double>(vertexCount)))
-            base::refuse(fmt::format("indices: expected vertex indices below {}, found {} at index {}", vertexCount,
-                                     indices[i], i));
+        checkVertex(indices[i], i, vertexCount);
         if (i > 0 && indices[i - 1] != restart && indices[i - 1] != indices[i])
             edges.push_back(
                 {keyOf(static_cast<std::uint32_t>(indices[i - 1]), static_cast<std::uint32_t>(indices[i]))});
@@ -71,20 +85,34 @@ std::vector<Edge> readLineStrings(const tinygltf::Model& model, const tinygltf::
     const auto& strings = lines.Get<tinygltf::Value::Array>();
     for (std::size_t i = 0; i < strings.size(); ++i)
         base::within(base::label("line string", i), [&] { readLineString(model, strings[i], vertexCount, edges); });
-    std::ranges::sort(edges, {}, &Edge::vertices);
-    const auto same = [](const Edge& a, const Edge& b) { return a.vertices == b.vertices; };
-    edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
-    return edges;
+    return onceEach(std::move(edges));
 }
 
-void mark(const std::vector<std::uint8_t>& visibility, std::span<const std::uint32_t> numbers, EdgeVisibility& edges) {
+// Reads pairs of vertices.
+std::vector<Edge> readPairs(const tinygltf::Model& model, const tinygltf::Value& extension, std::size_t vertexCount) {
+    const std::vector<double> indices = readNumbers(model, accessorIn(extension, "indices"), "indices",
+                                                    {scalar, {Component::Uint8, Component::Uint16, Component::Uint32}});
+    if (indices.size() % 2 != 0)
+        base::refuse(fmt::format("indices: expected two for each edge, found {}", indices.size()));
+    std::vector<Edge> edges;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        checkVertex(indices[i], i, vertexCount);
+        if (i % 2 == 1 && indices[i - 1] != indices[i])
+            edges.push_back(
+                {keyOf(static_cast<std::uint32_t>(indices[i - 1]), static_cast<std::uint32_t>(indices[i]))});
+    }
+    return onceEach(std::move(edges));
+}
+
+void mark(const std::vector<std::uint8_t>& visibility, std::span<const std::uint32_t> numbers, FileEdges& edges) {
     for (std::size_t t = 0; t < numbers.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k)
             edges.kinds[3 * t + k] = visibility[3 * numbers[t] + k] >= 2 ? EdgeKind::Marked : EdgeKind::Inner;
     }
 }
 
-void mark(std::vector<Edge> lines, std::span<const std::uint32_t> triangles, EdgeVisibility& edges) {
+// @param whose  what the file calls the edges, for the warning of those that are on no triangle
+void mark(std::vector<Edge> lines, std::span<const std::uint32_t> triangles, std::string_view whose, FileEdges& edges) {
     for (std::size_t c = 0; c < triangles.size(); ++c) {
         const std::uint64_t key = keyOf(triangles[c], triangles[c % 3 == 2 ? c - 2 : c + 1]);
         const auto line = std::ranges::lower_bound(lines, key, {}, &Edge::vertices);
@@ -92,29 +120,41 @@ void mark(std::vector<Edge> lines, std::span<const std::uint32_t> triangles, Edg
         line->found = true;
         edges.kinds[c] = EdgeKind::Marked;
     }
-    edges.lost = static_cast<std::size_t>(std::ranges::count(lines, false, &Edge::found));
+    const auto lost = std::ranges::count(lines, false, &Edge::found);
+    if (lost > 0)
+        edges.warnings.push_back(
+            fmt::format("{} edges of its {} belong to no triangle and are not drawn", lost, whose));
+}
+
+// Calls read(extension) if the primitive has it.
+template <class Read>
+void withExtension(const tinygltf::Primitive& primitive, const char* name, Read&& read) {
+    const auto found = primitive.extensions.find(name);
+    if (found != primitive.extensions.end()) base::within(name, [&] { read(found->second); });
 }
 
 }  // namespace
 
-EdgeVisibility readEdgeVisibility(const tinygltf::Model& model, const tinygltf::Primitive& primitive, Mode mode,
-                                  std::span<const std::uint32_t> corners, std::size_t vertexCount) {
-    const auto found = primitive.extensions.find(extensionName);
-    if (found == primitive.extensions.end()) return {};
-    return base::within(extensionName, [&] {
-        const tinygltf::Value& extension = found->second;
+FileEdges readEdges(const tinygltf::Model& model, const tinygltf::Primitive& primitive, Mode mode,
+                    std::span<const std::uint32_t> corners, std::size_t vertexCount) {
+    FileEdges edges;
+    if (!primitive.extensions.contains(visibilityExtension) && !primitive.extensions.contains(outlineExtension))
+        return edges;
+    const std::vector<std::uint32_t> triangles = triangleList(mode, {corners.begin(), corners.end()});
+    edges.kinds.resize(triangles.size());
+    withExtension(primitive, visibilityExtension, [&](const tinygltf::Value& extension) {
         if (!extension.Has("visibility") && !extension.Has("lineStrings"))
             base::refuse("expected visibility or lineStrings, found neither");
-        const std::vector<std::uint32_t> triangles = triangleList(mode, {corners.begin(), corners.end()});
-        EdgeVisibility edges;
-        edges.kinds.resize(triangles.size());
         if (extension.Has("visibility"))
             mark(readVisibility(model, extension, triangleCount(mode, corners.size())), triangleNumbers(mode, corners),
                  edges);
         if (extension.Has("lineStrings"))
-            mark(readLineStrings(model, extension.Get("lineStrings"), vertexCount), triangles, edges);
-        return edges;
+            mark(readLineStrings(model, extension.Get("lineStrings"), vertexCount), triangles, "line strings", edges);
     });
+    withExtension(primitive, outlineExtension, [&](const tinygltf::Value& extension) {
+        mark(readPairs(model, extension, vertexCount), triangles, "outline", edges);
+    });
+    return edges;
 }
 
 }  // namespace inkedge::gltf

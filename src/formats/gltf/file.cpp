@@ -200,11 +200,12 @@ void completeTargets(Json& document) {
 // Whether an extension is read, or does not change the shape.
 bool isRead(std::string_view extension) {
     constexpr std::array names{
-        "KHR_mesh_quantization"sv,  "EXT_mesh_gpu_instancing"sv,
-        "KHR_texture_transform"sv,  "KHR_texture_basisu"sv,
-        "EXT_texture_webp"sv,       "KHR_animation_pointer"sv,
-        "KHR_node_visibility"sv,    "KHR_node_hoverability"sv,
-        "KHR_node_selectability"sv, "EXT_mesh_primitive_edge_visibility"sv,
+        "KHR_mesh_quantization"sv,    "EXT_mesh_gpu_instancing"sv,
+        "KHR_texture_transform"sv,    "KHR_texture_basisu"sv,
+        "EXT_texture_webp"sv,         "KHR_animation_pointer"sv,
+        "KHR_node_visibility"sv,      "KHR_node_hoverability"sv,
+        "KHR_node_selectability"sv,   "EXT_mesh_primitive_edge_visibility"sv,
+        "CESIUM_primitive_outline"sv,
     };
     return readsCompression(extension) || std::ranges::find(names, extension) != names.end() ||
            isBesideTheDrawing(extension);

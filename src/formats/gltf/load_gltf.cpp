@@ -227,12 +227,10 @@ private:
 
     void readEdges(const tinygltf::Primitive& primitive, const std::vector<std::uint32_t>& corners, Shape& part,
                    const std::string& warnedAs) {
-        EdgeVisibility edges =
-            readEdgeVisibility(model_, primitive, Mode{primitive.mode}, corners, part.positions.size());
+        FileEdges edges = gltf::readEdges(model_, primitive, Mode{primitive.mode}, corners, part.positions.size());
         part.edges = std::move(edges.kinds);
-        if (edges.lost > 0 && !warnedAs.empty())
-            warn(fmt::format("{}: {} edges of its line strings belong to no triangle and are not drawn", warnedAs,
-                             edges.lost));
+        if (warnedAs.empty()) return;
+        for (const std::string& warning : edges.warnings) warn(warnedAs + ": " + warning);
     }
 
     void readCoordinates(const tinygltf::Primitive& primitive, Shape& part) {

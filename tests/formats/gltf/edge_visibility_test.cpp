@@ -1,4 +1,4 @@
-// Edges that a glTF file marks with EXT_mesh_primitive_edge_visibility.
+// Edges that a glTF file marks with EXT_mesh_primitive_edge_visibility or CESIUM_primitive_outline.
 #include <functional>
 
 #include <glm/common.hpp>
@@ -77,6 +77,41 @@ TEST_F(EdgeVisibility, MarksLineStringsWhicheverWayTheyRun) {
 
 TEST_F(EdgeVisibility, SaysWhichLineStringsLieOnNoTriangle) {
     EXPECT_THAT(load(squareWithLines({0, 3, 1})).warnings, ElementsAre(HasSubstr("1 edges of its line strings")));
+}
+
+class PrimitiveOutline : public GltfFileTest {
+protected:
+    // The square of two triangles 0 1 2, 2 1 3 with an outline of these edges.
+    static Model squareWithOutline(const std::vector<std::uint16_t>& indices) {
+        Model model;
+        Json primitive = positions(model.accessor(square, "VEC3"));
+        primitive["indices"] = model.accessor<std::uint16_t>({0, 1, 2, 2, 1, 3}, "SCALAR");
+        primitive["extensions"]["CESIUM_primitive_outline"] = {{"indices", model.accessor(indices, "SCALAR")}};
+        model.json["extensionsUsed"] = {"CESIUM_primitive_outline"};
+        model.root({{"mesh", model.mesh(primitive)}});
+        return model;
+    }
+};
+
+TEST_F(PrimitiveOutline, MarksItsEdgesAndSaysNothingOfOthers) {
+    const Scene::Data data = load(squareWithOutline({0, 1, 2, 1}));
+    EXPECT_THAT(data.warnings, IsEmpty());
+    // Edges 0-1 1-2 2-0, 2-1 1-3 3-2.
+    EXPECT_THAT(marked(data.meshes.at(0)), ElementsAre(true, true, false, true, false, false));
+    EXPECT_THAT(inner(data.meshes.at(0)), testing::Each(false));
+}
+
+TEST_F(PrimitiveOutline, SaysWhichEdgesLieOnNoTriangle) {
+    EXPECT_THAT(load(squareWithOutline({0, 3, 0, 1})).warnings, ElementsAre(HasSubstr("1 edges of its outline")));
+}
+
+TEST_F(PrimitiveOutline, RefusesWhatIsDamaged) {
+    EXPECT_THAT(refusal(squareWithOutline({0, 1, 2})),
+                HasSubstr("CESIUM_primitive_outline: indices: expected two for each edge, found 3"));
+    EXPECT_THAT(refusal(squareWithOutline({0, 4})), HasSubstr("expected vertex indices below 4, found 4 at index 1"));
+    Model none = squareWithOutline({0, 1});
+    none.json["meshes"][0]["primitives"][0]["extensions"]["CESIUM_primitive_outline"] = Json::object();
+    EXPECT_THAT(refusal(none), HasSubstr("indices: expected the number of an accessor"));
 }
 
 TEST_F(EdgeVisibility, CountsTheTrianglesOfStripsThatAreNotDrawn) {
