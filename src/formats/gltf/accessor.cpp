@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/message.h"
+#include "formats/gltf/triangles.h"
 
 namespace inkedge::gltf {
 
@@ -183,7 +184,7 @@ std::vector<double> readNumbers(const Accessor& accessor, const Expected& expect
     return numbers;
 }
 
-std::vector<std::uint32_t> readIndices(const Accessor& accessor, std::uint64_t vertexCount) {
+std::vector<std::uint32_t> readIndices(const Accessor& accessor, std::uint64_t vertexCount, Restarts restarts) {
     const Source source = sourceOf(accessor, {scalar, {Component::Uint8, Component::Uint16, Component::Uint32}});
     if (accessor.normalized) base::refuse("expected indices that are not normalized, found normalized ones");
     std::vector<std::uint32_t> indices(source.count);
@@ -195,10 +196,13 @@ std::vector<std::uint32_t> readIndices(const Accessor& accessor, std::uint64_t v
         copyIntegers<std::uint32_t>(source, indices.data());
     if (accessor.sparse) readSparse(accessor, *accessor.sparse, indices);
 
-    const double restart = formatOf(accessor.component).largest;
-    const std::uint64_t end = std::min(vertexCount, static_cast<std::uint64_t>(restart));
-    for (std::size_t i = 0; i < indices.size(); ++i)
-        if (indices[i] >= end) refuseIndex(indices[i], i, restart, vertexCount);
+    const double largest = formatOf(accessor.component).largest;
+    const std::uint64_t end = std::min(vertexCount, static_cast<std::uint64_t>(largest));
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        if (indices[i] < end) continue;
+        if (indices[i] != largest || restarts == Restarts::Refused) refuseIndex(indices[i], i, largest, vertexCount);
+        indices[i] = restart;
+    }
     return indices;
 }
 

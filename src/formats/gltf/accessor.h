@@ -64,9 +64,11 @@ struct Expected {
 ///                or a sparse index is out of range
 [[nodiscard]] std::vector<double> readNumbers(const Accessor&, const Expected&);
 
-/// Reads the vertex indices of a primitive.
-/// @throws Error  (Kind::Input) as readNumbers(); if an index is not below vertexCount or is the component type's
-///                largest value, which glTF reserves for primitive restart
-[[nodiscard]] std::vector<std::uint32_t> readIndices(const Accessor&, std::uint64_t vertexCount);
+/// What the component type's largest value means as an index: glTF reserves it for primitive restart.
+enum class Restarts { Refused, Read };
+
+/// Reads the vertex indices of a primitive, restarts as `restart` of triangles.h.
+/// @throws Error  (Kind::Input) as readNumbers(); if an index is not below vertexCount, or a restart that is refused
+[[nodiscard]] std::vector<std::uint32_t> readIndices(const Accessor&, std::uint64_t vertexCount, Restarts);
 
 }  // namespace inkedge::gltf

@@ -146,8 +146,7 @@ FileEdges readEdges(const tinygltf::Model& model, const tinygltf::Primitive& pri
         if (!extension.Has("visibility") && !extension.Has("lineStrings"))
             base::refuse("expected visibility or lineStrings, found neither");
         if (extension.Has("visibility"))
-            mark(readVisibility(model, extension, triangleCount(mode, corners.size())), triangleNumbers(mode, corners),
-                 edges);
+            mark(readVisibility(model, extension, triangleCount(mode, corners)), triangleNumbers(mode, corners), edges);
         if (extension.Has("lineStrings"))
             mark(readLineStrings(model, extension.Get("lineStrings"), vertexCount), triangles, "line strings", edges);
     });

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <span>
 #include <string_view>
 
@@ -200,12 +201,13 @@ void completeTargets(Json& document) {
 // Whether an extension is read, or does not change the shape.
 bool isRead(std::string_view extension) {
     constexpr std::array names{
-        "KHR_mesh_quantization"sv,    "EXT_mesh_gpu_instancing"sv,
-        "KHR_texture_transform"sv,    "KHR_texture_basisu"sv,
-        "EXT_texture_webp"sv,         "KHR_animation_pointer"sv,
-        "KHR_node_visibility"sv,      "KHR_node_hoverability"sv,
-        "KHR_node_selectability"sv,   "EXT_mesh_primitive_edge_visibility"sv,
-        "CESIUM_primitive_outline"sv,
+        "KHR_mesh_quantization"sv,      "EXT_mesh_gpu_instancing"sv,
+        "KHR_texture_transform"sv,      "KHR_texture_basisu"sv,
+        "EXT_texture_webp"sv,           "KHR_animation_pointer"sv,
+        "KHR_node_visibility"sv,        "KHR_node_hoverability"sv,
+        "KHR_node_selectability"sv,     "EXT_mesh_primitive_edge_visibility"sv,
+        "CESIUM_primitive_outline"sv,   "KHR_mesh_primitive_restart"sv,
+        "EXT_mesh_primitive_restart"sv,
     };
     return readsCompression(extension) || std::ranges::find(names, extension) != names.end() ||
            isBesideTheDrawing(extension);
@@ -221,6 +223,12 @@ std::vector<std::string> extensionsIn(const Json& document, const char* list) {
         names.push_back(entry.get<std::string>());
     }
     return names;
+}
+
+bool allowsRestarts(const Json& document) {
+    const auto isRestart = [](std::string_view name) { return name.ends_with("_mesh_primitive_restart"); };
+    return std::ranges::any_of(extensionsIn(document, "extensionsUsed"), isRestart) ||
+           std::ranges::any_of(extensionsIn(document, "extensionsRequired"), isRestart);
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -294,6 +302,43 @@ std::vector<base::Bytes> takeBuffers(const formats::ModelInput& input, Json& doc
     return buffers;
 }
 
+// The accessors of indices without a bufferView.
+std::set<std::size_t> bareIndices(const Json& document) {
+    const Json& accessors = member(document, "accessors");
+    std::set<std::size_t> bare;
+    for (const Json& mesh : member(document, "meshes"))
+        for (const Json& primitive : member(mesh, "primitives")) {
+            const Json& index = member(primitive, "indices");
+            if (!index.is_number_unsigned() || index >= sizeOf(accessors)) continue;
+            const Json& accessor = accessors[index.get<std::size_t>()];
+            if (accessor.is_object() && !accessor.contains("bufferView")) bare.insert(index.get<std::size_t>());
+        }
+    return bare;
+}
+
+// Gives indices without a bufferView, which are zeros before sparse ones are put in, a bufferView of zeros: tinygltf
+// refuses them otherwise.
+void fillIndices(Json& document, std::vector<base::Bytes>& buffers) {
+    std::uint64_t limit = std::uint64_t{1} << 16U;  // a small file must not take much memory
+    for (const base::Bytes& buffer : buffers) limit = std::max<std::uint64_t>(limit, buffer.size());
+    std::uint64_t size = 0;
+    for (const std::size_t index : bareIndices(document)) {
+        Json& accessor = document["accessors"][index];
+        const std::uint64_t count =
+            base::within(base::label("accessor", index), [&] { return number(accessor, "count"); });
+        if (count > limit)
+            base::refuse(fmt::format("{}: expected at most {} elements without data, found {}",
+                                     base::label("accessor", index), limit, count));
+        accessor["bufferView"] = sizeOf(member(document, "bufferViews"));
+        accessor.erase("byteOffset");
+        size = std::max(size, count * sizeof(std::uint32_t));
+    }
+    if (size == 0) return;
+    document["bufferViews"].push_back({{"buffer", buffers.size()}, {"byteLength", size}});
+    document["buffers"].push_back({{"byteLength", size}, {"uri", std::to_string(buffers.size())}});
+    buffers.emplace_back(size);
+}
+
 bool looksLikeJson(std::string_view text) {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     const std::size_t start = text.find_first_not_of(" \t\r\n");
@@ -328,6 +373,7 @@ File readFile(const formats::ModelInput& input, const LoadLimits& limits) {
     checkExtents(document, "accessors", "accessor");
     checkExtents(document, "bufferViews", "bufferView");
     file.extensions = extensionsIn(document, "extensionsUsed");
+    file.primitiveRestart = allowsRestarts(document);
     file.warnings = warningsOf(file.extensions);
     file.materials = readMaterials(document);
     file.images = readImages(document);
@@ -337,6 +383,7 @@ File readFile(const formats::ModelInput& input, const LoadLimits& limits) {
     markFallbacks(document, binaryChunk.has_value());
     file.buffers = takeBuffers(input, document, std::move(binaryChunk), file.bytesLeft);
     decompress(document, file.buffers, limits.decompressedSize);
+    fillIndices(document, file.buffers);
     file.json = document.dump();
     return file;
 }

@@ -22,6 +22,7 @@ struct File {
     std::vector<Image> images;         ///< removed from the JSON; their pixels are not read yet
     std::vector<std::string> warnings;
     std::vector<std::string> extensions;  ///< extensionsUsed
+    bool primitiveRestart = false;        ///< whether indices may hold restarts: KHR_ or EXT_mesh_primitive_restart
     std::uint64_t bytesLeft = 0;          ///< of limits.fileSize
 };
 

@@ -319,7 +319,10 @@ private:
     }
 
     std::vector<std::uint32_t> cornersOf(const tinygltf::Primitive& primitive, std::size_t vertexCount) const {
-        if (primitive.indices != -1) return readIndices(model_, primitive.indices, vertexCount);
+        const bool restarts = file_.primitiveRestart && isContinued(Mode{primitive.mode});
+        if (primitive.indices != -1)
+            return readIndices(model_, primitive.indices, vertexCount,
+                                     restarts ? Restarts::Read : Restarts::Refused);
         std::vector<std::uint32_t> corners(vertexCount);
         std::iota(corners.begin(), corners.end(), 0U);
         return corners;

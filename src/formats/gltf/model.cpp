@@ -161,9 +161,10 @@ std::vector<double> readNumbers(const tinygltf::Model& model, int accessor, std:
                         [&](const Accessor& description) { return readNumbers(description, expected); });
 }
 
-std::vector<std::uint32_t> readIndices(const tinygltf::Model& model, int accessor, std::uint64_t vertexCount) {
+std::vector<std::uint32_t> readIndices(const tinygltf::Model& model, int accessor, std::uint64_t vertexCount,
+                                       Restarts restarts) {
     return withAccessor(model, accessor, "indices",
-                        [&](const Accessor& description) { return readIndices(description, vertexCount); });
+                        [&](const Accessor& description) { return readIndices(description, vertexCount, restarts); });
 }
 
 std::uint64_t elementCount(const tinygltf::Model& model, int accessor, std::string_view use) {

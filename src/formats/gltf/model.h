@@ -55,7 +55,8 @@ const T& at(const std::vector<T>& all, int index, std::string_view kind) {
                                               const Expected&);
 
 /// gltf::readIndices() likewise.
-[[nodiscard]] std::vector<std::uint32_t> readIndices(const tinygltf::Model&, int accessor, std::uint64_t vertexCount);
+[[nodiscard]] std::vector<std::uint32_t> readIndices(const tinygltf::Model&, int accessor, std::uint64_t vertexCount,
+                                                     Restarts);
 
 /// How many elements an accessor says it has.
 [[nodiscard]] std::uint64_t elementCount(const tinygltf::Model&, int accessor, std::string_view use);

@@ -1,5 +1,6 @@
 #include "formats/gltf/triangles.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -31,11 +32,16 @@ std::vector<std::uint32_t> wholeTriangles(std::vector<std::uint32_t> corners) {
     return corners;
 }
 
-// Calls visit(number, a, b, c) for each triangle without a repeated index.
+// How many triangles corners without a restart make.
+std::size_t triangleCount(Mode mode, std::size_t corners) {
+    return mode == Mode::Triangles ? corners / 3 : corners < 3 ? 0 : corners - 2;
+}
+
+// Calls visit(number, a, b, c) for each triangle without a repeated index, of corners without a restart.
 template <class Visit>
-void forEachTriangle(Mode mode, std::span<const std::uint32_t> corners, Visit&& visit) {
+void forEachTriangleOfRun(Mode mode, std::span<const std::uint32_t> corners, Visit&& visit) {
     const auto add = [&](std::size_t number, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        if (a != b && b != c && c != a) visit(static_cast<std::uint32_t>(number), a, b, c);
+        if (a != b && b != c && c != a) visit(number, a, b, c);
     };
     const std::size_t step = mode == Mode::Triangles ? 3 : 1;
     for (std::size_t i = 0; i + 3 <= corners.size(); i += step) {
@@ -49,7 +55,35 @@ void forEachTriangle(Mode mode, std::span<const std::uint32_t> corners, Visit&& 
     }
 }
 
+template <class Visit>
+void forEachTriangle(Mode mode, std::span<const std::uint32_t> corners, Visit&& visit) {
+    std::size_t before = 0;
+    for (const std::span<const std::uint32_t> run : runsOf(corners)) {
+        forEachTriangleOfRun(mode, run, [&](std::size_t number, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+            visit(static_cast<std::uint32_t>(before + number), a, b, c);
+        });
+        before += triangleCount(mode, run.size());
+    }
+}
+
 }  // namespace
+
+std::vector<std::span<const std::uint32_t>> runsOf(std::span<const std::uint32_t> corners) {
+    std::vector<std::span<const std::uint32_t>> runs;
+    for (std::size_t begin = 0; begin < corners.size();) {
+        const auto rest = corners.subspan(begin);
+        const auto length = static_cast<std::size_t>(std::ranges::find(rest, restart) - rest.begin());
+        if (length > 0) runs.push_back(rest.first(length));
+        begin += length + 1;
+    }
+    return runs;
+}
+
+std::size_t triangleCount(Mode mode, std::span<const std::uint32_t> corners) {
+    std::size_t count = 0;
+    for (const std::span<const std::uint32_t> run : runsOf(corners)) count += triangleCount(mode, run.size());
+    return count;
+}
 
 std::vector<std::uint32_t> triangleList(Mode mode, std::vector<std::uint32_t> corners) {
     if (mode == Mode::Triangles) return wholeTriangles(std::move(corners));

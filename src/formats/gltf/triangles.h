@@ -17,18 +17,28 @@ enum class Mode : int { Points, Lines, LineLoop, LineStrip, Triangles, TriangleS
 
 [[nodiscard]] constexpr bool drawsTriangles(Mode mode) noexcept { return mode >= Mode::Triangles; }
 
+/// Whether each corner of a mode goes on from those before it, so that a restart means something.
+[[nodiscard]] constexpr bool isContinued(Mode mode) noexcept {
+    return mode == Mode::LineLoop || mode == Mode::LineStrip || mode > Mode::Triangles;
+}
+
+/// Stands between the corners of two strips, fans or loops of one primitive: primitive restart.
+inline constexpr std::uint32_t restart = 0xffff'ffff;
+
+/// The corners between restarts, without those that have none.
+[[nodiscard]] std::vector<std::span<const std::uint32_t>> runsOf(std::span<const std::uint32_t> corners);
+
 /// The triangles of a primitive, three indices each, wound as glTF 2.0, section 3.7.2.1, prescribes. Triangles with a
 /// repeated index, as strips are joined with, are left out.
 /// @param mode     one that draws triangles
-/// @param corners  the primitive's vertex indices in the order of the file; a rest too short for a triangle is not used
+/// @param corners  the primitive's vertex indices in the order of the file, and restarts; a rest too short for a
+///                 triangle is not used
 [[nodiscard]] std::vector<std::uint32_t> triangleList(Mode mode, std::vector<std::uint32_t> corners);
 
 /// For each triangle of triangleList() its index among all triangles of the primitive, those left out included.
 [[nodiscard]] std::vector<std::uint32_t> triangleNumbers(Mode mode, std::span<const std::uint32_t> corners);
 
 /// How many triangles a primitive has, those left out included.
-[[nodiscard]] constexpr std::size_t triangleCount(Mode mode, std::size_t cornerCount) noexcept {
-    return mode == Mode::Triangles ? cornerCount / 3 : cornerCount < 3 ? 0 : cornerCount - 2;
-}
+[[nodiscard]] std::size_t triangleCount(Mode mode, std::span<const std::uint32_t> corners);
 
 }  // namespace inkedge::gltf

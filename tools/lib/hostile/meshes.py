@@ -14,6 +14,8 @@ def meshes():
     case("index_out_of_range.gltf", "below 4", quad(indices=[0, 1, 4]).gltf())
     case("indices_of_float.gltf", "FLOAT", changed([*INDEX, "componentType"], FLOAT).gltf())
     case("indices_of_bytes_with_sign.gltf", "found", changed([*INDEX, "componentType"], 5120).gltf())
+    model = changed([*INDEX, "bufferView"], DELETE, changed([*INDEX, "count"], 1 << 30))
+    case("indices_of_zeros_2_to_30.gltf", "without data", model.gltf())
     case("indices_normalized.gltf", "normalized", changed([*INDEX, "normalized"], True).gltf())
     case("indices_none.gltf", "found", changed([*INDEX, "count"], 0).gltf())
     case("indices_five.gltf", PICTURE, changed([*INDEX, "count"], 5).gltf())
