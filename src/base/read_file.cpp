@@ -62,13 +62,19 @@ std::string_view textOf(std::span<const std::uint8_t> bytes) noexcept {
 
 std::string_view kindOf(std::string_view content) noexcept {
     struct Signature {
-        std::string_view start;
+        std::string_view bytes;
         std::string_view kind;
+        std::size_t at = 0;
     };
     constexpr std::array signatures{
         Signature{"glTF"sv, "binary glTF"},
         Signature{"\x89PNG"sv, "a PNG picture"},
         Signature{"\xff\xd8\xff"sv, "a JPEG picture"},
+        Signature{"WEBP"sv, "a WebP picture", 8},
+        Signature{"ftypavif"sv, "an AVIF picture", 4},
+        Signature{"\xabKTX 20\xbb"sv, "a KTX2 picture"},
+        Signature{"DDS "sv, "a DDS picture"},
+        Signature{"\x13\xab\xa1\x5c"sv, "an ASTC picture"},
         Signature{"<"sv, "HTML or XML"},
         Signature{"version https://git-lfs"sv, "a Git LFS pointer instead of the file"},
         Signature{"PK\x03\x04"sv, "a ZIP archive"},
@@ -80,7 +86,8 @@ std::string_view kindOf(std::string_view content) noexcept {
         Signature{"\xfe\xff"sv, "UTF-16 text"},
     };
     for (const Signature& signature : signatures)
-        if (content.starts_with(signature.start)) return signature.kind;
+        if (content.size() >= signature.at && content.substr(signature.at).starts_with(signature.bytes))
+            return signature.kind;
     const bool binary = std::ranges::any_of(content.substr(0, 512),
                                             [](char c) { return static_cast<unsigned char>(c) < 0x09 || c == 0x7f; });
     return binary ? "other data" : "other text";

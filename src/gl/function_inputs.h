@@ -17,7 +17,7 @@ public:
     explicit FunctionInputs(const Api& api) : api_{api} {}
 
     /// Binds a file's picture, as the file is now, as shaders/shared/surface.glsl reads it.
-    /// @throws Error  (Kind::Input) if the file is missing or no PNG or JPEG
+    /// @throws Error  (Kind::Input) if the file is missing or no PNG, JPEG or WebP
     void bindPicture(const std::string& file);
 
     /// Binds the scene's materials as shaders/shared/paint.glsl reads them.

@@ -55,8 +55,9 @@ struct FunctionDescription {
     std::string_view name;
     std::string_view help;  ///< one line
     std::span<const FunctionOption> options;
-    std::string_view file;  ///< what FunctionSettings::file holds: "PICTURE" (PNG or JPEG) or "GLSL"; empty: nothing
-    float threshold;        ///< the default T with Sobel's kernels, which give a step of 1 the magnitude 4
+    /// What FunctionSettings::file holds: "PICTURE" (PNG, JPEG or WebP) or "GLSL"; empty: nothing.
+    std::string_view file;
+    float threshold;  ///< the default T with Sobel's kernels, which give a step of 1 the magnitude 4
     /// The value on the background; none: borders of surfaces against the background are no edges.
     std::optional<float> background;
     Wrapping wrapping;

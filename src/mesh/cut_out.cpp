@@ -1,6 +1,7 @@
 #include "mesh/cut_out.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <unordered_map>
@@ -11,8 +12,8 @@
 #include <glm/geometric.hpp>
 
 #include "base/message.h"
-#include "curves/simplify.h"
 #include "mesh/polygon_triangles.h"
+#include "mesh/simplify_loop.h"
 #include "mesh/twice_area.h"
 
 namespace inkedge::mesh {
@@ -22,6 +23,8 @@ constexpr int cellSize = 128;            // texels: the lattice that triangles a
 constexpr double simplification = 0.1;   // texels
 constexpr std::int64_t maxCells = 4096;  // of one triangle
 constexpr std::uint64_t maxPieces = 4'000'000;
+constexpr double maxSteps = 8192.0;                           // along an edge whose factor changes
+constexpr std::uint64_t maxSamples = std::uint64_t{1} << 26;  // where factors change
 
 // ---- the outline within a cell
 
@@ -37,8 +40,23 @@ public:
         return coordinates * glm::dvec2{map_.size().width, map_.size().height} - 0.5;
     }
 
+    // Between the centres of texels.
+    [[nodiscard]] double between(glm::dvec2 texels) const {
+        const glm::dvec2 low = glm::floor(texels);
+        const glm::dvec2 share = texels - low;
+        const int left = wrapped(static_cast<std::int64_t>(low.x), map_.size().width, wrap_[0]);
+        const int right = wrapped(static_cast<std::int64_t>(low.x) + 1, map_.size().width, wrap_[0]);
+        const auto inRow = [&](std::int64_t y) {
+            const int row = wrapped(y, map_.size().height, wrap_[1]);
+            return glm::mix<double>(map_(left, row), map_(right, row), share.x);
+        };
+        const auto y = static_cast<std::int64_t>(low.y);
+        return glm::mix(inRow(y), inRow(y + 1), share.y);
+    }
+
 private:
     static int wrapped(std::int64_t i, int size, TextureWrap wrap) {
+        if (i >= 0 && i < size) return static_cast<int>(i);
         if (wrap == TextureWrap::Clamp) return static_cast<int>(std::clamp<std::int64_t>(i, 0, size - 1));
         const std::int64_t period = wrap == TextureWrap::Mirror ? 2 * std::int64_t{size} : size;
         const std::int64_t rest = ((i % period) + period) % period;
@@ -189,7 +207,7 @@ private:
                 loop.push_back(pointOf(link->first));
                 fixed.push_back(isFixed(link->first, loop.back()));
             }
-            loops.push_back(simplified(loop, fixed));
+            loops.push_back(simplified(loop, fixed, simplification));
         }
         return loops;
     }
@@ -205,36 +223,6 @@ private:
         const auto onBorder = [](double x) { return x == 0.0 || x == cellSize; };
         if (corner % 3 != Point) return onBorder(point.x) || onBorder(point.y);
         return onBorder(point.x) && onBorder(point.y);
-    }
-
-    // Douglas and Peucker, between the corners that stay.
-    static Polygon simplified(const Polygon& loop, const std::vector<bool>& fixed) {
-        const std::size_t n = loop.size();
-        std::vector<std::size_t> stays;
-        for (std::size_t i = 0; i < n; ++i)
-            if (fixed[i]) stays.push_back(i);
-        if (stays.empty()) stays.push_back(0);
-        if (stays.size() == 1) stays.push_back(farthestFrom(loop, stays[0]));
-        std::ranges::sort(stays);
-        Polygon twice = loop;  // the last part goes over the loop's start
-        twice.insert(twice.end(), loop.begin(), loop.end());
-        std::vector<bool> kept(2 * n, false);
-        for (std::size_t i = 0; i < stays.size(); ++i) {
-            kept[stays[i]] = true;
-            curves::keepBetween(twice, stays[i], i + 1 < stays.size() ? stays[i + 1] : stays[0] + n, simplification,
-                                kept);
-        }
-        Polygon result;
-        for (std::size_t i = 0; i < n; ++i)
-            if (kept[i] || kept[n + i]) result.push_back(loop[i]);
-        return result;
-    }
-
-    static std::size_t farthestFrom(const Polygon& loop, std::size_t from) {
-        std::size_t farthest = from;
-        for (std::size_t i = 0; i < loop.size(); ++i)
-            if (glm::distance(loop[i], loop[from]) > glm::distance(loop[farthest], loop[from])) farthest = i;
-        return farthest;
     }
 
     double threshold_;
@@ -288,30 +276,42 @@ struct CutOut::State {
         return opacity.at(static_cast<std::int64_t>(nearest.x), static_cast<std::int64_t>(nearest.y)) >= threshold;
     }
 
+    [[nodiscard]] std::array<glm::dvec2, 3> texelsOf(const std::array<glm::dvec2, 3>& corners) const {
+        constexpr double farthest = 1e9;  // texels
+        std::array<glm::dvec2, 3> texels;
+        for (std::size_t i = 0; i < 3; ++i) {
+            texels[i] = opacity.texels(corners[i]);
+            if (!(std::abs(texels[i].x) < farthest && std::abs(texels[i].y) < farthest))
+                base::refuse(fmt::format("expected texture coordinates near the picture, found ({}, {})", corners[i].x,
+                                         corners[i].y));
+        }
+        return texels;
+    }
+
+    void spend(const std::vector<TrianglePiece>& made) {
+        pieces += made.size();
+        if (pieces > maxPieces)
+            base::refuse(fmt::format("expected a cut-out of at most {} triangles, found more", maxPieces));
+    }
+
     Opacity opacity;
     double threshold;
     std::map<std::pair<std::int64_t, std::int64_t>, Cell> cells;
     std::uint64_t pieces = 0;
+    std::uint64_t samples = 0;
 };
 
 CutOut::CutOut(Image<std::uint8_t> opacity, std::array<TextureWrap, 2> wrap, double threshold)
-    : state_{std::make_unique<State>(State{Opacity{std::move(opacity), wrap}, threshold, {}, 0})} {}
+    : state_{std::make_unique<State>(State{Opacity{std::move(opacity), wrap}, threshold, {}, 0, 0})} {}
 CutOut::~CutOut() = default;
 
-std::vector<CutOut::Piece> CutOut::cut(const std::array<glm::dvec2, 3>& corners) {
-    constexpr double farthest = 1e9;  // texels
-    std::array<glm::dvec2, 3> inTexels;
-    for (std::size_t i = 0; i < 3; ++i) {
-        inTexels[i] = state_->opacity.texels(corners[i]);
-        if (!(std::abs(inTexels[i].x) < farthest && std::abs(inTexels[i].y) < farthest))
-            base::refuse(fmt::format("expected texture coordinates near the picture, found ({}, {})", corners[i].x,
-                                     corners[i].y));
-    }
+std::vector<TrianglePiece> CutOut::cut(const std::array<glm::dvec2, 3>& corners) {
+    const std::array<glm::dvec2, 3> inTexels = state_->texelsOf(corners);
     const double area = twiceArea(inTexels[0], inTexels[1], inTexels[2]);
     constexpr double thinnest = 1e-4;  // square texels
     if (std::abs(area) < thinnest) {
         if (!state_->isOpaque((inTexels[0] + inTexels[1] + inTexels[2]) / 3.0)) return {};
-        return {Piece{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}}};
+        return {TrianglePiece{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}}};
     }
     const auto cellOf = [](double texels) { return static_cast<std::int64_t>(std::floor(texels / cellSize)); };
     const glm::dvec2 low = glm::min(glm::min(inTexels[0], inTexels[1]), inTexels[2]);
@@ -321,7 +321,7 @@ std::vector<CutOut::Piece> CutOut::cut(const std::array<glm::dvec2, 3>& corners)
     if (columns > maxCells || rows > maxCells || columns * rows > maxCells)
         base::refuse("expected triangles that repeat the picture less often, found one across too many texels");
 
-    std::vector<Piece> pieces;
+    std::vector<TrianglePiece> pieces;
     for (std::int64_t y = cellOf(low.y); y <= cellOf(high.y); ++y) {
         for (std::int64_t x = cellOf(low.x); x <= cellOf(high.x); ++x) {
             const glm::dvec2 origin{static_cast<double>(x * cellSize), static_cast<double>(y * cellSize)};
@@ -338,15 +338,38 @@ std::vector<CutOut::Piece> CutOut::cut(const std::array<glm::dvec2, 3>& corners)
             const std::vector<PolygonTriangle> triangles =
                 cell.whole ? convexTriangles(part) : trianglesWithin(part, cell.outline);
             for (const PolygonTriangle& t : triangles) {
-                Piece piece{weights(t[0]), weights(t[1]), weights(t[2])};
+                TrianglePiece piece{weights(t[0]), weights(t[1]), weights(t[2])};
                 if (area < 0.0) std::swap(piece[1], piece[2]);
                 pieces.push_back(piece);
             }
         }
     }
-    state_->pieces += pieces.size();
-    if (state_->pieces > maxPieces)
-        base::refuse(fmt::format("expected a cut-out of at most {} triangles, found more", maxPieces));
+    state_->spend(pieces);
+    return pieces;
+}
+
+std::vector<TrianglePiece> CutOut::cut(const std::array<glm::dvec2, 3>& corners, const glm::dvec3& factors) {
+    const std::array<glm::dvec2, 3> texels = state_->texelsOf(corners);
+    EdgeSteps steps{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double length = glm::distance(texels[k], texels[(k + 1) % 3]);
+        if (length > maxSteps)
+            base::refuse(
+                fmt::format("expected edges of at most {} texels where vertex colors change the opacity, found {:.0f}",
+                            maxSteps, length));
+        steps[k] = std::bit_ceil(static_cast<std::uint32_t>(std::ceil(length)));
+    }
+    const std::uint64_t largest = std::max({steps[0], steps[1], steps[2]});
+    state_->samples += largest * largest / 2;
+    if (state_->samples > maxSamples)
+        base::refuse(
+            "expected triangles that span fewer texels where vertex colors change the opacity, found too many");
+    const auto excess = [&](const glm::dvec3& w) {
+        const glm::dvec2 at = w.x * texels[0] + w.y * texels[1] + w.z * texels[2];
+        return state_->opacity.between(at) * glm::dot(w, factors) - state_->threshold;
+    };
+    std::vector<TrianglePiece> pieces = opaquePart(steps, excess);
+    state_->spend(pieces);
     return pieces;
 }
 

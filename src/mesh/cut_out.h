@@ -11,6 +11,8 @@
 #include <inkedge/image.h>
 #include <inkedge/mesh.h>
 
+#include "mesh/opaque_part.h"
+
 namespace inkedge::mesh {
 
 /// Cuts triangles along the outline of their picture's opaque area, so that the rim of a cut-out is an edge of the mesh
@@ -25,18 +27,20 @@ public:
     CutOut(const CutOut&) = delete;
     CutOut& operator=(const CutOut&) = delete;
 
-    /// A part of a triangle: its corners in barycentric coordinates of the triangle.
-    using Piece = std::array<glm::dvec3, 3>;
-
     /// The opaque pieces of a triangle. Two triangles that share an edge with its texture coordinates are cut at the
     /// same points of that edge. The pieces are wound as the triangle is.
     /// @param corners  texture coordinates: (0, 0) the picture's top left corner, (1, 1) its bottom right one
     /// @throws Error   (Kind::Input) if the triangle spans too many texels or the outline has too many corners
-    [[nodiscard]] std::vector<Piece> cut(const std::array<glm::dvec2, 3>& corners);
+    [[nodiscard]] std::vector<TrianglePiece> cut(const std::array<glm::dvec2, 3>& corners);
+
+    /// The same of a triangle in which the picture's opacity is multiplied by factors that change from corner to
+    /// corner. The product is sampled at steps of at most a texel. Triangles that share an edge are cut at the same
+    /// points of it if all of them are cut so.
+    [[nodiscard]] std::vector<TrianglePiece> cut(const std::array<glm::dvec2, 3>& corners, const glm::dvec3& factors);
 
 private:
     struct State;
     std::unique_ptr<State> state_;
 };
 
-}  // namespace inkedge::mesh
+}  // namespace inkedge

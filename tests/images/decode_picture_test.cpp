@@ -4,8 +4,12 @@
 
 #include <array>
 #include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <gmock/gmock.h>
+#include <webp/encode.h>
 
 #include <inkedge/error.h>
 
@@ -62,7 +66,67 @@ TEST(DecodePicture, refusesWhatIsDamagedTooLargeOrNoPicture) {
     EXPECT_THAT(refusalOf(std::span{jpeg}.first(60)), testing::HasSubstr("expected a JPEG picture, found: "));
     EXPECT_THAT(refusalOf(jpeg, 100), testing::HasSubstr("16x8; raise max-image-pixels"));
     const std::array<std::uint8_t, 4> text{'R', 'I', 'F', 'F'};
-    EXPECT_THAT(refusalOf(text), testing::HasSubstr("expected a PNG or JPEG picture, found "));
+    EXPECT_THAT(refusalOf(text), testing::HasSubstr("expected a PNG, JPEG or WebP picture, found other text"));
+}
+
+// 3 x 2 pixels; the encoders keep them exactly.
+constexpr auto pixels = std::to_array<std::uint8_t>({
+    200, 40, 40, 255, 30, 60, 220, 255, 0,   0,   0,   255,  //
+    10,  20, 30, 128, 1,  2,  3,   7,   255, 255, 255, 255,
+});
+
+enum class Alpha { None, Some };
+
+std::vector<std::uint8_t> webp(Alpha alpha) {
+    std::vector<std::uint8_t> rgb;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        if (i % 4 != 3) rgb.push_back(pixels[i]);
+    std::uint8_t* bytes = nullptr;
+    const std::size_t size = alpha == Alpha::Some ? WebPEncodeLosslessRGBA(pixels.data(), 3, 2, 12, &bytes)
+                                                  : WebPEncodeLosslessRGB(rgb.data(), 3, 2, 9, &bytes);
+    std::vector<std::uint8_t> file{bytes, bytes + size};
+    WebPFree(bytes);
+    return file;
+}
+
+TEST(DecodePicture, readsWebp) {
+    const Image<std::uint8_t> image = decodePicture(webp(Alpha::Some), 1000);
+    ASSERT_EQ(image.size(), (Size{3, 2}));
+    EXPECT_THAT(image.pixels(), testing::ElementsAreArray(pixels));
+    const Image<std::uint8_t> opaque = decodePicture(webp(Alpha::None), 1000);
+    for (std::size_t i = 0; i < pixels.size(); ++i) EXPECT_EQ(opaque.pixels()[i], i % 4 == 3 ? 255 : pixels[i]) << i;
+}
+
+TEST(DecodePicture, readsTheOpacityOfWebp) {
+    const auto opacity = decodeOpacity(webp(Alpha::Some), 1000);
+    ASSERT_TRUE(opacity);
+    EXPECT_THAT(opacity->pixels(), testing::ElementsAre(255, 255, 255, 128, 7, 255));
+    EXPECT_FALSE(decodeOpacity(webp(Alpha::None), 1000));
+}
+
+TEST(DecodePicture, refusesWebpThatIsDamagedTooLargeOrAnAnimation) {
+    const std::vector<std::uint8_t> whole = webp(Alpha::Some);
+    for (std::size_t size = 12; size + 2 < whole.size(); ++size)
+        EXPECT_THAT(refusalOf(std::span{whole}.first(size)), testing::StartsWith("expected a WebP picture, found "));
+    EXPECT_EQ(refusalOf(whole, 5), "expected at most 5 pixels, found 3x2; raise max-image-pixels");
+    std::vector<std::uint8_t> animation{'R', 'I', 'F', 'F', 22, 0, 0, 0, 'W', 'E', 'B', 'P', 'V', 'P', '8',
+                                        'X', 10,  0,   0,   0,  2, 0, 0, 0,   2,   0,   0,   1,   0,   0};
+    EXPECT_EQ(refusalOf(animation), "expected a WebP picture, found an animation");
+}
+
+TEST(DecodePicture, namesThePicturesThatItDoesNotRead) {
+    const auto nameOf = [](std::string_view start) {
+        const std::vector<std::uint8_t> bytes{start.begin(), start.end()};
+        return refusalOf(bytes);
+    };
+    constexpr const char* expected = "expected a PNG, JPEG or WebP picture, found ";
+    using namespace std::string_literals;
+    EXPECT_EQ(nameOf("\xabKTX 20\xbb\r\n"s), expected + "a KTX2 picture; convert it"s);
+    EXPECT_EQ(nameOf("DDS |"s), expected + "a DDS picture; convert it"s);
+    EXPECT_EQ(nameOf("\x13\xab\xa1\x5c"s), expected + "an ASTC picture; convert it"s);
+    EXPECT_EQ(nameOf("\0\0\0\x20"
+                     "ftypavif"s),
+              expected + "an AVIF picture; convert it"s);
 }
 
 // 16 x 16 black pixels.

@@ -54,12 +54,27 @@ struct Sheet {
         }
     }
 
+    using Corners = std::array<glm::dvec2, 3>;
+
     // What a cut-out leaves, in texture space.
     [[nodiscard]] Mesh cut(CutOut& cutOut) const {
+        return cut([&](const Corners& corners) { return cutOut.cut(corners); });
+    }
+    // The same with a factor that is a function of the uv.
+    template <class Factor>
+    [[nodiscard]] Mesh cut(CutOut& cutOut, Factor&& factor) const {
+        return cut([&](const Corners& corners) {
+            return cutOut.cut(corners, {factor(corners[0]), factor(corners[1]), factor(corners[2])});
+        });
+    }
+
+private:
+    template <class Cut>
+    [[nodiscard]] Mesh cut(Cut&& piecesOf) const {
         Mesh mesh;
         for (const auto& t : triangles) {
-            const std::array corners{vertices[t[0]], vertices[t[1]], vertices[t[2]]};
-            for (const CutOut::Piece& piece : cutOut.cut(corners)) {
+            const Corners corners{vertices[t[0]], vertices[t[1]], vertices[t[2]]};
+            for (const TrianglePiece& piece : piecesOf(corners)) {
                 for (const glm::dvec3& w : piece) {
                     const glm::dvec2 p = w.x * corners[0] + w.y * corners[1] + w.z * corners[2];
                     mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
@@ -144,7 +159,7 @@ TEST(CutOutTest, MirroredTrianglesKeepTheirWinding) {
     CutOut cutOut{mapOf(64, [](double x, double) { return x < 32.0; }), clamped, 127.5};
     const std::array corners{glm::dvec2{0, 0}, glm::dvec2{0, 1}, glm::dvec2{1, 0}};
     double area = 0.0;
-    for (const CutOut::Piece& piece : cutOut.cut(corners)) {
+    for (const TrianglePiece& piece : cutOut.cut(corners)) {
         std::array<glm::dvec2, 3> p;
         for (std::size_t i = 0; i < 3; ++i)
             p[i] = piece[i].x * corners[0] + piece[i].y * corners[1] + piece[i].z * corners[2];
@@ -168,7 +183,7 @@ TEST(CutOutTest, RepeatedPicturesRepeatTheOutline) {
     CutOut cutOut{mapOf(size, [](double x, double y) { return std::hypot(x - 20, y - 20) < 12; }), repeat, 127.5};
     const std::array<glm::dvec2, 3> below{glm::dvec2{0, 0}, glm::dvec2{4, 0}, glm::dvec2{0, 4}};
     double share = 0.0;
-    for (const CutOut::Piece& piece : cutOut.cut(below))
+    for (const TrianglePiece& piece : cutOut.cut(below))
         share += std::abs(glm::determinant(glm::dmat3{piece[0], piece[1], piece[2]}));
     EXPECT_NEAR(share, M_PI * 12 * 12 / (size * size), 0.02);
 }
@@ -195,6 +210,79 @@ TEST(CutOutTest, NoiseIsCut) {
     EXPECT_NEAR(signedArea(parts), signedArea(whole), 1e-4);
     EXPECT_LE(turnedArea(whole), 0.01 * signedArea(whole));
     EXPECT_LE(turnedArea(parts), 0.01 * signedArea(parts));
+}
+
+// ---- factors that change from corner to corner
+
+double one(glm::dvec2) { return 1.0; }
+double falling(glm::dvec2 uv) { return 1.0 - 0.5 * uv.x; }
+
+TEST(CutOutTest, FactorsOfOneCutTheSameDiscWithoutAGap) {
+    constexpr int size = 300;
+    constexpr double radius = 0.4;
+    CutOut cutOut{mapOf(size, [](double x, double y) { return std::hypot(x / size - 0.5, y / size - 0.5) < radius; }),
+                  clamped, 127.5};
+    constexpr double circumference = 2.0 * M_PI * radius;
+    for (const std::uint32_t n : {1U, 2U, 9U}) {
+        const Mesh mesh = Sheet{n}.cut(cutOut, one);
+        EXPECT_NEAR(signedArea(mesh), M_PI * radius * radius, circumference * 0.5 / size) << n;
+        EXPECT_NEAR(innerBorder(mesh), circumference, staircase * circumference) << n;
+        EXPECT_LE(turnedArea(mesh), 1e-6) << n;  // positions are floats
+    }
+}
+
+// A cone of opacity that is 1 in the middle, times a factor that falls towards the right.
+TEST(CutOutTest, ChangingFactorsMoveTheOutlineWithoutAGap) {
+    constexpr int size = 256;
+    Image<std::uint8_t> cone{{size, size}, 1};
+    const auto opacity = [](double x, double y) { return std::max(0.0, 1.0 - 2.0 * std::hypot(x - 0.5, y - 0.5)); };
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            cone.at(x, y) = static_cast<std::uint8_t>(std::lround(255.0 * opacity((x + 0.5) / size, (y + 0.5) / size)));
+    CutOut cutOut{cone, clamped, 0.3 * 255.0};
+    constexpr int fine = 1000;
+    int inside = 0;
+    for (int y = 0; y < fine; ++y)
+        for (int x = 0; x < fine; ++x) {
+            const glm::dvec2 uv{(x + 0.5) / fine, (y + 0.5) / fine};
+            inside += opacity(uv.x, uv.y) * falling(uv) >= 0.3 ? 1 : 0;
+        }
+    const double area = static_cast<double>(inside) / (fine * fine);
+    const double around = innerBorder(Sheet{1}.cut(cutOut, falling));
+    EXPECT_NEAR(around, 2.0 * std::sqrt(M_PI * area), 0.03 * around);  // nearly a circle
+    for (const std::uint32_t n : {1U, 3U, 12U}) {
+        const Mesh mesh = Sheet{n}.cut(cutOut, falling);
+        EXPECT_NEAR(signedArea(mesh), area, around * 0.5 / size) << n;
+        EXPECT_NEAR(innerBorder(mesh), around, 0.02 * around) << n;  // a crack would add its two sides
+    }
+}
+
+TEST(CutOutTest, NoiseIsCutWhereFactorsChange) {
+    std::mt19937 random{3};
+    CutOut cutOut{mapOf(96, [&](double, double) { return random() % 2 == 0; }), clamped, 80.0};
+    const Mesh whole = Sheet{1}.cut(cutOut, falling);
+    const Mesh parts = Sheet{4}.cut(cutOut, falling);
+    EXPECT_NEAR(signedArea(parts), signedArea(whole), 0.02 * signedArea(whole));  // other steps within each
+    EXPECT_LE(turnedArea(whole), 0.01 * signedArea(whole));
+    EXPECT_LE(turnedArea(parts), 0.01 * signedArea(parts));
+}
+
+TEST(CutOutTest, FactorsAreCutWhereThePictureHasNoArea) {
+    CutOut cutOut{mapOf(8, [](double, double) { return true; }), clamped, 127.5};
+    const glm::dvec2 uv{0.5, 0.5};
+    double share = 0.0;
+    for (const TrianglePiece& piece : cutOut.cut({uv, uv, uv}, {1.0, 1.0, 0.0}))
+        share += glm::determinant(glm::dmat3{piece[0], piece[1], piece[2]});
+    EXPECT_NEAR(share, 0.75, 1e-12);
+}
+
+TEST(CutOutTest, RefusesWhatWouldTakeTooLongWhereFactorsChange) {
+    CutOut cutOut{mapOf(128, [](double x, double) { return x < 64; }), repeat, 127.5};
+    const glm::dvec3 factors{1.0, 0.5, 1.0};
+    EXPECT_THROW(static_cast<void>(cutOut.cut({glm::dvec2{0, 0}, glm::dvec2{100, 0}, glm::dvec2{0, 1}}, factors)),
+                 Error);
+    EXPECT_THROW(static_cast<void>(cutOut.cut({glm::dvec2{NAN, 0}, glm::dvec2{1, 0}, glm::dvec2{0, 1}}, factors)),
+                 Error);
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 #include "formats/gltf/cut_outs.h"
 
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "base/message.h"
 #include "formats/gltf/attributes.h"
@@ -20,13 +23,15 @@ std::vector<double> vertexOpacities(const tinygltf::Model& model, const tinygltf
     if (color == primitive.attributes.end()) return {};
     if (at(model.accessors, color->second, "an accessor").type != TINYGLTF_TYPE_VEC4) return {};
     std::vector<double> opacities;
-    for (const glm::dvec4& c : readAttribute<glm::dvec4>(model, primitive.attributes, "COLOR_0", anyColor, count))
+    for (const glm::dvec4& c : readAttribute<glm::dvec4>(model, primitive.attributes, "COLOR_0", anyColor, count)) {
+        if (!std::isfinite(c.a)) base::refuse(fmt::format("COLOR_0: expected finite numbers, found {} as alpha", c.a));
         opacities.push_back(c.a);
+    }
     return opacities;
 }
 
 // Edges of a piece that lie on an edge of the triangle have its kinds.
-void addEdges(const std::vector<EdgeKinds>& of, std::size_t triangle, const mesh::CutOut::Piece& piece,
+void addEdges(const std::vector<EdgeKinds>& of, std::size_t triangle, const mesh::TrianglePiece& piece,
               std::vector<EdgeKinds>& rest) {
     constexpr double nothing = 1e-9;  // what rounding leaves of a weight
     if (of.empty()) return;
@@ -41,7 +46,7 @@ void addEdges(const std::vector<EdgeKinds>& of, std::size_t triangle, const mesh
     }
 }
 
-void add(const Shape& part, std::size_t triangle, const mesh::CutOut::Piece& piece, Shape& rest) {
+void add(const Shape& part, std::size_t triangle, const mesh::TrianglePiece& piece, Shape& rest) {
     const std::uint32_t* const corners = &part.indices[3 * triangle];
     const auto mixed = [&](const std::vector<glm::dvec3>& of, const glm::dvec3& weights) {
         return weights.x * of[corners[0]] + weights.y * of[corners[1]] + weights.z * of[corners[2]];
@@ -70,37 +75,53 @@ void add(const Shape& part, std::size_t triangle, const mesh::CutOut::Piece& pie
 }  // namespace
 
 void CutOuts::apply(const Material& material, const tinygltf::Primitive& primitive, Shape& part) {
-    const std::vector<double> opacities = vertexOpacities(model_, primitive, part.positions.size());
-    const auto opacityOf = [&](std::size_t triangle) {
-        if (opacities.empty()) return material.opacity;
-        const std::uint32_t* const corner = &part.indices[3 * triangle];
-        return material.opacity * (opacities[corner[0]] + opacities[corner[1]] + opacities[corner[2]]) / 3.0;
+    std::vector<double> opacities = vertexOpacities(model_, primitive, part.positions.size());
+    opacities.resize(part.positions.size(), 1.0);
+    const auto opacityOf = [&](const std::uint32_t* corners) {
+        return material.opacity * glm::dvec3{opacities[corners[0]], opacities[corners[1]], opacities[corners[2]]};
     };
     std::vector<glm::dvec2> uvs;
     if (material.texture) uvs = uvsOf(model_, *material.texture, primitive, part.positions.size());
+    // Triangles that share an edge must be cut in one way, so that one that varies decides for all.
+    bool varies = false;
+    for (std::size_t i = 0; i < part.indices.size() && !varies; i += 3) {
+        const glm::dvec3 opacity = opacityOf(&part.indices[i]);
+        varies = opacity.x != opacity.y || opacity.x != opacity.z;
+    }
     Shape rest;
     rest.authored = part.authored;
-    for (std::size_t t = 0; t < part.indices.size() / 3; ++t) cutTriangle(material, uvs, opacityOf(t), part, t, rest);
+    for (std::size_t t = 0; t < part.indices.size() / 3; ++t) {
+        const std::uint32_t* const corners = &part.indices[3 * t];
+        const glm::dvec3 opacity = opacityOf(corners);
+        for (const mesh::TrianglePiece& piece :
+             varies ? cutVarying(material, uvs, opacity, corners) : cutEven(material, uvs, opacity.x, corners))
+            add(part, t, piece, rest);
+    }
     part = std::move(rest);
 }
 
-void CutOuts::cutTriangle(const Material& material, const std::vector<glm::dvec2>& uvs, double opacity,
-                          const Shape& part, std::size_t triangle, Shape& rest) {
-    constexpr mesh::CutOut::Piece whole{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}};
-    if (opacity < material.cutoff) return;
-    const std::uint32_t* const corners = &part.indices[3 * triangle];
+std::vector<mesh::TrianglePiece> CutOuts::cutEven(const Material& material, const std::vector<glm::dvec2>& uvs,
+                                                  double opacity, const std::uint32_t* corners) {
+    if (opacity < material.cutoff) return {};
     mesh::CutOut* const cutOut = uvs.empty() ? nullptr : find(*material.texture, material.cutoff / opacity);
-    if (cutOut == nullptr) return add(part, triangle, whole, rest);
-    for (const mesh::CutOut::Piece& piece : cutOut->cut({uvs[corners[0]], uvs[corners[1]], uvs[corners[2]]}))
-        add(part, triangle, piece, rest);
+    if (cutOut == nullptr) return {mesh::TrianglePiece{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}}};
+    return cutOut->cut({uvs[corners[0]], uvs[corners[1]], uvs[corners[2]]});
+}
+
+std::vector<mesh::TrianglePiece> CutOuts::cutVarying(const Material& material, const std::vector<glm::dvec2>& uvs,
+                                                     const glm::dvec3& opacities, const std::uint32_t* corners) {
+    if (glm::all(glm::lessThan(opacities, glm::dvec3{material.cutoff}))) return {};
+    mesh::CutOut* const cutOut = uvs.empty() ? nullptr : find(*material.texture, material.cutoff);
+    if (cutOut != nullptr) return cutOut->cut({uvs[corners[0]], uvs[corners[1]], uvs[corners[2]]}, opacities);
+    return mesh::opaquePart({1, 1, 1}, [&](const glm::dvec3& w) { return glm::dot(w, opacities) - material.cutoff; });
 }
 
 // Null if the picture has no alpha or the threshold is 0.
 mesh::CutOut* CutOuts::find(const Texture& texture, double threshold) {
     constexpr double opaque = 255.0;
-    if (!texture.image) base::refuse("expected its picture as PNG or JPEG, found it in another form only");
+    const Image& image = imageOf(file_, texture);
     if (!(threshold > 0.0)) return nullptr;
-    const Alpha& alpha = opacityMap(*texture.image);
+    const Alpha& alpha = opacityMap(*texture.image, image);
     if (!alpha) return nullptr;
     auto& cutOut = cutOuts_[{*texture.image, texture.wrapS, texture.wrapT, threshold}];
     if (!cutOut)
@@ -109,14 +130,12 @@ mesh::CutOut* CutOuts::find(const Texture& texture, double threshold) {
     return cutOut.get();
 }
 
-const CutOuts::Alpha& CutOuts::opacityMap(std::uint64_t image) {
-    const auto known = maps_.find(image);
+const CutOuts::Alpha& CutOuts::opacityMap(std::uint64_t number, const Image& image) {
+    const auto known = maps_.find(number);
     if (known != maps_.end()) return known->second;
-    if (image >= file_.images.size())
-        base::refuse(fmt::format("expected an image below {}, found {}", file_.images.size(), image));
-    return base::within(base::label("image", image), [&]() -> const Alpha& {
-        const base::Bytes bytes = pictureBytes(model_, input_, file_.images[image], bytesLeft_);
-        return maps_.emplace(image, images::decodeOpacity(bytes, maxPixels_)).first->second;
+    return base::within(base::label("image", number), [&]() -> const Alpha& {
+        const base::Bytes bytes = pictureBytes(model_, input_, image, bytesLeft_);
+        return maps_.emplace(number, images::decodeOpacity(bytes, maxPixels_)).first->second;
     });
 }
 

@@ -28,10 +28,14 @@ public:
 private:
     using Alpha = std::optional<inkedge::Image<std::uint8_t>>;
 
-    void cutTriangle(const Material&, const std::vector<glm::dvec2>& uvs, double opacity, const Shape& part,
-                     std::size_t triangle, Shape& rest);
+    // Where an opacity of the vertices changes within a triangle.
+    [[nodiscard]] std::vector<mesh::TrianglePiece> cutVarying(const Material&, const std::vector<glm::dvec2>& uvs,
+                                                              const glm::dvec3& opacities,
+                                                              const std::uint32_t* corners);
+    [[nodiscard]] std::vector<mesh::TrianglePiece> cutEven(const Material&, const std::vector<glm::dvec2>& uvs,
+                                                           double opacity, const std::uint32_t* corners);
     mesh::CutOut* find(const Texture&, double threshold);
-    const Alpha& opacityMap(std::uint64_t image);
+    const Alpha& opacityMap(std::uint64_t number, const Image& image);
 
     const tinygltf::Model& model_;
     const File& file_;

@@ -280,6 +280,7 @@ private:
                     });
                 material.picture = picture;
             } catch (const Error& error) {
+                unread_.insert(static_cast<int>(i));
                 warn(fmt::format("{} is drawn without its picture: {}", base::label("material", i, source.name),
                                  error.what()));
             }
@@ -311,7 +312,7 @@ private:
             if (part.indices.empty()) notDrawn_.maskedAway += before;
             spend(part.indices.size());
         } catch (const Error& error) {
-            if (!uncut_.insert(primitive.material).second) return;
+            if (!unread_.insert(primitive.material).second) return;
             warn(fmt::format("{} is drawn without its cut-out: {}",
                              base::label("material", static_cast<std::size_t>(primitive.material), material.name),
                              error.what()));
@@ -321,8 +322,7 @@ private:
     std::vector<std::uint32_t> cornersOf(const tinygltf::Primitive& primitive, std::size_t vertexCount) const {
         const bool restarts = file_.primitiveRestart && isContinued(Mode{primitive.mode});
         if (primitive.indices != -1)
-            return readIndices(model_, primitive.indices, vertexCount,
-                                     restarts ? Restarts::Read : Restarts::Refused);
+            return readIndices(model_, primitive.indices, vertexCount, restarts ? Restarts::Read : Restarts::Refused);
         std::vector<std::uint32_t> corners(vertexCount);
         std::iota(corners.begin(), corners.end(), 0U);
         return corners;
@@ -368,7 +368,7 @@ private:
     std::set<int> seen_;                               // meshes whose ignored primitives have been counted
     std::map<std::string_view, std::size_t> ignored_;  // primitives by mode
     NotDrawn notDrawn_;
-    std::set<int> uncut_;  // materials that a warning names
+    std::set<int> unread_;  // materials whose pictures a warning names
     std::uint64_t elementsLeft_;
 };
 

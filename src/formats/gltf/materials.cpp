@@ -42,12 +42,23 @@ void transform(const Json& source, Texture& texture) {
     texture.set = number(source, "texCoord", texture.set);
 }
 
+// A texture has its picture as PNG or JPEG, in other forms by extensions, or both. Of the other forms WebP is read.
+void readSource(const Json& source, Texture& texture) {
+    const Json& webp = extension(source, "EXT_texture_webp");
+    if (!member(source, "source").is_null())
+        texture.image = number(source, "source");
+    else if (!member(webp, "source").is_null())
+        texture.image = number(webp, "source");
+    else if (const Json& others = member(source, "extensions"); others.is_object() && !others.empty())
+        texture.otherForm = base::printable(others.begin().key());
+}
+
 Texture readTexture(const Json& document, const Json& use) {
     Texture texture;
     texture.set = number(use, "texCoord", 0);
     if (const Json& its = extension(use, "KHR_texture_transform"); !its.is_null()) transform(its, texture);
     const Json& source = entry(document, "textures", number(use, "index"));
-    if (!member(source, "source").is_null()) texture.image = number(source, "source");
+    readSource(source, texture);
     if (member(source, "sampler").is_null()) return texture;
     const Json& sampler = entry(document, "samplers", number(source, "sampler"));
     texture.wrapS = wrapOf(sampler, "wrapS");

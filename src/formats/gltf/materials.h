@@ -24,7 +24,8 @@ struct Image {
 
 /// A picture as a material uses it.
 struct Texture {
-    std::optional<std::uint64_t> image;  ///< into the document's; none: in a form that is not read
+    std::optional<std::uint64_t> image;  ///< into the document's; none: in a form that is not read, if in any
+    std::string otherForm;               ///< the extension that gives the picture in such a form
     std::uint64_t set = 0;               ///< TEXCOORD_n
     glm::dmat2 scale{1.0};  ///< KHR_texture_transform, with its rotation: uv = scale * coordinates + offset
     glm::dvec2 offset{0.0};

@@ -32,7 +32,9 @@ base::Bytes pictureBytes(const tinygltf::Model& model, const formats::ModelInput
 }
 
 const Image& imageOf(const File& file, const Texture& texture) {
-    if (!texture.image) base::refuse("expected its picture as PNG or JPEG, found it in another form only");
+    if (!texture.image)
+        base::refuse("expected its picture as PNG, JPEG or WebP, found " +
+                     (texture.otherForm.empty() ? "none" : "it in another form only, by " + texture.otherForm));
     if (*texture.image >= file.images.size())
         base::refuse(fmt::format("expected an image below {}, found {}", file.images.size(), *texture.image));
     return file.images[*texture.image];

@@ -20,7 +20,7 @@ namespace inkedge::gltf {
                                        std::uint64_t& bytesLeft);
 
 /// The picture of a texture.
-/// @throws Error  (Kind::Input) if the file does not have it as PNG or JPEG
+/// @throws Error  (Kind::Input) if the file does not have it as PNG, JPEG or WebP
 [[nodiscard]] const Image& imageOf(const File&, const Texture&);
 
 /// Texture coordinates, one per vertex, after KHR_texture_transform; empty: the primitive has none.

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include <png.h>
+#include <webp/encode.h>
 
 #include <inkedge/scene.h>
 
@@ -408,14 +409,103 @@ TEST_F(Materials, PicturesThatCannotBeReadLeaveTheMeshWhole) {
     Bytes damaged = leftHalf();
     damaged.resize(40);
     EXPECT_THAT(warningOf(cutOut(damaged)), HasSubstr("expected a PNG picture, found"));
-    EXPECT_THAT(warningOf(cutOut(Bytes{'R', 'I', 'F', 'F', 0, 0})), HasSubstr("expected a PNG or JPEG picture"));
+    EXPECT_THAT(warningOf(cutOut(Bytes{'R', 'I', 'F', 'F', 0, 0})), HasSubstr("expected a PNG, JPEG or WebP picture"));
     LoadSettings small;
     small.limits.imagePixels = 63;
     EXPECT_THAT(warningOf(cutOut(leftHalf()), small),
                 HasSubstr("expected at most 63 pixels, found 8x8; raise max-image-pixels"));
-    Model elsewhere = cutOut(leftHalf());
-    elsewhere.json["textures"][0] = {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}};
-    EXPECT_THAT(warningOf(elsewhere), HasSubstr("in another form"));
+    Model nowhere = cutOut(leftHalf());
+    nowhere.json["textures"][0] = Json::object();
+    EXPECT_THAT(warningOf(nowhere), HasSubstr("expected its picture as PNG, JPEG or WebP, found none"));
+}
+
+TEST_F(Materials, NoFormOfPictureCostsTheModel) {
+    LoadSettings painted;
+    painted.paint = true;
+    for (const char* form : {"KHR_texture_basisu", "EXT_texture_avif", "MSFT_texture_dds", "EXT_texture_astc",
+                             "ACME_texture_new", "KHR_image_ktx2"}) {
+        Model model = cutOut(leftHalf());
+        model.json["textures"][0] = {{"extensions", {{form, {{"source", 0}}}}}};
+        model.json["extensionsUsed"] = {form};
+        model.json["extensionsRequired"] = {form};
+        for (const LoadSettings& settings : {LoadSettings{}, painted}) {
+            const Scene::Data data = load(model, settings);
+            EXPECT_NEAR(areaOf(data), 1.0, 1e-6) << form;
+            EXPECT_THAT(data.warnings, ElementsAre(HasSubstr(std::string{"in another form only, by "} + form)));
+        }
+        model.json["materials"][0]["alphaMode"] = "OPAQUE";
+        EXPECT_THAT(load(model).warnings, IsEmpty()) << form;
+        model.json["textures"][0]["source"] = 0;
+        model.json["materials"][0]["alphaMode"] = "MASK";
+        EXPECT_LT(areaOf(load(model)), 0.6) << form << " beside a PNG";
+    }
+}
+
+TEST_F(Materials, MasksAndPaintsMayBeWebp) {
+    std::vector<std::uint8_t> pixels;
+    for (int i = 0; i < 64; ++i) pixels.insert(pixels.end(), {9, 8, 7, static_cast<std::uint8_t>(i % 8 < 4 ? 255 : 1)});
+    std::uint8_t* bytes = nullptr;
+    const std::size_t size = WebPEncodeLosslessRGBA(pixels.data(), 8, 8, 32, &bytes);
+    Model model = cutOut(Bytes{bytes, bytes + size});
+    WebPFree(bytes);
+    model.json["images"][0]["mimeType"] = "image/webp";
+    model.json["textures"][0] = {{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}};
+    model.json["extensionsRequired"] = {"EXT_texture_webp"};
+    LoadSettings painted;
+    painted.paint = true;
+    const Scene::Data data = load(model, painted);
+    EXPECT_THAT(data.warnings, IsEmpty());
+    EXPECT_NEAR(areaOf(data), 0.5, 0.01);  // alpha 1 is not 0
+    ASSERT_TRUE(data.materials.at(0).picture);
+    EXPECT_EQ(data.materials[0].picture->pixels(), pixels);
+}
+
+// ---- opacity of vertices
+
+// Vertices 0 and 1 have one alpha, 2 and 3 another.
+void putAlpha(Model& model, float below, float above) {
+    model.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] =
+        model.accessor<float>({1, 1, 1, below, 1, 1, 1, below, 1, 1, 1, above, 1, 1, 1, above}, "VEC4");
+}
+
+TEST_F(Materials, MasksCutWhereTheOpacityOfVerticesCrossesTheCutoff) {
+    Model model = textured({{"alphaMode", "MASK"}, {"alphaCutoff", 0.25}});
+    putAlpha(model, 1.0F, 0.0F);
+    const Scene::Data data = load(model);
+    EXPECT_NEAR(areaOf(data), 0.75, 1e-6);
+    for (const glm::dvec3& corner : worldCorners(data)) EXPECT_LE(corner.y, 0.75 + 1e-6);
+    putAlpha(model, 1.0F, 0.25F);
+    EXPECT_NEAR(areaOf(load(model)), 1.0, 1e-6);
+    putAlpha(model, 0.1F, 0.2F);
+    EXPECT_THAT(load(model).meshes, IsEmpty());
+    model.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 0.5};
+    putAlpha(model, 1.0F, 0.0F);
+    EXPECT_NEAR(areaOf(load(model)), 0.5, 1e-6);
+}
+
+TEST_F(Materials, MasksMultiplyTheOpacityOfVerticesAndPicture) {
+    // The picture's opacity falls from 1 to 0 towards the right, the vertices' from 1 to 0 upwards; texels are small
+    // against both. The product is at least 0.25 where (1 - x)(1 - y) is.
+    constexpr int size = 128;
+    std::vector<std::uint8_t> alpha;
+    for (int i = 0; i < size * size; ++i)
+        alpha.push_back(static_cast<std::uint8_t>(std::lround(255.0 * (1.0 - (i % size + 0.5) / size))));
+    Model model = cutOut(png(size, size, alpha));
+    model.json["materials"][0]["alphaCutoff"] = 0.25;
+    model.json["textures"][0]["sampler"] = model.add("samplers", {{"wrapS", 33071}, {"wrapT", 33071}});
+    putAlpha(model, 1.0F, 0.0F);
+    const Scene::Data data = load(model);
+    EXPECT_THAT(data.warnings, IsEmpty());
+    EXPECT_NEAR(areaOf(data), 0.75 + 0.25 * std::log(0.25), 0.5 / size);  // half a texel along the outline
+    for (const glm::dvec3& c : worldCorners(data)) EXPECT_GE((1.0 - c.x) * (1.0 - c.y), 0.25 - 0.5 / size);
+}
+
+TEST_F(Materials, OpacityOfVerticesThatIsNoNumberLeavesTheMeshWhole) {
+    Model model = textured({{"alphaMode", "MASK"}});
+    putAlpha(model, std::numeric_limits<float>::quiet_NaN(), 0.0F);
+    const Scene::Data data = load(model);
+    EXPECT_NEAR(areaOf(data), 1.0, 1e-6);
+    EXPECT_THAT(data.warnings, ElementsAre(HasSubstr("COLOR_0: expected finite numbers, found nan as alpha")));
 }
 
 TEST_F(Materials, BlendIsSolidUnlessIgnored) {

@@ -3,7 +3,7 @@
 import random
 from math import cos, pi, sin
 
-from lib.hostile.cases import INDEX, PICTURE, case, changed, quad, with_positions
+from lib.hostile.cases import DELETE, INDEX, PICTURE, case, changed, quad, with_positions
 from lib.small_gltf import FACES, FLOAT, QUAD, U8, U16, U32, Model
 
 
