@@ -48,10 +48,9 @@ private:
     Screen screen_;
 };
 
-std::vector<glm::dvec2> pixelsOf(const Line& line) {
-    std::vector<glm::dvec2> pixels;
-    for (const LinePoint& point : line.points) pixels.push_back(point.pixel);
-    return pixels;
+void expectPixels(const Line& line, const std::vector<glm::dvec2>& pixels) {
+    ASSERT_THAT(line.points, SizeIs(pixels.size()));
+    for (std::size_t i = 0; i < pixels.size(); ++i) EXPECT_LT(glm::distance(line.points[i].pixel, pixels[i]), exact);
 }
 
 TEST(Coincident, LinesAreOneOfTheNearestSeenOne) {
@@ -83,7 +82,7 @@ TEST(Coincident, HiddenLinesGoBelowSeenOnesAndKeepTheTypeOfThese) {
                                         Plane::line(LineType::Crease, {{30, 20}, {110, 20}}, 0.0)});
     ASSERT_THAT(merged, SizeIs(2));
     EXPECT_FALSE(merged[0].visible);
-    EXPECT_THAT(pixelsOf(merged[0]), testing::ElementsAre(glm::dvec2(0, 20), glm::dvec2(30, 20)));
+    expectPixels(merged[0], {{0, 20}, {30, 20}});
     EXPECT_EQ(merged[1].type, LineType::Crease);
 }
 
@@ -102,9 +101,7 @@ TEST(Coincident, ClosedLinesAreCutOpenWhereOthersRunAndStayWholeElsewhere) {
     const auto merged = Plane{}.merged({whole, Plane::line(LineType::Outline, {{110, 20}, {110, 90}}, 0.0)});
     ASSERT_THAT(merged, SizeIs(2));
     EXPECT_FALSE(merged[0].closed);
-    EXPECT_THAT(pixelsOf(merged[0]),
-                testing::ElementsAre(glm::dvec2(110, 90), glm::dvec2(110, 110), glm::dvec2(10, 110), glm::dvec2(10, 10),
-                                     glm::dvec2(110, 10), glm::dvec2(110, 20)));
+    expectPixels(merged[0], {{110, 90}, {110, 110}, {10, 110}, {10, 10}, {110, 10}, {110, 20}});
 }
 
 TEST(Coincident, ALineThatRunsBackOverItselfIsDrawnOnce) {
@@ -122,7 +119,8 @@ TEST(Coincident, LinesThatCrossOrMeetOrRunFurtherOffStay) {
     lines.push_back(Plane::line(LineType::Outline, {{100, 200}, {200, 210}}));
     const auto merged = Plane{}.merged(lines);
     ASSERT_THAT(merged, SizeIs(lines.size()));
-    for (std::size_t i = 0; i < lines.size(); ++i) EXPECT_EQ(pixelsOf(merged[i]), pixelsOf(lines[i]));
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        expectPixels(merged[i], {lines[i].points[0].pixel, lines[i].points[1].pixel});
 }
 
 TEST(Coincident, LinesThatAreNotDrawnMakeNoneGo) {

@@ -114,8 +114,8 @@ RTCRay toEmbree(const Ray& ray) noexcept {
     return result;
 }
 
-// Whether Embree, which inverts a transform in floats, can bring rays into its space. Its own assertions end the process
-// where it cannot.
+// Whether Embree, which inverts a transform in floats, can bring rays into its space. Its own assertions end the
+// process where it cannot.
 bool canBeInverted(const glm::mat4x3& transform) {
     constexpr double largest = 1e15;  // of a factor: rays that start within a few units stay below largestCoordinate
     const glm::dmat3 linear{glm::dmat4x3{transform}};
