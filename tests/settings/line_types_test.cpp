@@ -13,6 +13,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::Not;
 
 static_assert(std::forward_iterator<LineTypes::Iterator>);
 static_assert((LineType::Outline | LineType::Marked).bits() == 129);
@@ -29,6 +30,10 @@ TEST(LineTypes, holdThoseThatWerePutIn) {
     EXPECT_EQ(types.size(), 2);
     EXPECT_TRUE(LineTypes{}.empty());
     EXPECT_FALSE(types.empty());
+}
+
+TEST(LineTypes, haveANameEach) {
+    for (const LineType type : allLineTypes) EXPECT_THAT(name(type), Not(IsEmpty())) << bitIndex(type);
 }
 
 TEST(LineTypes, areToldFromTheLowestBitUp) {
