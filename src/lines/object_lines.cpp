@@ -25,6 +25,7 @@
 #include "lines/see/crossings.h"
 #include "lines/see/ray_caster.h"
 #include "lines/see/surface_components.h"
+#include "lines/see/touching.h"
 #include "lines/see/visible_parts.h"
 #include "mesh/topology.h"
 #include "scene/prepared.h"
@@ -39,7 +40,8 @@ struct ViewSegments {
     const Scene& scene;
     const RayCaster& rays;
     const Screen& screen;
-    const SurfaceComponents* components;  // null: the scene is one component
+    const SurfaceComponents* components;  // of the slack of smooth contours; null: the scene is one component
+    const Touching& touching;
     std::vector<Segment> segments;
     std::vector<ScreenSegment> projected;
 
@@ -65,18 +67,16 @@ struct ViewSegments {
         return innerSide == normalSide ? -normal : normal;
     }
 
-    // Whether another surface, bent by less than the crease angle, goes on beyond a boundary: as where a solid lies on
-    // another one, or in it.
-    [[nodiscard]] bool goesOnAcross(const Segment& segment, glm::dvec3 point) const {
-        constexpr double gap = 0.1;  // pixels
-        const glm::dvec3 along = glm::normalize(segment.ends[1] - segment.ends[0]);
-        const glm::dvec3 toInner = segment.inner - segment.ends[0];
-        const glm::dvec3 into = glm::normalize(toInner - along * glm::dot(toInner, along));
-        const glm::dvec3 normal = glm::cross(along, into);
-        const double height = gap * screen.footprint(point) + 1e-6 * scene.bounds().radius;
-        const glm::dvec3 beyond = point - 0.5 * height * into;
-        const auto other = rays.firstNormal(beyond + height * normal, beyond - height * normal, segment.faces);
-        return other && std::abs(glm::dot(*other, normal)) > std::cos(glm::radians(scene.creaseAngle()));
+    // Whether the surface ends at a point of a contour, a boundary or a crease seen edge-on, with nothing behind it.
+    [[nodiscard]] bool endsBeforeNothing(std::uint32_t s, glm::dvec3 point) const {
+        const Segment& segment = segments[s];
+        const glm::dvec2 across = (outside + segment.slack / screen.footprint(point)) * outward(s);
+        const auto surfaceAt = [&](glm::dvec2 beside) {
+            return rays.meets(screen, point + screen.across(beside, point));
+        };
+        if (!surfaceAt(across)) return true;
+        // What is seen edge-on ends to both sides.
+        return segment.edgeOn && segment.curve != Curve::Contour && !surfaceAt(-across);
     }
 
     [[nodiscard]] Seen judge(std::uint32_t s, double at) const {
@@ -85,21 +85,21 @@ struct ViewSegments {
         const glm::dvec3 point = pointAt(s, at);
         if (rays.hides(screen, point, segment.faces, slackOf(segment, segment.slack, components))) return Seen::Hidden;
         const bool isContour = segment.curve == Curve::Contour;
-        const bool isCrease = segment.curve == Curve::Crease && segment.edgeOn;  // or the ridge of two faces edge-on
-        if (!isContour && !isCrease && segment.curve != Curve::Boundary) return Seen::Inside;
-        if (segment.curve == Curve::Boundary && goesOnAcross(segment, point)) return Seen::Seam;
-        const glm::dvec2 across = (outside + segment.slack / screen.footprint(point)) * outward(s);
-        const auto surfaceAt = [&](glm::dvec2 beside) {
-            return rays.meets(screen, point + screen.across(beside, point));
-        };
-        if (!surfaceAt(across)) return Seen::Outline;
-        // What is seen edge-on ends to both sides.
-        return segment.edgeOn && !isContour && !surfaceAt(-across) ? Seen::Outline : Seen::Inside;
+        const bool isBoundary = segment.curve == Curve::Boundary;
+        const bool isCrease = segment.curve == Curve::Crease;
+        if (!isContour && !isCrease && !isBoundary) return Seen::Inside;
+        const Touch touch = isBoundary ? touching.atBorder(segment, point) : Touch::None;
+        if (touch == Touch::Begins) return Seen::Seam;
+        if ((!isCrease || segment.edgeOn) && endsBeforeNothing(s, point)) return Seen::Outline;
+        const bool isEdge = isCrease || (isContour && segment.slack == 0.0);
+        const bool touches = touch == Touch::RunsOn || (isEdge && touching.atEdge(segment, point));
+        return touches ? Seen::Contact : Seen::Inside;
     }
 };
 
 // The type of a line, whether or not it is drawn.
 LineType typeOf(Curve curve, Seen seen) {
+    if (seen == Seen::Contact) return LineType::Intersection;
     switch (curve) {
         case Curve::Contour:
             return seen == Seen::Outline ? LineType::Outline : LineType::Occlusion;
@@ -301,7 +301,8 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings) co
     base::StageClock clock{result.times};
 
     const Screen screen{camera, scene.bounds().centre, settings.picture.size};
-    ViewSegments view{scene, prepared_->rays, screen, nullptr, {}, {}};
+    const Touching touching{scene, prepared_->rays, prepared_->components(), screen};
+    ViewSegments view{scene, prepared_->rays, screen, nullptr, touching, {}, {}};
     view.segments = prepared_->curves(
         screen,
         {settings.lines.contour, settings.lines.contourFinder, settings.lines.subdivideAdaptive, nullptr,

@@ -96,14 +96,12 @@ TEST(RayCaster, MeetsFacesBeforeAndBehindAPoint) {
     EXPECT_FALSE(one.rays.meets(one.screen, {1.3, 0.1, 0}));
 }
 
-TEST(RayCaster, NamesTheFirstNormalOnAWay) {
+TEST(RayCaster, LooksForFacesThatCountBetweenTwoPoints) {
     const OneSquare one;
-    const auto normal = one.rays.firstNormal({0.3, 0.2, 1}, {0.3, 0.2, -1}, {});
-    ASSERT_TRUE(normal);
-    EXPECT_NEAR(std::abs(normal->z), 1.0, 1e-12);
-    EXPECT_FALSE(one.rays.firstNormal({0.3, 0.2, 1}, {0.3, 0.2, 0.1}, {}));
-    const std::array<scene::SceneFace, 2> own{scene::SceneFace{0, 0}, scene::SceneFace{0, 1}};
-    EXPECT_FALSE(one.rays.firstNormal({0.3, 0.2, 1}, {0.3, 0.2, -1}, own));
+    const auto facesUs = [](scene::SceneFace, glm::dvec3 normal) { return std::abs(std::abs(normal.z) - 1.0) < 1e-12; };
+    EXPECT_TRUE(one.rays.meetsBetween({0.3, 0.2, 1}, {0.3, 0.2, -1}, facesUs));
+    EXPECT_FALSE(one.rays.meetsBetween({0.3, 0.2, 1}, {0.3, 0.2, 0.1}, facesUs));
+    EXPECT_FALSE(one.rays.meetsBetween({0.3, 0.2, 1}, {0.3, 0.2, -1}, [](scene::SceneFace, glm::dvec3) { return false; }));
 }
 
 }  // namespace

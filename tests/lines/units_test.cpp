@@ -74,7 +74,7 @@ TEST(Units, RaysThatAreNoNumbersMeetNothing) {
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e30}) {
         EXPECT_FALSE(rays.meets(screen, {wrong, 0, -9}));
         EXPECT_FALSE(rays.hides(screen, {0, wrong, -9}, {}));
-        EXPECT_FALSE(rays.firstNormal({0, 0, wrong}, {0, 0, 0}, {}));
+        EXPECT_FALSE(rays.meetsBetween({0, 0, wrong}, {0, 0, 0}, [](scene::SceneFace, glm::dvec3) { return true; }));
     }
 }
 

@@ -121,24 +121,22 @@ bool RayCaster::hides(const Screen& screen, glm::dvec3 point, std::span<const sc
     return false;
 }
 
-std::optional<glm::dvec3> RayCaster::firstNormal(glm::dvec3 from, glm::dvec3 to,
-                                                 std::span<const scene::SceneFace> own) const {
+bool RayCaster::meetsBetween(glm::dvec3 from, glm::dvec3 to,
+                             const std::function<bool(scene::SceneFace, glm::dvec3)>& counts) const {
     constexpr int maxHits = 8;
     double begin = 0.0;
     for (int i = 0; i < maxHits && begin < 1.0; ++i) {
         const std::optional<RayHit> hit = state_->rays->first(state_->rayAlong({from, to - from, 0.0}, begin, 1.0));
-        if (!hit) return {};
+        if (!hit) return false;
         const scene::SceneFace face{hit->instance, hit->triangle};
-        if (std::ranges::find(own, face) == own.end()) {
-            const scene::WorldTriangles triangles{state_->scene, state_->scene.instances()[face.instance], {}};
-            const auto corners = triangles.triangle(face.triangle);
-            const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-            const double length = glm::length(normal);
-            return length > 0.0 ? normal / length : glm::dvec3{0.0};
-        }
+        const scene::WorldTriangles triangles{state_->scene, state_->scene.instances()[face.instance], {}};
+        const auto corners = triangles.triangle(face.triangle);
+        const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+        const double length = glm::length(normal);
+        if (counts(face, length > 0.0 ? normal / length : glm::dvec3{0.0})) return true;
         begin = static_cast<double>(hit->at) + 1e-4;
     }
-    return {};
+    return false;
 }
 
 bool RayCaster::meets(const Screen& screen, glm::dvec3 point) const {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 
 #include <inkedge/scene.h>
@@ -34,10 +34,10 @@ public:
     /// Whether the ray through a point meets any face beyond the near plane, before or behind the point. Thread-safe.
     [[nodiscard]] bool meets(const Screen&, glm::dvec3 point) const;
 
-    /// The normal, of either side, of the first face between one point and another. Thread-safe.
-    /// @param own  faces that do not count
-    [[nodiscard]] std::optional<glm::dvec3> firstNormal(glm::dvec3 from, glm::dvec3 to,
-                                                        std::span<const scene::SceneFace> own) const;
+    /// Whether any face between one point and another counts. Thread-safe.
+    /// @param counts  called with a face and its unit normal, of either side; 0 if the face has none
+    [[nodiscard]] bool meetsBetween(glm::dvec3 from, glm::dvec3 to,
+                                    const std::function<bool(scene::SceneFace, glm::dvec3)>& counts) const;
 
 private:
     struct State;

@@ -14,6 +14,7 @@ namespace inkedge::lines {
 enum class Seen : std::uint8_t {
     Hidden,
     Outline,  ///< a contour or boundary with nothing behind it
+    Contact,  ///< where another surface touches, with something behind it
     Inside,   ///< anything else that is seen
     Seam,     ///< a boundary across which another surface goes on: no line
 };
@@ -27,7 +28,9 @@ struct Part {
     Seen seen;
 };
 
-[[nodiscard]] constexpr bool isSeen(Seen seen) noexcept { return seen == Seen::Outline || seen == Seen::Inside; }
+[[nodiscard]] constexpr bool isSeen(Seen seen) noexcept {
+    return seen == Seen::Outline || seen == Seen::Contact || seen == Seen::Inside;
+}
 
 /// Judges how a point of a segment is seen. Called by several threads at once.
 /// @param at  0 to 1 between the segment's ends in the picture
