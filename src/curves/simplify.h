@@ -18,8 +18,8 @@ namespace inkedge::curves {
 [[nodiscard]] Line simplify(const Line&, double tolerance);
 
 /// Marks in kept which of the points between the first and the last, that are kept, a simplified polyline needs: no
-/// point of it is further than tolerance from the polyline through those that are marked. points and kept have one size;
-/// tolerance is counted as the points are. Pure, thread-safe; O(n log n) on most polylines, O(n^2) on the worst.
+/// point of it is further than tolerance from the polyline through those that are marked. points and kept have one
+/// size; tolerance is counted as the points are. Pure, thread-safe; O(n log n) on most polylines, O(n^2) on the worst.
 void keepBetween(std::span<const glm::dvec2> points, std::size_t first, std::size_t last, double tolerance,
                  std::vector<bool>& kept);
 

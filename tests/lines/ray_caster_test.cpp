@@ -101,7 +101,8 @@ TEST(RayCaster, LooksForFacesThatCountBetweenTwoPoints) {
     const auto facesUs = [](scene::SceneFace, glm::dvec3 normal) { return std::abs(std::abs(normal.z) - 1.0) < 1e-12; };
     EXPECT_TRUE(one.rays.meetsBetween({0.3, 0.2, 1}, {0.3, 0.2, -1}, facesUs));
     EXPECT_FALSE(one.rays.meetsBetween({0.3, 0.2, 1}, {0.3, 0.2, 0.1}, facesUs));
-    EXPECT_FALSE(one.rays.meetsBetween({0.3, 0.2, 1}, {0.3, 0.2, -1}, [](scene::SceneFace, glm::dvec3) { return false; }));
+    EXPECT_FALSE(
+        one.rays.meetsBetween({0.3, 0.2, 1}, {0.3, 0.2, -1}, [](scene::SceneFace, glm::dvec3) { return false; }));
 }
 
 }  // namespace

@@ -13,8 +13,8 @@
 
 namespace inkedge::lines {
 
-/// What another surface, no further from a face's plane than touchingWithin and bent by less than the crease angle, does
-/// at the face's edge.
+/// What another surface, no further from a face's plane than touchingWithin and bent by less than the crease angle,
+/// does at the face's edge.
 enum class Touch : std::uint8_t {
     None,    ///< there is none
     Begins,  ///< it goes on where the face ends
