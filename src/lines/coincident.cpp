@@ -45,7 +45,7 @@ struct Overlap {
 class Merger {
 public:
     Merger(std::vector<Line> lines, const PictureSettings& picture, const Screen& screen, glm::dvec3 origin)
-        : lines_{std::move(lines)}, screen_{screen}, origin_{origin}, runs_(lines_.size()) {
+        : lines_{std::move(lines)}, screen_{screen}, origin_{origin}, lengths_(lines_.size()), runs_(lines_.size()) {
         for (std::uint32_t i = 0; i < lines_.size(); ++i)
             if (picture.lines.contains(lines_[i].type)) addPieces(i);
     }
@@ -78,7 +78,6 @@ private:
             if (length > shortest) pieces_.push_back(piece);
             start += length;
         }
-        lengths_.resize(lines_.size());
         lengths_[i] = start;
     }
 

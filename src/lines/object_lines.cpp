@@ -40,7 +40,7 @@ struct ViewSegments {
     const Scene& scene;
     const RayCaster& rays;
     const Screen& screen;
-    const SurfaceComponents* components;  // of the slack of smooth contours; null: the scene is one component
+    const SurfaceComponents* components;  // null: the scene is one component
     const Touching& touching;
     std::vector<Segment> segments;
     std::vector<ScreenSegment> projected;
@@ -230,7 +230,7 @@ struct ObjectLines::Prepared {
         return *intersections_;
     }
 
-    // Those of smooth contours. Null: the scene's surface is one.
+    // Null: the scene's surface is one.
     const SurfaceComponents* components() const {
         const std::unique_lock lock = base::lockUnlessStopped(mutex_);
         if (!components_) components_.emplace(scene, borders);
@@ -301,28 +301,27 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings) co
     base::StageClock clock{result.times};
 
     const Screen screen{camera, scene.bounds().centre, settings.picture.size};
-    const Touching touching{scene, prepared_->rays, prepared_->components(), screen};
-    ViewSegments view{scene, prepared_->rays, screen, nullptr, touching, {}, {}};
-    view.segments = prepared_->curves(
+    std::vector<Segment> segments = prepared_->curves(
         screen,
         {settings.lines.contour, settings.lines.contourFinder, settings.lines.subdivideAdaptive, nullptr,
          settings.lines.hidden, camera::standsOutside(camera, scene), settings.picture.lines},
         drawnIsolines(settings), *memories_);
     clock.finish("curves");
-    if (settings.picture.lines.contains(LineType::Intersection))
-        addIntersections(prepared_->intersections(), view.segments);
+    if (settings.picture.lines.contains(LineType::Intersection)) addIntersections(prepared_->intersections(), segments);
     clock.finish("intersections");
-    view.projected = project(view.segments, screen);
-    const std::vector<Chain> chains = chainSegments(view.segments, view.projected);
+    std::vector<ScreenSegment> projected = project(segments, screen);
+    const std::vector<Chain> chains = chainSegments(segments, projected);
     clock.finish("chains");
-    if (std::ranges::any_of(view.segments, [](const Segment& segment) { return segment.slack > 0.0; }))
-        view.components = prepared_->components();
-    const std::vector<Crossing> crossings = findCrossings(view.segments, view.projected, screen, view.components);
-    std::vector<std::uint32_t> firstCrossings(view.segments.size() + 1, 0);
+    const SurfaceComponents* const components = prepared_->components();
+    const std::vector<Crossing> crossings = findCrossings(segments, projected, screen, components);
+    std::vector<std::uint32_t> firstCrossings(segments.size() + 1, 0);
     for (const Crossing& crossing : crossings) ++firstCrossings[crossing.segment + 1];
-    for (std::size_t s = 0; s < view.segments.size(); ++s) firstCrossings[s + 1] += firstCrossings[s];
+    for (std::size_t s = 0; s < segments.size(); ++s) firstCrossings[s + 1] += firstCrossings[s];
     clock.finish("crossings");
 
+    const Touching touching{scene, prepared_->rays, components, screen};
+    const ViewSegments view{
+        scene, prepared_->rays, screen, components, touching, std::move(segments), std::move(projected)};
     std::vector<std::vector<Part>> parts(chains.size());
     const Judge judge = [&](std::uint32_t segment, double at) {
         base::stopIfAsked();
