@@ -12,6 +12,7 @@
 #include <meshoptimizer.h>
 #include <nlohmann/json.hpp>
 
+#include "formats/gltf/bent_grid.h"
 #include "formats/gltf/encode_exponential.h"
 #include "formats/gltf/encode_vertices.h"
 #include "fuzz/promise.h"
@@ -21,26 +22,8 @@ namespace {
 using Json = nlohmann::json;
 using Bytes = std::vector<std::uint8_t>;
 
-// A bent grid.
-struct Grid {
-    static constexpr std::uint32_t side = 3;
-    std::vector<float> positions;
-    std::vector<std::uint32_t> indices;
-
-    Grid() {
-        for (std::uint32_t y = 0; y < side; ++y)
-            for (std::uint32_t x = 0; x < side; ++x)
-                positions.insert(positions.end(),
-                                 {static_cast<float>(x), static_cast<float>(y), static_cast<float>(x * y)});
-        for (std::uint32_t y = 0; y + 1 < side; ++y)
-            for (std::uint32_t x = 0; x + 1 < side; ++x) {
-                const std::uint32_t a = y * side + x;
-                indices.insert(indices.end(), {a, a + 1, a + side, a + side, a + 1, a + side + 1});
-            }
-    }
-};
-
-constexpr std::size_t vertexCount = std::size_t{Grid::side} * Grid::side;
+constexpr std::uint32_t side = 3;
+constexpr std::size_t vertexCount = std::size_t{side} * side;
 
 void append(Bytes& bytes, std::size_t number, const std::string& text) {
     for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<std::uint8_t>(number >> (8 * i) & 255));
@@ -71,7 +54,7 @@ Json document(const char* extension) {
 Json meshes(const Json& primitive) { return Json::array({{{"primitives", Json::array({primitive})}}}); }
 
 void writeDraco(const std::filesystem::path& file, int method, int bits) {
-    const Grid grid;
+    const inkedge::compressed_models::Grid grid{side};
     draco::Mesh mesh;
     mesh.set_num_points(vertexCount);
     draco::GeometryAttribute description;
@@ -104,7 +87,7 @@ void writeDraco(const std::filesystem::path& file, int method, int bits) {
 // of the codec if channel modes are given.
 void writeMeshopt(const std::filesystem::path& file, const std::string& mode, const std::string& filter,
                   const char* extension = "EXT_meshopt_compression", const Bytes& channelModes = {}) {
-    const Grid grid;
+    const inkedge::compressed_models::Grid grid{side};
     std::vector<float> filtered = grid.positions;
     if (filter == "EXPONENTIAL") encodeExponential(filtered.data(), vertexCount, 12, 15, grid.positions.data());
     Bytes vertices(meshopt_encodeVertexBufferBound(vertexCount, 12));

@@ -9,11 +9,14 @@
 #include "reference/reference.h"
 
 #include "gl/gl_test.h"
+#include "passes/flat_view.h"
 #include "scenes.h"
 
 namespace inkedge::passes {
 namespace {
 
+using flat_view::flatCamera;
+using flat_view::square;
 using gl_test::classic;
 using gl_test::classicMaps;
 using testing::Each;
@@ -163,17 +166,6 @@ TEST_P(AnalyticScene, cubeShowsItsNineVisibleEdges) {
             }
         }
     }
-}
-
-// A camera on +Z that shows the square -2..2 at 32 pixels per unit.
-constexpr Size square{128, 128};
-Camera flatCamera() {
-    Camera camera;
-    camera.view = scenes::translation({0, 0, -10});
-    camera.orthographicHeight = 4.0;
-    camera.near = 5.0;
-    camera.far = 15.0;
-    return camera;
 }
 
 std::vector<Segment> rectangle(const Camera& camera, glm::dvec2 low, glm::dvec2 high) {

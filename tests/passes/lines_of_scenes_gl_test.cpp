@@ -8,12 +8,15 @@
 #include <inkedge/load_scene.h>
 
 #include "gl/gl_test.h"
+#include "passes/flat_view.h"
 #include "passes/line_maps.h"
 #include "scenes.h"
 
 namespace inkedge::passes {
 namespace {
 
+using flat_view::flatCamera;
+using flat_view::square;
 using namespace line_maps;
 using testing::Each;
 using testing::ElementsAre;
@@ -94,17 +97,6 @@ TEST_P(LinesOfScenes, doNotDependOnNearAndFar) {
                 << factor;
         }
     }
-}
-
-// A camera on +Z that shows -2..2 at 32 pixels per unit; world (0, 0) lies between pixels 63 and 64.
-constexpr Size square{128, 128};
-Camera flatCamera() {
-    Camera camera;
-    camera.view = scenes::translation({0, 0, -10});
-    camera.orthographicHeight = 4.0;
-    camera.near = 5.0;
-    camera.far = 15.0;
-    return camera;
 }
 
 struct Ids {
