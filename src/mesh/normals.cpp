@@ -31,11 +31,8 @@ glm::dvec3 unitOrZero(glm::dvec3 v) {
 // corner across each of the triangle's two edges there, so that walking both ways finds all.
 class SmoothingGroups {
 public:
-    SmoothingGroups(const Mesh& mesh, const MeshTopology& topology, double creaseAngle)
-        : mesh_{mesh},
-          topology_{topology},
-          smoothCosine_{std::cos(glm::radians(creaseAngle))},
-          first_(topology.points.size(), none) {}
+    explicit SmoothingGroups(const MeshTopology& topology)
+        : topology_{topology}, first_(topology.points.size(), none) {}
 
     Corners find() {
         base::inRanges(topology_.pointCount, [&](std::size_t begin, std::size_t end) {  // no group is at two points
@@ -69,12 +66,10 @@ private:
         const std::uint32_t twin = topology_.twins[h];
         // Faces wound against each other have normals to opposite sides: they cannot share a normal.
         if (!isHalfEdge(twin) || topology_.points[h] == topology_.points[twin]) return false;
-        return bendCosine(topology_, h, twin) >= smoothCosine_ || isSmoothByKind(mesh_, h, twin);
+        return !topology_.creases[h] && hasNormal(topology_, h / 3) && hasNormal(topology_, twin / 3);
     }
 
-    const Mesh& mesh_;
     const MeshTopology& topology_;
-    double smoothCosine_;
     Corners first_;
 };
 
@@ -159,35 +154,13 @@ void makeNormals(Mesh& mesh, const std::vector<glm::dvec3>& faces, const Corners
     });
 }
 
-void windByNormals(Mesh& mesh) {
-    for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
-        const auto face = mesh.indices.begin() + static_cast<std::ptrdiff_t>(t);
-        const glm::dvec3 a{mesh.positions[face[0]]};
-        const glm::dvec3 area =
-            glm::cross(glm::dvec3{mesh.positions[face[1]]} - a, glm::dvec3{mesh.positions[face[2]]} - a);
-        const glm::dvec3 normals{mesh.normals[face[0]] + mesh.normals[face[1]] + mesh.normals[face[2]]};
-        if (glm::dot(area, normals) < 0.0) turnOver(mesh, t);
-    }
-}
-
 }  // namespace
-
-void applyAuthoredNormals(Mesh& mesh, const LoadSettings& settings) {
-    if (settings.normals == Normals::Flat) mesh.normals.clear();
-    const bool authored = !mesh.normals.empty();
-    mesh.normals.resize(mesh.positions.size(), glm::vec3{0.0F});
-    if (!authored) return;
-    for (glm::vec3& normal : mesh.normals) {
-        if (!std::isfinite(glm::dot(normal, normal))) normal = glm::vec3{0.0F};
-    }
-    windByNormals(mesh);
-}
 
 void completeNormals(Mesh& mesh, const MeshTopology& topology, const LoadSettings& settings) {
     if (std::ranges::none_of(mesh.normals, isWanted)) return;
     Corners groups;
     if (settings.normals == Normals::Auto) {
-        groups = SmoothingGroups{mesh, topology, settings.creaseAngle}.find();
+        groups = SmoothingGroups{topology}.find();
     } else {
         groups.resize(mesh.indices.size());
         std::iota(groups.begin(), groups.end(), 0U);

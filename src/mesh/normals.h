@@ -7,13 +7,9 @@
 
 namespace inkedge::mesh {
 
-/// Makes each triangle's winding agree with its normals, so that the normals point to the front. Drops normals that are
-/// not finite, and all normals of the file if the settings ask for none of them.
-void applyAuthoredNormals(Mesh&, const LoadSettings&);
-
 /// Gives every vertex without a normal (an empty array, or zero vectors) a normal: that of its face or, under
-/// Normals::Auto, a smooth one. Of the faces around a point, those connected across edges that bend by no more than the
-/// crease angle share a smooth normal, in which each face is weighted by the angle of its corner. Vertices are split
+/// Normals::Auto, a smooth one. Of the faces around a point, those connected across edges that are no creases
+/// share a smooth normal, in which each face is weighted by the angle of its corner. Vertices are split
 /// where their faces do not share a normal. The topology stays valid: corners keep their order. O(n).
 void completeNormals(Mesh&, const MeshTopology&, const LoadSettings&);
 

@@ -12,7 +12,7 @@
 #include <inkedge/error.h>
 
 #include "base/message.h"
-#include "mesh/normals.h"
+#include "mesh/connect.h"
 #include "mesh/subdivision.h"
 #include "mesh/topology.h"
 
@@ -103,10 +103,7 @@ Mesh trianglesOf(const RefinedFaces& faces, SubdivisionScheme scheme) {
 }
 
 ControlMesh controlMeshOf(Mesh& mesh, const LoadSettings& settings) {
-    applyAuthoredNormals(mesh, settings);
-    MeshTopology topology = buildTopology(mesh);
-    completeNormals(mesh, topology, settings);
-    buildPatches(mesh, settings.creaseAngle, topology);
+    const MeshTopology topology = connect(mesh, settings);
     return controlMesh(mesh, topology);
 }
 

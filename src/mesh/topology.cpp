@@ -120,31 +120,6 @@ std::vector<glm::dvec3> faceNormals(const Mesh& mesh, double thin) {
     return normals;
 }
 
-// The twin's corners at the start and at the end of a half-edge.
-struct SharedEnds {
-    std::uint32_t atStart;
-    std::uint32_t atEnd;
-};
-
-SharedEnds endsOfTwin(const MeshTopology& topology, std::uint32_t halfEdge, std::uint32_t twin) {
-    const bool opposite = topology.points[halfEdge] != topology.points[twin];
-    return opposite ? SharedEnds{nextHalfEdge(twin), twin} : SharedEnds{twin, nextHalfEdge(twin)};
-}
-
-bool normalsSplit(const Mesh& mesh, const MeshTopology& topology, std::uint32_t halfEdge, std::uint32_t twin,
-                  double creaseCosine) {
-    const auto split = [&](std::uint32_t a, std::uint32_t b) {
-        // Normals of faces wound against each other may point to opposite sides of one surface.
-        const double cosine =
-            static_cast<double>(glm::dot(mesh.normals[mesh.indices[a]], mesh.normals[mesh.indices[b]]));
-        return (topology.points[halfEdge] == topology.points[twin] ? -cosine : cosine) < creaseCosine;
-    };
-    const SharedEnds ends = endsOfTwin(topology, halfEdge, twin);
-    return split(halfEdge, ends.atStart) && split(nextHalfEdge(halfEdge), ends.atEnd);
-}
-
-bool hasNormal(const MeshTopology& topology, std::uint32_t t) { return topology.faceNormals[t] != glm::dvec3{0.0}; }
-
 // A face that is too thin to have a normal only connects its neighbours, as if they touched each other.
 void joinAcrossThinFace(const MeshTopology& topology, std::uint32_t t, double creaseCosine, base::UnionFind& sets) {
     for (std::uint32_t i = 3 * t; i < 3 * t + 3; ++i) {
@@ -158,6 +133,29 @@ void joinAcrossThinFace(const MeshTopology& topology, std::uint32_t t, double cr
             if (cosine >= creaseCosine) sets.unite(a / 3, b / 3);
         }
     }
+}
+
+// Faces that are connected across edges that are no creases.
+// @param creaseCosine  across a thin face; minCosine: across an edge
+// @param bends  set if an edge bends by more than across a thin face
+base::UnionFind connected(const MeshTopology& topology, double creaseCosine, double minCosine, bool& bends) {
+    const auto triangleCount = static_cast<std::uint32_t>(topology.originals.size());
+    base::UnionFind sets{triangleCount};
+    for (std::uint32_t t = 0; t < triangleCount; ++t) {
+        sets.unite(t, topology.originals[t]);
+        if (!hasNormal(topology, t)) {
+            joinAcrossThinFace(topology, t, creaseCosine, sets);
+            continue;
+        }
+        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+            const std::uint32_t twin = topology.twins[h];
+            if (!isHalfEdge(twin) || twin < h || topology.creases[h] || !hasNormal(topology, twin / 3)) continue;
+            const double cosine = bendCosine(topology, h, twin);
+            if (cosine < creaseCosine) bends = true;
+            if (cosine >= minCosine) sets.unite(t, twin / 3);
+        }
+    }
+    return sets;
 }
 
 }  // namespace
@@ -198,39 +196,28 @@ MeshTopology buildTopology(const Mesh& mesh) {
     return topology;
 }
 
-void buildPatches(const Mesh& mesh, double creaseAngle, MeshTopology& topology) {
+void buildPatches(double creaseAngle, MeshTopology& topology) {
+    constexpr double anyBend = -2.0;
     const double creaseCosine = std::cos(glm::radians(creaseAngle));
+    bool bends = false;  // somewhere within a surface
+    base::UnionFind surfaces = connected(topology, creaseCosine, anyBend, bends);
+    base::UnionFind patches = bends ? connected(topology, creaseCosine, creaseCosine, bends) : surfaces;
     const auto triangleCount = static_cast<std::uint32_t>(topology.originals.size());
-    base::UnionFind sets{triangleCount};
-    topology.creases.assign(topology.twins.size(), false);
-    for (std::uint32_t t = 0; t < triangleCount; ++t) {
-        sets.unite(t, topology.originals[t]);
-        if (!hasNormal(topology, t)) {
-            joinAcrossThinFace(topology, t, creaseCosine, sets);
-            continue;
-        }
-        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-            const std::uint32_t twin = topology.twins[h];
-            if (!isHalfEdge(twin) || twin < h || !hasNormal(topology, twin / 3)) continue;
-            const bool bends = isOfKind(mesh, h, twin, EdgeKind::Sharp) ||
-                               bendCosine(topology, h, twin) < creaseCosine ||
-                               normalsSplit(mesh, topology, h, twin, creaseCosine);
-            if (bends && !isSmoothByKind(mesh, h, twin)) {
-                topology.creases[h] = topology.creases[twin] = true;
-            } else {
-                sets.unite(t, twin / 3);
-            }
-        }
-    }
     topology.patches.resize(triangleCount);
-    topology.patchCount = 0;
+    topology.surfaces.clear();
     for (std::uint32_t t = 0; t < triangleCount; ++t) {  // a set's root is its smallest member, so it comes first
-        const std::uint32_t root = sets.root(t);
-        topology.patches[t] = root == t ? topology.patchCount++ : topology.patches[root];
+        const std::uint32_t root = patches.root(t);
+        topology.patches[t] = root == t ? topology.patchCount() : topology.patches[root];
+        if (root == t) topology.surfaces.push_back(topology.patches[surfaces.root(t)]);
     }
-    for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {  // what thin faces keep apart
+    topology.innerCreaseCosine = -1.0;
+    for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
         const std::uint32_t twin = topology.twins[h];
-        if (isHalfEdge(twin) && topology.patches[h / 3] != topology.patches[twin / 3]) topology.creases[h] = true;
+        if (!isHalfEdge(twin)) continue;
+        if (topology.surfaceOf(h / 3) != topology.surfaceOf(twin / 3))
+            topology.creases[h] = true;  // what thin faces keep apart
+        else if (topology.creases[h])
+            topology.innerCreaseCosine = std::max(topology.innerCreaseCosine, bendCosine(topology, h, twin));
     }
 }
 

@@ -31,8 +31,13 @@ struct MeshTopology {
     std::vector<bool> creases;             ///< one per half-edge: whether its edge, which then has a twin, is a crease
     std::vector<glm::dvec3>
         faceNormals;  ///< one per triangle, unit, by winding; 0 where it is too thin; none in a Scene
-    std::vector<std::uint32_t> patches;  ///< one per triangle: 0..patchCount-1
-    std::uint32_t patchCount = 0;
+    std::vector<std::uint32_t> patches;   ///< one per triangle: 0..patchCount()-1
+    std::vector<std::uint32_t> surfaces;  ///< one per patch: the first patch of the same surface
+    /// The least bend of a crease that ends within a surface, as its cosine; -1: there is none.
+    double innerCreaseCosine = -1.0;
+
+    [[nodiscard]] std::uint32_t patchCount() const { return static_cast<std::uint32_t>(surfaces.size()); }
+    [[nodiscard]] std::uint32_t surfaceOf(std::uint32_t triangle) const { return surfaces[patches[triangle]]; }
 };
 
 /// A triangle whose smallest height is under this many weld tolerances has no reliable normal: the rounding of its
@@ -45,6 +50,22 @@ inline constexpr double minHeight = 4.0;
 
 /// MeshTopology::faceNormals, computed again: a Scene does not keep them.
 [[nodiscard]] std::vector<glm::dvec3> makeFaceNormals(const Mesh&);
+
+/// Whether a triangle is thick enough to have a normal.
+[[nodiscard]] inline bool hasNormal(const MeshTopology& topology, std::uint32_t t) {
+    return topology.faceNormals[t] != glm::dvec3{0.0};
+}
+
+/// The twin's corners at the start and at the end of a half-edge.
+struct TwinEnds {
+    std::uint32_t atStart;
+    std::uint32_t atEnd;
+};
+
+[[nodiscard]] inline TwinEnds endsOfTwin(const MeshTopology& topology, std::uint32_t halfEdge, std::uint32_t twin) {
+    const bool opposite = topology.points[halfEdge] != topology.points[twin];
+    return opposite ? TwinEnds{nextHalfEdge(twin), twin} : TwinEnds{twin, nextHalfEdge(twin)};
+}
 
 /// The cosine of the angle between the normals of two faces that share an edge, as if both were wound alike.
 [[nodiscard]] double bendCosine(const MeshTopology&, std::uint32_t halfEdge, std::uint32_t twin);
@@ -69,10 +90,11 @@ void turnOver(Mesh&, std::size_t first);
            isOfKind(mesh, halfEdge, twin, EdgeKind::Seam);
 }
 
-/// Fills creases and patches. An edge is a crease if its faces bend by more than the crease angle, if it is
-/// EdgeKind::Sharp, or if its faces' vertex normals differ by more than that angle at both ends; but not if it is
-/// smooth by its kind. A patch is a set of faces that are connected across edges that are no creases. The mesh must
-/// have all its normals. O(n).
-void buildPatches(const Mesh&, double creaseAngle, MeshTopology&);
+/// Fills patches and surfaces. A surface is a set of faces that are connected across edges that are no creases; a patch
+/// is one of the same that bend by no more than the crease angle there, which is less where an author's normals make the
+/// edge smooth. Faces too thin to have a normal only connect their neighbours, if these bend by no more than the crease
+/// angle; what they keep apart becomes a crease, too. O(n).
+/// @param topology  with its creases
+void buildPatches(double creaseAngle, MeshTopology& topology);
 
 }  // namespace inkedge::mesh

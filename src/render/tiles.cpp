@@ -10,6 +10,7 @@
 #include "passes/detect_profiles.h"
 #include "passes/function_edges.h"
 #include "passes/ink_over.h"
+#include "scene/prepared.h"
 #include "trace/screen_triangles.h"
 
 namespace inkedge::render {
@@ -65,7 +66,7 @@ private:
         const gl::Api& api = frame.gpu.api;
         trace::LineBuffers lines;
         lines.tile = frame.tile;
-        lines.marks = passes::detectLines(frame, buffers.planes, frame.scene.creaseAngle());
+        lines.marks = passes::detectLines(frame, buffers.planes, scene::minCreaseBend(frame.scene));
         clock_.finish("lines");
         const std::vector<raster::Rectangle> regions = plan_.ids == trace::TraceIds::Keep
                                                            ? std::vector<raster::Rectangle>{{0, 0, lines.marks.size()}}

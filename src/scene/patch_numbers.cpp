@@ -18,9 +18,14 @@ PatchNumbers numberPatches(const InstancedMeshes& instanced, double creaseAngle)
     std::uint32_t total = 0;
     for (std::size_t i = 0; i < instanced.instances.size(); ++i) {
         patches.base.push_back(total);
-        total += instanced.topologyOf(i).patchCount;
+        total += instanced.topologyOf(i).patchCount();
     }
     base::UnionFind joined{total};
+    for (std::size_t i = 0; i < instanced.instances.size(); ++i) {
+        const std::vector<std::uint32_t>& surfaces = instanced.topologyOf(i).surfaces;
+        for (std::uint32_t p = 0; p < surfaces.size(); ++p)
+            joined.unite(patches.base[i] + p, patches.base[i] + surfaces[p]);
+    }
     joinAcrossSeams(instanced, patches.base, creaseAngle, joined);
     patches.number.resize(total);
     for (std::uint32_t p = 0; p < total; ++p) {  // a set's root is its smallest member, so it comes first

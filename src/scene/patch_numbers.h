@@ -9,10 +9,11 @@ namespace inkedge::scene {
 
 /// The patches of a whole scene: those of each instance, numbered from 1 in the order of instances.
 struct PatchNumbers {
-    std::vector<std::uint32_t> base;    ///< one per instance: the index of its first patch in the arrays below
-    std::vector<std::uint32_t> number;  ///< one per patch: 1 or more; patches that a seam joins have the same number
-    std::vector<bool> layered;          ///< one per patch: whether faces of it overlap others in one plane
-    std::uint32_t count = 0;            ///< the largest number
+    std::vector<std::uint32_t> base;  ///< one per instance: the index of its first patch in the arrays below
+    std::vector<std::uint32_t>
+        number;                 ///< one per patch: 1 or more; those of one surface, and across a seam, have the same
+    std::vector<bool> layered;  ///< one per patch: whether faces of it overlap others in one plane
+    std::uint32_t count = 0;    ///< the largest number
 };
 
 /// Numbers the patches, joins them across seams and finds coplanar layers.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <glm/common.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <inkedge/error.h>
 #include <inkedge/setting_table.h>
@@ -14,8 +15,8 @@
 #include "base/stage_clock.h"
 #include "mesh/arrange.h"
 #include "mesh/closed_surface.h"
+#include "mesh/connect.h"
 #include "mesh/curvature.h"
-#include "mesh/normals.h"
 #include "mesh/subdivide.h"
 #include "scene/check_data.h"
 #include "scene/distortion.h"
@@ -79,13 +80,17 @@ struct PreparedMesh {
 PreparedMesh prepareMesh(Mesh& mesh, const Scene::Data& data, const LoadSettings& settings) {
     mesh::dropUnusedVertices(mesh);
     const std::uint32_t oneSided = settings.backFaces == BackFaces::Draw ? 0 : sortBySides(mesh, data.materials);
-    mesh::applyAuthoredNormals(mesh, settings);
-    mesh::MeshTopology topology = mesh::buildTopology(mesh);
-    mesh::completeNormals(mesh, topology, settings);
-    mesh::buildPatches(mesh, settings.creaseAngle, topology);
+    mesh::MeshTopology topology = mesh::connect(mesh, settings);
     mesh.curvatures = settings.curvature ? mesh::meanCurvatures(mesh, topology) : std::vector<float>{};
     const bool hidesItsBacks = isSingleSided(mesh, data) && mesh::isClosedOutward(mesh, topology);
     return {std::move(topology), boxOf(mesh.positions), oneSided, hidesItsBacks};
+}
+
+double minCreaseBend(const std::vector<mesh::MeshTopology>& topologies, double creaseAngle) {
+    constexpr double rounding = 0.5;  // degrees, of bends as planes are drawn
+    double cosine = -1.0;
+    for (const mesh::MeshTopology& topology : topologies) cosine = std::max(cosine, topology.innerCreaseCosine);
+    return std::min(creaseAngle, std::max(0.0, glm::degrees(std::acos(std::min(cosine, 1.0))) - rounding));
 }
 
 std::uint64_t trianglesOf(const Scene::Data& data) {
@@ -117,6 +122,7 @@ PreparedScene prepare(Scene::Data data, const LoadSettings& settings) {
     scene.bounds = sphereAround(scene.box, boxes);
     const InstancedMeshes instanced{data.meshes, scene.topologies, data.instances, scene.bounds};
     scene.patchNumbers = numberPatches(instanced, settings.creaseAngle);
+    scene.minCreaseBend = minCreaseBend(scene.topologies, settings.creaseAngle);
     for (mesh::MeshTopology& topology : scene.topologies)
         topology.faceNormals = std::vector<glm::dvec3>{};  // a third of all that is kept; = {} would keep its memory
     scene.triangleCount = trianglesOf(data);

@@ -28,6 +28,8 @@ struct PreparedScene {
     LoadSettings loadedWith;                     ///< what the constructor was given
     std::uint64_t triangleCount = 0;             ///< of all instances
     scene::PatchNumbers patchNumbers;
+    /// Degrees: creases within a patch bend by this at least; those between patches may bend by less.
+    double minCreaseBend = 0.0;
     double milliseconds = 0.0;  ///< that preparation took
     /// What the room of lines makes of it, for all who look for its lines at the same time.
     std::unique_ptr<scene::SharedOnce> lines = std::make_unique<scene::SharedOnce>();
@@ -51,6 +53,9 @@ namespace scene {
 [[nodiscard]] inline bool hidesItsBacks(const Scene& scene, std::size_t i) {
     return preparedOf(scene)->hidesItsBacks[i];
 }
+
+/// Degrees: faces of one patch that bend by less than this do not meet in a crease.
+[[nodiscard]] inline double minCreaseBend(const Scene& scene) { return preparedOf(scene)->minCreaseBend; }
 
 /// The patches of all instances.
 [[nodiscard]] inline const PatchNumbers& patchNumbersOf(const Scene& scene) { return preparedOf(scene)->patchNumbers; }

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
 #include "raster/pair_mark.h"
 
 namespace inkedge::trace {
@@ -18,6 +21,7 @@ CrossingTracer::CrossingTracer(const LineBuffers& buffers, const ScreenTriangles
       triangles_{triangles},
       orthographic_{camera.orthographic()},
       focalLength_{camera.focalLength(buffers.tile.whole)},
+      creaseCosine_{std::cos(glm::radians(triangles.creaseAngle()))},
       columns_{aroundKept(buffers.tile)},
       types_{buffers.marks.size(), 1} {}
 
@@ -57,6 +61,22 @@ std::optional<double> CrossingTracer::layerBorder(Sample from, Sample to) const 
 // The plane of a sample's triangle. Planes that were drawn are rounded differently in each tile; this one is the same
 // in all tiles.
 ScreenTriangles::Plane CrossingTracer::plane(Sample s) const { return triangles_.plane(triangle(s), centre(s)); }
+
+// The normal of a sample's plane up to a positive factor, turned to the eye, as in shaders/shared/planes.glsl.
+glm::dvec3 CrossingTracer::normal(Sample s) const {
+    const ScreenTriangles::Plane seen = plane(s);
+    const raster::Rectangle& drawn = buffers_.tile.drawn;
+    const Size whole = buffers_.tile.whole;
+    const glm::dvec2 at{s.x + drawn.x + 0.5 - 0.5 * whole.width, s.y + drawn.y + 0.5 - 0.5 * whole.height};
+    const double towards = orthographic_ ? 1.0 : seen.w - seen.dx * at.x - seen.dy * at.y;
+    return {seen.dx * focalLength_, seen.dy * focalLength_, towards};
+}
+
+bool CrossingTracer::bendsByCreaseAngle(Sample p, Sample q) const {
+    const glm::dvec3 np = normal(p);
+    const glm::dvec3 nq = normal(q);
+    return glm::dot(np, nq) < creaseCosine_ * std::sqrt(glm::dot(np, np) * glm::dot(nq, nq));
+}
 
 bool CrossingTracer::isNearer(Sample q, Sample p) const {
     constexpr double rounding = 1e-5;  // of drawn planes: a few steps of a float
@@ -101,6 +121,9 @@ StepCrossing CrossingTracer::crossing(Sample p, Sample q, unsigned marks) {
     const Sample far = swap ? p : q;
     const Walk way = walk(near, far);
     if ((marks & ~(raster::PairMark::bend | raster::PairMark::jump)) == 0 && goesOnSmoothly(way, far)) return {};
+    // A slight bend is marked for creases that end within their patch; it is none by itself.
+    const bool atCrease = way.exit && way.exit->end == End::Crease;
+    if (marks == raster::PairMark::bend && !atCrease && !bendsByCreaseAngle(near, far)) return {};
 
     const LineTypes types = classify(near, far, marks, way.exit);
     types_(near.x, near.y) |= static_cast<std::uint16_t>(types.bits());

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include <inkedge/camera.h>
 #include <inkedge/image.h>
@@ -69,6 +70,8 @@ private:
     [[nodiscard]] Walk walk(Sample from, Sample to) const;
     [[nodiscard]] std::optional<double> layerBorder(Sample from, Sample to) const;
     [[nodiscard]] ScreenTriangles::Plane plane(Sample) const;
+    [[nodiscard]] glm::dvec3 normal(Sample) const;
+    [[nodiscard]] bool bendsByCreaseAngle(Sample, Sample) const;
     [[nodiscard]] bool isNearer(Sample q, Sample p) const;
     [[nodiscard]] std::optional<double> planesMeet(Sample p, Sample q) const;
     [[nodiscard]] double positionAlong(Sample near, Sample far, unsigned marks, const Walk&) const;
@@ -82,6 +85,7 @@ private:
     const ScreenTriangles& triangles_;
     bool orthographic_;
     double focalLength_;
+    double creaseCosine_;
     raster::Rectangle columns_;
     Image<std::uint16_t> types_;
 };

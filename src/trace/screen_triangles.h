@@ -23,6 +23,9 @@ public:
     /// @param firstTriangles  for each instance the number of its first triangle in the scene
     ScreenTriangles(const Scene&, const std::vector<std::uint32_t>& firstTriangles, const Camera&, Size);
 
+    /// Of the scene, degrees.
+    [[nodiscard]] double creaseAngle() const noexcept { return scene_.creaseAngle(); }
+
     /// @param number  of a triangle of the scene, from 0
     [[nodiscard]] scene::SceneFace locate(std::uint32_t number) const;
 

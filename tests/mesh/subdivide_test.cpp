@@ -40,7 +40,7 @@ TEST(Subdivide, leavesACubeWithCreasesACube) {
             EXPECT_NEAR(std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}), 1.0F, 1e-6F);
         }
         EXPECT_EQ(creasesOf(scene), 12U * 8U * 2U);
-        EXPECT_EQ(scene::topologyOf(scene, 0).patchCount, 6U);
+        EXPECT_EQ(scene::topologyOf(scene, 0).patchCount(), 6U);
         EXPECT_TRUE(isClosedOutward(mesh, scene::topologyOf(scene, 0)));
     }
 }
@@ -200,7 +200,7 @@ TEST(Subdivide, givesEachSideOfACurvedCreaseItsNormals) {
     // Along the axis or across it.
     for (const Mesh& control : {barrel(0.0), asTriangles(barrel(0.0))}) {
         const Scene scene = refined(control, levels(3, 65.0));
-        EXPECT_EQ(scene::topologyOf(scene, 0).patchCount, 3U);
+        EXPECT_EQ(scene::topologyOf(scene, 0).patchCount(), 3U);
         EXPECT_EQ(creasesOf(scene), 12U * 8U * 2U);
         EXPECT_TRUE(isClosedOutward(scene.meshes()[0], scene::topologyOf(scene, 0)));
         for (const glm::vec3 n : scene.meshes()[0].normals)

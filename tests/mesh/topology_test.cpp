@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "mesh/normals.h"
+#include "mesh/connect.h"
 #include "scenes.h"
 
 namespace inkedge::mesh {
@@ -160,20 +160,21 @@ TEST(BendCosine, isThatOfTheAngleBetweenTheFaces) {
     }
 }
 
-Corners patchesOf(Mesh mesh, double creaseAngle) {
-    const LoadSettings settings{Normals::Auto, creaseAngle};
-    applyAuthoredNormals(mesh, settings);
-    MeshTopology topology = buildTopology(mesh);
-    completeNormals(mesh, topology, settings);
-    buildPatches(mesh, creaseAngle, topology);
-    EXPECT_EQ(topology.patchCount, *std::ranges::max_element(topology.patches) + 1);
-    return topology.patches;
+// Of each triangle the number of its surface: the first of its patches.
+Corners surfacesOf(Mesh mesh, double creaseAngle) {
+    LoadSettings settings;
+    settings.creaseAngle = creaseAngle;
+    const MeshTopology topology = connect(mesh, settings);
+    EXPECT_EQ(topology.patchCount(), *std::ranges::max_element(topology.patches) + 1);
+    Corners surfaces;
+    for (std::uint32_t t = 0; t < topology.patches.size(); ++t) surfaces.push_back(topology.surfaceOf(t));
+    return surfaces;
 }
 
 TEST(BuildPatches, endAtBendsOverTheCreaseAngle) {
-    EXPECT_THAT(patchesOf(fold(40.0), 40.01), ElementsAre(0, 0, 0, 0));
-    EXPECT_THAT(patchesOf(fold(40.0), 39.99), ElementsAre(0, 0, 1, 1));
-    EXPECT_THAT(patchesOf(fold(-40.0), 39.99), ElementsAre(0, 0, 1, 1));
+    EXPECT_THAT(surfacesOf(fold(40.0), 39.01), ElementsAre(0, 0, 0, 0));
+    EXPECT_THAT(surfacesOf(fold(40.0), 38.99), ElementsAre(0, 0, 1, 1));
+    EXPECT_THAT(surfacesOf(fold(-40.0), 38.99), ElementsAre(0, 0, 1, 1));
 }
 
 TEST(BuildPatches, goOnAcrossTheInnerEdgesOfAPolygon) {
@@ -184,15 +185,15 @@ TEST(BuildPatches, goOnAcrossTheInnerEdgesOfAPolygon) {
         topology.twins.begin());
     mesh.edges.resize(mesh.indices.size());
     mesh.edges[bend] = EdgeKind::Inner;
-    EXPECT_THAT(patchesOf(mesh, 30.0), ElementsAre(0, 0, 1, 1)) << "both triangles must say so";
+    EXPECT_THAT(surfacesOf(mesh, 30.0), ElementsAre(0, 0, 1, 1)) << "both triangles must say so";
     mesh.edges[topology.twins[bend]] = EdgeKind::Inner;
-    EXPECT_THAT(patchesOf(mesh, 30.0), ElementsAre(0, 0, 0, 0));
+    EXPECT_THAT(surfacesOf(mesh, 30.0), ElementsAre(0, 0, 0, 0));
 
     // Turned over, a triangle takes its inner edges along.
     for (std::size_t t = 0; t < 12; t += 3) turnOver(mesh, t);
-    EXPECT_THAT(patchesOf(mesh, 30.0), ElementsAre(0, 0, 0, 0));
+    EXPECT_THAT(surfacesOf(mesh, 30.0), ElementsAre(0, 0, 0, 0));
     mesh.edges.assign(mesh.indices.size(), {});
-    EXPECT_THAT(patchesOf(mesh, 30.0), ElementsAre(0, 0, 1, 1));
+    EXPECT_THAT(surfacesOf(mesh, 30.0), ElementsAre(0, 0, 1, 1));
 }
 
 TEST(BuildPatches, areDecidedByTheKindOfAnEdgeBeforeItsAngle) {
@@ -202,7 +203,7 @@ TEST(BuildPatches, areDecidedByTheKindOfAnEdgeBeforeItsAngle) {
         mesh.edges.resize(mesh.indices.size());
         for (std::uint32_t h = 0; h < 6; ++h)
             if (isHalfEdge(topology.twins[h]) && topology.twins[h] / 3 >= 2) mesh.edges[h] = kinds;
-        return patchesOf(mesh, 30.0);
+        return surfacesOf(mesh, 30.0);
     };
     EXPECT_THAT(patches(5.0, {}), ElementsAre(0, 0, 0, 0));
     EXPECT_THAT(patches(5.0, EdgeKind::Sharp), ElementsAre(0, 0, 1, 1));
@@ -214,29 +215,27 @@ TEST(BuildPatches, areDecidedByTheKindOfAnEdgeBeforeItsAngle) {
     EXPECT_THAT(patches(5.0, EdgeKind::Marked | EdgeKind::Free), ElementsAre(0, 0, 0, 0));
 }
 
+TEST(BuildPatches, partASurfaceWhereItBendsByMoreThanTheCreaseAngle) {
+    Mesh mesh = fold(40.0);
+    const MeshTopology sharp = connect(mesh, {});
+    EXPECT_THAT(sharp.patches, ElementsAre(0, 0, 1, 1));
+    EXPECT_THAT(sharp.surfaces, ElementsAre(0, 1));
+    mesh = fold(40.0);
+    mesh.edges.assign(mesh.indices.size(), EdgeKind::Tangent);
+    const MeshTopology smooth = connect(mesh, {});
+    EXPECT_THAT(smooth.patches, ElementsAre(0, 0, 1, 1));
+    EXPECT_THAT(smooth.surfaces, ElementsAre(0, 0));
+}
+
 TEST(BuildPatches, areACubesSixFacesAndAWholeSphere) {
-    EXPECT_THAT(patchesOf(scenes::cube(), 30.0), ElementsAre(0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5));
-    EXPECT_THAT(patchesOf(scenes::sphere(), 30.0), Each(0));
+    EXPECT_THAT(surfacesOf(scenes::cube(), 30.0), ElementsAre(0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5));
+    EXPECT_THAT(surfacesOf(scenes::sphere(), 30.0), Each(0));
 }
 
 TEST(BuildPatches, hangTogetherWhicheverWayTheirFacesAreWound) {
     Mesh mesh = fold(10.0);
     for (std::size_t t = 6; t < 12; t += 3) std::swap(mesh.indices[t + 1], mesh.indices[t + 2]);
-    EXPECT_THAT(patchesOf(mesh, 30.0), Each(0));
-}
-
-TEST(BuildPatches, endWhereTheFilesNormalsAreSplitAtBothEnds) {
-    const glm::vec3 tilted = glm::normalize(glm::vec3{1, 0, 1});
-    Mesh mesh = fold(10.0);
-    mesh.positions.push_back(mesh.positions[1]);  // 6 and 7: the edge's ends once more, for the right side
-    mesh.positions.push_back(mesh.positions[2]);
-    mesh.indices = {0, 1, 2, 0, 2, 3, 6, 4, 5, 6, 5, 7};
-    mesh.normals.assign(8, glm::vec3{0, 0, 1});
-    mesh.normals[6] = mesh.normals[7] = tilted;
-    EXPECT_THAT(patchesOf(mesh, 30.0), ElementsAre(0, 0, 1, 1));
-    EXPECT_THAT(patchesOf(mesh, 50.0), Each(0)) << "split by 45 degrees only";
-    mesh.normals[7] = {0, 0, 1};
-    EXPECT_THAT(patchesOf(mesh, 30.0), Each(0)) << "a crease that fades out";
+    EXPECT_THAT(surfacesOf(mesh, 30.0), Each(0));
 }
 
 TEST(BuildPatches, hangTogetherAcrossAFaceWithoutArea) {
@@ -244,19 +243,7 @@ TEST(BuildPatches, hangTogetherAcrossAFaceWithoutArea) {
     Mesh mesh;
     mesh.positions = {{-1, 0, 0}, {0, 0, 0}, {0, 2, 0}, {0, 1, 0}, {1, 0, 0}};
     mesh.indices = {0, 1, 3, 0, 3, 2, 1, 2, 3, 1, 4, 2};
-    EXPECT_THAT(patchesOf(mesh, 30.0), Each(0));
-}
-
-TEST(BuildPatches, marksTheEdgesOfCreasesOnBothSides) {
-    Mesh mesh = fold(40.0);
-    MeshTopology topology = buildTopology(mesh);
-    applyAuthoredNormals(mesh, {});
-    completeNormals(mesh, topology, {});
-    buildPatches(mesh, 30.0, topology);
-    for (std::uint32_t h = 0; h < 12; ++h) EXPECT_EQ(topology.creases[h], h == 1 || h == 11) << h;
-    buildPatches(mesh, 50.0, topology);
-    // The normals were made for 30 degrees, so they are split by 40: still within 50.
-    EXPECT_THAT(topology.creases, Each(false));
+    EXPECT_THAT(surfacesOf(mesh, 30.0), Each(0));
 }
 
 TEST(BuildTopology, givesNoNormalToFacesThinnerThanRounding) {
@@ -270,7 +257,7 @@ TEST(BuildTopology, givesNoNormalToFacesThinnerThanRounding) {
 TEST(BuildPatches, countRepeatedTrianglesToTheFirst) {
     Mesh mesh = fold(90.0);
     mesh.indices.insert(mesh.indices.end(), {5, 4, 1});
-    EXPECT_THAT(patchesOf(mesh, 30.0), ElementsAre(0, 0, 1, 1, 1));
+    EXPECT_THAT(surfacesOf(mesh, 30.0), ElementsAre(0, 0, 1, 1, 1));
 }
 
 }  // namespace

@@ -66,20 +66,20 @@ private:
 
     void chooseSmoothPatches() {
         const bool refined = choice_.refinement > 0 && choice_.contour != Contour::Mesh;
-        smooth_.assign(topology_.patchCount, refined || choice_.contour == Contour::Smooth);
+        smooth_.assign(topology_.patchCount(), refined || choice_.contour == Contour::Smooth);
         if (refined || choice_.contour != Contour::Auto) return;
         struct Mean {
             double pixels = 0.0;
             int count = 0;
         };
-        std::vector<Mean> means(topology_.patchCount);
+        std::vector<Mean> means(topology_.patchCount());
         for (const std::uint32_t e : contours_.edges) {
             if (!mayBeSmooth(e)) continue;
             const std::uint32_t h = edges_.shared.halfEdges[e];
             const glm::dvec3 from = toWorld(position(h));
             const glm::dvec3 to = toWorld(position(mesh::nextHalfEdge(h)));
             if (screen_.depth(from) <= screen_.near()) continue;
-            Mean& mean = means[topology_.patches[h / 3]];
+            Mean& mean = means[topology_.surfaceOf(h / 3)];
             mean.pixels += glm::length(to - from) / screen_.footprint(from);
             ++mean.count;
         }
@@ -121,7 +121,7 @@ private:
 
     // Whether a smooth contour replaces a contour edge.
     [[nodiscard]] bool isReplaced(std::uint32_t e) const {
-        return smooth_[topology_.patches[edges_.shared.halfEdges[e] / 3]] && mayBeSmooth(e);
+        return smooth_[topology_.surfaceOf(edges_.shared.halfEdges[e] / 3)] && mayBeSmooth(e);
     }
 
     [[nodiscard]] bool draws(LineType type) const { return choice_.lines.contains(type); }
@@ -353,7 +353,7 @@ private:
             const std::uint32_t* const corners = &mesh_.indices[3 * std::size_t{t}];
             const auto lowHigh = std::minmax({viewDots_[corners[0]], viewDots_[corners[1]], viewDots_[corners[2]]});
             if (lowHigh.first > 0.0 || lowHigh.second < 0.0 || lowHigh.first == lowHigh.second) continue;
-            if (!smooth_[topology_.patches[t]] || topology_.originals[t] != t) continue;
+            if (!smooth_[topology_.surfaceOf(t)] || topology_.originals[t] != t) continue;
             Facet facet{t, longestEdge(t)};
             glm::dvec3 normals{0.0};
             for (std::uint32_t k = 0; k < 3; ++k) {

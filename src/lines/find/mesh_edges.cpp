@@ -24,14 +24,12 @@ bool takesPart(const mesh::MeshTopology& topology, std::uint32_t t) {
 
 bool sameNormals(const Mesh& mesh, const mesh::MeshTopology& topology, std::uint32_t halfEdge, std::uint32_t twin) {
     constexpr float same = 0.9999F;  // cosine of an angle under a degree
-    const bool opposite = topology.points[halfEdge] != topology.points[twin];
-    const std::uint32_t atStart = opposite ? mesh::nextHalfEdge(twin) : twin;
-    const std::uint32_t atEnd = opposite ? twin : mesh::nextHalfEdge(twin);
+    const mesh::TwinEnds ends = mesh::endsOfTwin(topology, halfEdge, twin);
     const auto agree = [&](std::uint32_t a, std::uint32_t b) {
         if (mesh.indices[a] == mesh.indices[b]) return true;
         return glm::dot(mesh.normals[mesh.indices[a]], mesh.normals[mesh.indices[b]]) > same;
     };
-    return agree(halfEdge, atStart) && agree(mesh::nextHalfEdge(halfEdge), atEnd);
+    return agree(halfEdge, ends.atStart) && agree(mesh::nextHalfEdge(halfEdge), ends.atEnd);
 }
 
 // Collects the half-edges of edges that many faces share. Those of one edge follow each other.

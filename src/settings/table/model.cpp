@@ -4,6 +4,7 @@ namespace inkedge::settings {
 namespace {
 
 constexpr std::array<std::string_view, 3> normalsNames{"auto", "authored", "flat"};
+constexpr std::array<std::string_view, 3> creasesNames{"auto", "angle", "normals"};
 constexpr std::array<std::string_view, 2> transparentNames{"solid", "ignore"};
 constexpr std::array<std::string_view, 2> alphaMaskNames{"cut", "ignore"};
 constexpr std::array<std::string_view, 2> backFacesNames{"draw", "material"};
@@ -23,6 +24,9 @@ std::vector<SettingDescription> modelRows() {
              {.name = "normals",
               .help = "auto: the file's, smooth ones where it has none; authored: flat where it has none"},
              Choice{normalsNames}, [](auto& s) -> auto& { return s.load.normals; }),
+         row(
+             {.name = "creases", .help = "what an edge is decided by: its faces' bend, the file's normals; auto: both"},
+             Choice{creasesNames}, [](auto& s) -> auto& { return s.load.creases; }),
          row(
              {.name = "crease-angle", .help = "faces that meet at more than this meet in a crease"},
              Number{.min = 0.0, .max = 180.0, .unit = "DEG"}, [](auto& s) -> auto& { return s.load.creaseAngle; }),

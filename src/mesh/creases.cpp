@@ -1,0 +1,196 @@
+#include "mesh/creases.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "mesh/authored_normals.h"
+#include "mesh/facets.h"
+#include "mesh/follow_creases.h"
+
+namespace inkedge::mesh {
+namespace {
+
+constexpr double minSplitBend = 9.0;       // degrees
+constexpr double maxExcess = 15.0;         // degrees that normals may be split by more than the faces bend
+constexpr double minSplitShare = 1.0 / 3;  // of the bend, that normals are split by
+
+enum class Evidence { Smooth, Doubt, Crease };
+
+// An edge that bends by more than an angle; near the angle it must carry on another.
+class Threshold {
+public:
+    explicit Threshold(double degrees) {
+        const double doubt = std::min(1.0, 0.1 * degrees);
+        // No edge bends by more than 180 degrees: at that angle none is a crease.
+        beyond_ = degrees + doubt > 180.0 ? -2.0 : std::cos(glm::radians(degrees + doubt));
+        within_ = degrees >= 180.0 ? -2.0 : std::cos(glm::radians(degrees - doubt));
+    }
+    [[nodiscard]] Evidence of(double bendCosine) const {
+        return bendCosine < beyond_ ? Evidence::Crease : bendCosine < within_ ? Evidence::Doubt : Evidence::Smooth;
+    }
+
+private:
+    double beyond_;
+    double within_;
+};
+
+enum class Normal { Unknown, Shared, SplitAtOneEnd, Split };
+
+class Edges {
+public:
+    Edges(const Mesh& mesh, const MeshTopology& topology, const std::vector<bool>& disbelieved)
+        : mesh_{mesh}, topology_{topology}, disbelieved_{disbelieved} {}
+
+    // What the file's normals on both sides say of an edge that bends by a given cosine.
+    [[nodiscard]] Normal normalsAt(std::uint32_t h, std::uint32_t twin, double bendCosine) const {
+        if (!disbelieved_.empty() && (disbelieved_[h / 3] || disbelieved_[twin / 3])) return Normal::Unknown;
+        const TwinEnds ends = endsOfTwin(topology_, h, twin);
+        const double start = cosine(h, ends.atStart, h, twin);
+        const double end = cosine(nextHalfEdge(h), ends.atEnd, h, twin);
+        if (start == missing || end == missing) return Normal::Unknown;
+        const bool splitAtStart = start < sharedCosine_;
+        const bool splitAtEnd = end < sharedCosine_;
+        if (!splitAtStart && !splitAtEnd) return Normal::Shared;
+        const double bend = std::acos(std::clamp(bendCosine, -1.0, 1.0));
+        const auto agrees = [&](double splitCosine) {
+            const double split = std::acos(std::clamp(splitCosine, -1.0, 1.0));
+            return split <= bend + glm::radians(maxExcess) && split >= minSplitShare * bend;
+        };
+        if ((splitAtStart && !agrees(start)) || (splitAtEnd && !agrees(end))) return Normal::Unknown;
+        return splitAtStart && splitAtEnd ? Normal::Split : Normal::SplitAtOneEnd;
+    }
+
+private:
+    static constexpr double missing = 2.0;
+
+    [[nodiscard]] double cosine(std::uint32_t a, std::uint32_t b, std::uint32_t h, std::uint32_t twin) const {
+        const std::uint32_t i = mesh_.indices[a];
+        const std::uint32_t j = mesh_.indices[b];
+        const glm::dvec3 m{mesh_.normals[i]};
+        const glm::dvec3 n{mesh_.normals[j]};
+        const double lengths = std::sqrt(glm::dot(m, m) * glm::dot(n, n));
+        if (lengths == 0.0) return missing;
+        // Normals of faces wound against each other may point to opposite sides of one surface.
+        const bool against = topology_.points[h] == topology_.points[twin];
+        return i == j && !against ? 1.0 : (against ? -1.0 : 1.0) * glm::dot(m, n) / lengths;
+    }
+
+    const Mesh& mesh_;
+    const MeshTopology& topology_;
+    const std::vector<bool>& disbelieved_;
+    double sharedCosine_ = std::cos(sameNormal);
+};
+
+class Finder {
+public:
+    Finder(const Mesh& mesh, const std::vector<bool>& disbelieved, const LoadSettings& settings, MeshTopology& topology)
+        : mesh_{mesh},
+          topology_{topology},
+          edges_{mesh, topology, disbelieved},
+          kind_{settings.creases},
+          byBend_{settings.creaseAngle},
+          shared_{std::min(180.0, 2.0 * settings.creaseAngle)},
+          split_{std::min(minSplitBend, settings.creaseAngle)} {}
+
+    void find() {
+        topology_.creases.assign(topology_.twins.size(), false);
+        for (std::uint32_t h = 0; h < topology_.twins.size(); ++h) {
+            const std::uint32_t twin = topology_.twins[h];
+            if (!isHalfEdge(twin) || twin < h || isSmoothByKind(mesh_, h, twin)) continue;
+            if (!hasNormal(topology_, h / 3) || !hasNormal(topology_, twin / 3)) continue;
+            take(h, isOfKind(mesh_, h, twin, EdgeKind::Sharp) ? Evidence::Crease : evidence(h, twin));
+        }
+        if (!splitLess_.empty() || !splitLessAtOneEnd_.empty()) takeSplit();
+        followCreases(mesh_, doubtful_, topology_);
+    }
+
+private:
+    void take(std::uint32_t h, Evidence evidence) {
+        if (evidence == Evidence::Doubt) doubtful_.push_back(h);
+        if (evidence == Evidence::Crease) topology_.creases[h] = topology_.creases[topology_.twins[h]] = true;
+    }
+
+    Evidence evidence(std::uint32_t h, std::uint32_t twin) {
+        const double bend = bendCosine(topology_, h, twin);
+        const Evidence byBend = byBend_.of(bend);
+        if (kind_ == Creases::Angle) return byBend;
+        if (kind_ == Creases::Normals) return byNormals(edges_.normalsAt(h, twin, bend), byBend);
+        const Evidence ifSplit = split_.of(bend);
+        if (ifSplit == Evidence::Smooth) return Evidence::Smooth;
+        switch (edges_.normalsAt(h, twin, bend)) {
+            case Normal::Unknown:
+                return byBend;
+            case Normal::Shared:
+                if (byBend == Evidence::Smooth) sharedLess_.push_back(h);
+                return shared_.of(bend);
+            case Normal::SplitAtOneEnd:
+                if (byBend != Evidence::Crease) splitLessAtOneEnd_.push_back(h);
+                return byBend != Evidence::Crease ? Evidence::Smooth : std::max(Evidence::Doubt, shared_.of(bend));
+            case Normal::Split:
+                break;
+        }
+        if (byBend == Evidence::Crease) return Evidence::Crease;
+        splitLess_.push_back(h);
+        return Evidence::Smooth;  // until takeSplit()
+    }
+
+    static Evidence byNormals(Normal normals, Evidence byBend) {
+        switch (normals) {
+            case Normal::Shared:
+                return Evidence::Smooth;
+            case Normal::SplitAtOneEnd:
+                return Evidence::Doubt;
+            case Normal::Split:
+                return Evidence::Crease;
+            case Normal::Unknown:
+                break;
+        }
+        return byBend;
+    }
+
+    // Decides on the edges with split normals that bend by less than the crease angle.
+    void takeSplit() {
+        const Facets facets{mesh_, topology_, {splitLess_, sharedLess_}};
+        std::vector<std::uint32_t> chosen;
+        const auto takeAll = [&](const std::vector<std::uint32_t>& halfEdges, Evidence most) {
+            for (const std::uint32_t h : halfEdges) {
+                const double bend = bendCosine(topology_, h, topology_.twins[h]);
+                const Evidence found = facets.contain(h / 3) ? byBend_.of(bend) : split_.of(bend);
+                if (std::min(found, most) == Evidence::Crease) chosen.push_back(h);
+                if (std::min(found, most) == Evidence::Doubt) doubtful_.push_back(h);
+            }
+        };
+        takeAll(splitLess_, Evidence::Crease);
+        takeAll(splitLessAtOneEnd_, Evidence::Doubt);
+        const std::vector<bool> alone = standAlone(topology_, chosen);
+        for (std::size_t i = 0; i < chosen.size(); ++i)
+            if (!alone[i]) take(chosen[i], Evidence::Crease);
+    }
+
+    const Mesh& mesh_;
+    MeshTopology& topology_;
+    Edges edges_;
+    Creases kind_;
+    Threshold byBend_;
+    Threshold shared_;
+    Threshold split_;
+    // Half-edges of Creases::Auto whose faces bend by less than the crease angle, by the normals.
+    std::vector<std::uint32_t> splitLess_;
+    std::vector<std::uint32_t> splitLessAtOneEnd_;
+    std::vector<std::uint32_t> sharedLess_;
+    std::vector<std::uint32_t> doubtful_;
+};
+
+}  // namespace
+
+void findCreases(const Mesh& mesh, const std::vector<bool>& disbelieved, const LoadSettings& settings,
+                 MeshTopology& topology) {
+    Finder{mesh, disbelieved, settings, topology}.find();
+}
+
+}  // namespace inkedge::mesh
