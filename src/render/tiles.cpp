@@ -11,6 +11,7 @@
 #include "passes/function_edges.h"
 #include "passes/ink_over.h"
 #include "scene/prepared.h"
+#include "trace/scraps.h"
 #include "trace/screen_triangles.h"
 
 namespace inkedge::render {
@@ -139,6 +140,7 @@ Tiles drawTiles(const passes::Frame& picture, gl::FunctionInputs& inputs, const 
         const passes::Frame samples = passes::withTile(picture, tile);
         painter.draw({samples, passes::inPixels(samples, settings.picture.supersampling)}, all);
     }
+    trace::leaveOutScraps(all.pieces);
     return all;
 }
 
