@@ -11,6 +11,7 @@
 #include "mesh/authored_normals.h"
 #include "mesh/facets.h"
 #include "mesh/follow_creases.h"
+#include "mesh/roughness.h"
 
 namespace inkedge::mesh {
 namespace {
@@ -18,6 +19,13 @@ namespace {
 constexpr double minSplitBend = 9.0;       // degrees
 constexpr double maxExcess = 15.0;         // degrees that normals may be split by more than the faces bend
 constexpr double minSplitShare = 1.0 / 3;  // of the bend, that normals are split by
+
+// A surface of many faces that bend by this, in degrees, at half of their edges is rough: a scan, most likely.
+constexpr double minRoughness = 3.0;
+constexpr std::size_t minRoughFaces = 1000;
+// On it, edges that bend by this share of their angle carry creases on, and creases of fewer edges are none.
+constexpr double weakShare = 0.6;
+constexpr std::uint32_t minChain = 6;
 
 enum class Evidence { Smooth, Doubt, Crease };
 
@@ -95,7 +103,11 @@ public:
           kind_{settings.creases},
           byBend_{settings.creaseAngle},
           shared_{std::min(180.0, 2.0 * settings.creaseAngle)},
-          split_{std::min(minSplitBend, settings.creaseAngle)} {}
+          split_{std::min(minSplitBend, settings.creaseAngle)},
+          weakByBend_{weakShare * settings.creaseAngle},
+          weakShared_{weakShare * std::min(180.0, 2.0 * settings.creaseAngle)},
+          rough_{settings.creases == Creases::Auto && topology.originals.size() >= minRoughFaces &&
+                 medianBend(mesh, topology) >= minRoughness} {}
 
     void find() {
         topology_.creases.assign(topology_.twins.size(), false);
@@ -107,6 +119,9 @@ public:
         }
         if (!splitLess_.empty() || !splitLessAtOneEnd_.empty()) takeSplit();
         followCreases(mesh_, doubtful_, topology_);
+        if (!rough_) return;
+        extendCreases(mesh_, weak_, topology_);
+        dropShortChains(mesh_, minChain, topology_);
     }
 
 private:
@@ -124,9 +139,11 @@ private:
         if (ifSplit == Evidence::Smooth) return Evidence::Smooth;
         switch (edges_.normalsAt(h, twin, bend)) {
             case Normal::Unknown:
+                if (rough_ && weakByBend_.of(bend) == Evidence::Crease) weak_.push_back(h);
                 return byBend;
             case Normal::Shared:
                 if (byBend == Evidence::Smooth) sharedLess_.push_back(h);
+                if (rough_ && weakShared_.of(bend) == Evidence::Crease) weak_.push_back(h);
                 return shared_.of(bend);
             case Normal::SplitAtOneEnd:
                 if (byBend != Evidence::Crease) splitLessAtOneEnd_.push_back(h);
@@ -179,10 +196,14 @@ private:
     Threshold byBend_;
     Threshold shared_;
     Threshold split_;
+    Threshold weakByBend_;
+    Threshold weakShared_;
+    bool rough_;
     // Half-edges of Creases::Auto whose faces bend by less than the crease angle, by the normals.
     std::vector<std::uint32_t> splitLess_;
     std::vector<std::uint32_t> splitLessAtOneEnd_;
     std::vector<std::uint32_t> sharedLess_;
+    std::vector<std::uint32_t> weak_;  // of rough surfaces: carry on what is beyond doubt
     std::vector<std::uint32_t> doubtful_;
 };
 

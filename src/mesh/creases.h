@@ -20,6 +20,9 @@ namespace inkedge::mesh {
 ///   where up to three such edges stand alone. There, where normals are
 ///   missing, not believed, or split much more or less than the faces bend, the crease angle decides.
 ///
+/// On the rough surfaces of scans creases are carried on, where they end, by edges that bend by three fifths of their
+/// angle, and those of fewer than six edges are none.
+///
 /// No decision hangs on rounding: within a degree of an angle, and where normals are split at one end only, an edge is a
 /// crease only if it carries on one that is beyond doubt.
 /// @param mesh         with the file's normals, zero where it has none

@@ -43,4 +43,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::mesh

@@ -72,4 +72,50 @@ void followCreases(const Mesh& mesh, std::span<const std::uint32_t> doubtful, Me
     }
 }
 
+void extendCreases(const Mesh& mesh, std::span<const std::uint32_t> weak, MeshTopology& topology) {
+    if (weak.empty()) return;
+    std::vector<End> ends;  // of weak edges, by their points
+    for (const std::uint32_t h : weak)
+        for (const End& end : endsOf(mesh, topology, h)) ends.push_back(end);
+    std::ranges::sort(ends, {}, &End::point);
+
+    std::vector<std::uint8_t> creasesAt(topology.pointCount, 0);  // up to 2: more do not matter
+    const auto count = [&](std::uint32_t point) { creasesAt[point] = std::min<std::uint8_t>(creasesAt[point] + 1, 2); };
+    std::vector<std::uint32_t> sure;  // creases whose ends are yet to be looked at
+    for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
+        if (!topology.creases[h] || topology.twins[h] < h) continue;
+        sure.push_back(h);
+        for (const End& end : endsOf(mesh, topology, h)) count(end.point);
+    }
+    while (!sure.empty()) {
+        const std::uint32_t last = sure.back();
+        sure.pop_back();
+        for (const End& tip : endsOf(mesh, topology, last)) {
+            if (creasesAt[tip.point] > 1) continue;
+            const auto candidates = std::ranges::equal_range(ends, tip.point, {}, &End::point);
+            const auto best = std::ranges::min_element(
+                candidates, {}, [&](const End& end) { return glm::dot(end.direction, tip.direction); });
+            if (best == candidates.end() || glm::dot(best->direction, tip.direction) > straightCosine) continue;
+            const std::uint32_t h = best->halfEdge;
+            topology.creases[h] = topology.creases[topology.twins[h]] = true;
+            for (const End& end : endsOf(mesh, topology, h)) count(end.point);
+            sure.push_back(h);
+        }
+    }
+}
+
+void dropShortChains(const Mesh& mesh, std::uint32_t minEdges, MeshTopology& topology) {
+    base::UnionFind groups{topology.pointCount};
+    for (std::uint32_t h = 0; h < topology.twins.size(); ++h)
+        if (topology.creases[h]) groups.unite(topology.points[h], topology.points[nextHalfEdge(h)]);
+    std::vector<std::uint32_t> counts(topology.pointCount, 0);  // by root; each edge is two half-edges
+    for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
+        if (topology.creases[h]) ++counts[groups.root(topology.points[h])];
+        if (isHalfEdge(topology.twins[h]) && !isOfKind(mesh, h, topology.twins[h], EdgeKind::Sharp)) continue;
+        for (const std::uint32_t c : {h, nextHalfEdge(h)}) counts[groups.root(topology.points[c])] += 2 * minEdges;
+    }
+    for (std::uint32_t h = 0; h < topology.twins.size(); ++h)
+        if (topology.creases[h] && counts[groups.root(topology.points[h])] < 2 * minEdges) topology.creases[h] = false;
+}
+
 }  // namespace inkedge::mesh

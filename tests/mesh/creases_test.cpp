@@ -1,6 +1,8 @@
 #include "mesh/creases.h"
 
 #include <cmath>
+#include <functional>
+#include <numbers>
 #include <random>
 
 #include <gmock/gmock.h>
@@ -225,6 +227,41 @@ TEST(Creases, InDoubtAreThoseThatCarryOnOthers) {
     EXPECT_NEAR(lengthOfCreases(ridge(40.0, 20.0)), 2.0, 1.01) << "the strip between twists";
     // Two ridges side by side: none carries on the other.
     EXPECT_NEAR(lengthOfCreases(mesh::strips({40.0, 34.5})), 2.0, rounding);
+}
+
+// A rough sheet of square cells, 32 long, with a ridge along x = 0.
+// @param bendAt  of the ridge, degrees, by the distance from the middle of its length; the slopes further out stay
+Mesh roughRidge(double bend, const std::function<double(int)>& bendAt, double roughness) {
+    constexpr int half = 16;
+    std::mt19937 random{1};  // NOLINT: the same each time
+    std::uniform_real_distribution<double> within{-roughness, roughness};
+    const auto slope = [](double degrees) { return std::tan(glm::radians(0.5 * degrees)); };
+    Mesh mesh;
+    for (int y = -half; y <= half; ++y)
+        for (int x = -half; x <= half; ++x) {
+            const double fall = x == 0 ? 0.0 : slope(bendAt(std::abs(y))) + slope(bend) * (std::abs(x) - 1);
+            mesh.positions.emplace_back(glm::dvec3{x, y, (x == 0 ? 0.0 : within(random)) - fall});
+        }
+    for (std::uint32_t y = 0; y < 2 * half; ++y)
+        for (std::uint32_t x = 0; x < 2 * half; ++x) {
+            const std::uint32_t a = y * (2 * half + 1) + x;
+            const std::uint32_t b = a + 2 * half + 1;
+            for (const std::uint32_t v : {a, a + 1, b + 1, a, b + 1, b}) mesh.indices.push_back(v);
+        }
+    return mesh;
+}
+
+TEST(Creases, OfRoughSurfacesAreCarriedOnAndAreNotShort) {
+    constexpr double rough = 0.08;  // half of the edges bend by 4 degrees and more
+    const auto even = [](int) { return 50.0; };
+    const auto lowInTheMiddle = [](int y) { return y < 6 ? 31.0 : 50.0; };
+    const auto highInTheMiddle = [](int y) { return y < 2 ? 44.0 : 10.0; };
+    EXPECT_NEAR(lengthOfCreases(roughRidge(50.0, even, rough)), 32.0, rounding);
+    EXPECT_NEAR(lengthOfCreases(roughRidge(50.0, lowInTheMiddle, rough)), 32.0, rounding);
+    EXPECT_LT(lengthOfCreases(roughRidge(50.0, lowInTheMiddle, rough), Creases::Angle), 25.0);
+    EXPECT_LT(lengthOfCreases(roughRidge(50.0, lowInTheMiddle, 0.0)), 25.0) << "not rough: as it is";
+    EXPECT_EQ(lengthOfCreases(roughRidge(10.0, highInTheMiddle, rough)), 0.0);
+    EXPECT_GT(lengthOfCreases(roughRidge(10.0, highInTheMiddle, rough), Creases::Angle), 1.5);
 }
 
 TEST(Creases, ThatEndWithinAPatchSayByHowMuchTheyBend) {
