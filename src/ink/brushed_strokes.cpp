@@ -23,13 +23,13 @@ PixelBox boxIn(Rows rows, std::span<const BoxedStroke> strokes) {
 }  // namespace
 
 BrushedStrokes::BrushedStrokes(const Brush& brush, std::span<const Stroke> strokes,
-                               const std::array<Pen, penCount>& pens, Size rows)
+                               const std::array<settings::Pen, settings::penCount>& pens, Size rows)
     : strokes_{strokes}, inLine_{linesOf(strokes)}, coverage_{rows, 1}, distance_{rows, 1}, ink_{rows, 1} {
     for (const Stroke& stroke : strokes) {
         auto& fitted = brushes_[stroke.pen];
         if (fitted) continue;
         const double width = pens[stroke.pen].width;
-        for (std::size_t other = 0; other < penCount && !fitted; ++other)
+        for (std::size_t other = 0; other < settings::penCount && !fitted; ++other)
             if (brushes_[other] && pens[other].width == width) fitted = brushes_[other];
         if (!fitted) fitted.emplace(brush, width);
     }
@@ -57,7 +57,7 @@ std::vector<BrushedStrokes::InLine> BrushedStrokes::linesOf(std::span<const Stro
 }
 
 void BrushedStrokes::cover(Image<float>& coverage, Rows rows, std::span<const BoxedStroke> shown,
-                           const std::bitset<penCount>& pens) {
+                           const std::bitset<settings::penCount>& pens) {
     for (std::size_t begin = 0; begin < shown.size();) {
         std::size_t end = begin + 1;
         while (end < shown.size() && lineOf(shown[end]).line == lineOf(shown[begin]).line) ++end;

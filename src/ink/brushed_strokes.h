@@ -10,9 +10,9 @@
 #include <inkedge/image.h>
 
 #include "ink/brush.h"
-#include "ink/pens.h"
 #include "ink/stroke.h"
 #include "ink/stroke_coverage.h"
+#include "settings/pens.h"
 
 namespace inkedge::ink {
 
@@ -22,13 +22,15 @@ class BrushedStrokes {
 public:
     /// @param strokes  must outlive it; those of a line follow each other
     /// @param rows     width and height of what cover() is called for
-    BrushedStrokes(const Brush&, std::span<const Stroke> strokes, const std::array<Pen, penCount>&, Size rows);
+    BrushedStrokes(const Brush&, std::span<const Stroke> strokes, const std::array<settings::Pen, settings::penCount>&,
+                   Size rows);
 
     /// Raises coverage to that of strokes, times the brush's ink.
     /// @param coverage  of the rows, 0 to 1
     /// @param shown     some of the strokes, in their order
     /// @param pens      the pens whose strokes are drawn
-    void cover(Image<float>& coverage, Rows, std::span<const BoxedStroke> shown, const std::bitset<penCount>& pens);
+    void cover(Image<float>& coverage, Rows, std::span<const BoxedStroke> shown,
+               const std::bitset<settings::penCount>& pens);
 
 private:
     // How a stroke is connected to its line. Beyond an open end, that of the line or of a dash, the brush goes straight
@@ -49,8 +51,8 @@ private:
     void add(const BoxedStroke&, Rows);
 
     std::span<const Stroke> strokes_;
-    std::vector<InLine> inLine_;                                // one per stroke
-    std::array<std::optional<FittedBrush>, penCount> brushes_;  // of each pen that draws strokes
+    std::vector<InLine> inLine_;                                          // one per stroke
+    std::array<std::optional<FittedBrush>, settings::penCount> brushes_;  // of each pen that draws strokes
 
     // One line in the rows, before it is painted over the others.
     Image<float> coverage_;

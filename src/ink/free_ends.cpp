@@ -9,7 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "ink/pens.h"
+#include "settings/pens.h"
 
 namespace inkedge::ink {
 namespace {
@@ -148,7 +148,7 @@ std::vector<End> endsOf(const Lines& lines, const PictureSettings& picture, cons
     std::vector<End> ends;
     for (std::size_t i = 0; i < lines.lines.size(); ++i) {
         const Line& line = lines.lines[i];
-        if (line.closed || line.points.empty() || !isDrawn(line, picture, settings)) continue;
+        if (line.closed || line.points.empty() || !settings::isDrawn(line, picture, settings)) continue;
         for (const bool last : {false, true}) {
             const LinePoint& point = last ? line.points.back() : line.points.front();
             if (std::isfinite(point.pixel.x) && std::isfinite(point.pixel.y))
@@ -166,7 +166,7 @@ FreeEnds::FreeEnds(const Lines& lines, const PictureSettings& picture, const Lin
     Rows rows{endsOf(lines, picture, settings), lines.size};
     for (std::size_t i = 0; i < lines.lines.size(); ++i) {
         const Line& line = lines.lines[i];
-        if (!isDrawn(line, picture, settings)) continue;
+        if (!settings::isDrawn(line, picture, settings)) continue;
         std::vector<double> ways{0.0};
         for (std::size_t k = 1; k < line.points.size(); ++k)
             ways.push_back(ways.back() + glm::distance(line.points[k - 1].pixel, line.points[k].pixel));

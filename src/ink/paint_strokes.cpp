@@ -8,8 +8,8 @@
 
 #include "base/stop.h"
 #include "ink/brushed_strokes.h"
-#include "ink/pens.h"
 #include "ink/stroke_coverage.h"
+#include "settings/pens.h"
 
 namespace inkedge::ink {
 namespace {
@@ -51,12 +51,12 @@ void blend(Strip& strip, Color color) {
 // Pens of one colour, which are painted together.
 struct Coat {
     Color color;
-    std::bitset<penCount> pens;
+    std::bitset<settings::penCount> pens;
 };
 
 // Coats in the order in which they are painted. Hidden lines come before visible ones; among these the coat whose first
 // line type comes first in LineType is painted last.
-std::vector<Coat> coatsOf(const std::array<Pen, penCount>& all) {
+std::vector<Coat> coatsOf(const std::array<settings::Pen, settings::penCount>& all) {
     std::vector<Coat> coats;
     const auto addPens = [&](std::size_t first) {
         std::vector<Coat> added;
@@ -92,7 +92,7 @@ Image<std::uint8_t> emptyPicture(const PictureSettings& settings, settings::Pape
     return picture;
 }
 
-using Pens = std::array<Pen, penCount>;
+using Pens = std::array<settings::Pen, settings::penCount>;
 
 // The strokes that each strip shows, in their order.
 std::vector<std::vector<BoxedStroke>> sorted(std::span<const Stroke> strokes, const Pens& allPens, Size size) {
@@ -138,7 +138,7 @@ void paint(Strip& strip, std::span<const BoxedStroke> strokes, std::span<const C
 
 Image<std::uint8_t> paintStrokes(std::span<const Stroke> strokes, const PictureSettings& settings, const Brush* brush,
                                  settings::Paper paper) {
-    const auto allPens = pens(settings);
+    const auto allPens = settings::pens(settings);
     const std::vector<Coat> coats = coatsOf(allPens);
     Image<std::uint8_t> picture = emptyPicture(settings, paper);
     const Size stripSize{settings.size.width, stripRows};

@@ -33,8 +33,8 @@ void addSolid(const std::vector<StrokePoint>& points, std::uint8_t pen, std::vec
 
 // Adds dashes along a line, beginning with a whole one.
 void addDashes(const std::vector<StrokePoint>& points, std::uint8_t pen, double width, std::vector<Stroke>& strokes) {
-    const double period = (dashLength + gapLength) * width;
-    const double dash = dashLength * width;
+    const double period = (settings::dashLength + settings::gapLength) * width;
+    const double dash = settings::dashLength * width;
     double begin = 0.0;  // of the edge, as a length along the line
     for (std::size_t i = 1; i < points.size(); ++i) {
         const StrokePoint& a = points[i - 1];
@@ -62,13 +62,13 @@ StrokeMaker::StrokeMaker(const Lines& lines, const PictureSettings& picture, con
     : picture_{picture},
       settings_{settings},
       tolerance_{tolerance},
-      pens_{pens(picture)},
+      pens_{settings::pens(picture)},
       widths_{lines, picture, settings},
       size_{lines.size.width, lines.size.height} {}
 
 void StrokeMaker::add(const Line& line, std::vector<Stroke>& strokes) const {
-    if (!isDrawn(line, picture_, settings_)) return;
-    const std::uint8_t pen = penOf(line);
+    if (!settings::isDrawn(line, picture_, settings_)) return;
+    const std::uint8_t pen = settings::penOf(line);
     const double width = pens_[pen].width;
     const double margin = widths_.vary() ? width : 0.5 * width;  // up to twice as wide
     for (const Line& part : curves::clip(line, glm::dvec2{-margin}, size_ + margin)) {

@@ -9,9 +9,9 @@
 #include <inkedge/lines.h>
 #include <inkedge/settings.h>
 
-#include "ink/pens.h"
 #include "ink/stroke.h"
 #include "ink/stroke_widths.h"
+#include "settings/pens.h"
 #include "trace/traced_piece.h"
 
 namespace inkedge::ink {
@@ -29,7 +29,7 @@ private:
     const PictureSettings& picture_;
     const LineSettings& settings_;
     double tolerance_;
-    std::array<Pen, penCount> pens_;
+    std::array<settings::Pen, settings::penCount> pens_;
     StrokeWidths widths_;
     glm::dvec2 size_;
 };

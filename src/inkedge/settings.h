@@ -166,7 +166,7 @@ enum class ContourFinder {
 };
 /// What becomes of hidden lines.
 enum class HiddenLines { None, Dashed, Solid };
-/// What becomes of lines that fall on each other in the picture: that run along each other, 0.1 pixels apart or less.
+/// What becomes of lines that run along each other: 0.1 pixels apart or less, hidden ones their pen's width or 0.5.
 enum class CoincidentLines {
     Merge,  ///< the nearest seen one stays, of the first type that any of the seen ones has; of hidden ones the nearest
     Keep,   ///< all stay

@@ -12,9 +12,9 @@
 #include <inkedge/write.h>
 
 #include "curves/simplify.h"
-#include "ink/pens.h"
 #include "io/metadata.h"
 #include "settings/names.h"
+#include "settings/pens.h"
 
 namespace inkedge {
 namespace {
@@ -131,7 +131,7 @@ std::string linesJson(const Lines& lines, const Settings& settings) {
     const double perUnit = positionsPerUnit(lines.bounds);
     std::string_view separator = "\n";
     for (const Line& line : lines.lines) {
-        if (!ink::isDrawn(line, settings.picture, settings.lines)) continue;
+        if (!settings::isDrawn(line, settings.picture, settings.lines)) continue;
         const Line simple = written(line, tolerance - lines.tolerance);
         if (simple.points.size() < 2) continue;
         text += separator;

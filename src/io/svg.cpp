@@ -15,10 +15,10 @@
 #include "curves/clip.h"
 #include "curves/fit_beziers.h"
 #include "curves/simplify.h"
-#include "ink/pens.h"
 #include "ink/strokes_of.h"
 #include "io/metadata.h"
 #include "io/svg_path.h"
+#include "settings/pens.h"
 
 namespace inkedge {
 namespace {
@@ -179,8 +179,8 @@ io::SvgPath::Step stepFor(const LineSettings& settings) {
 using Paths = std::map<std::uint32_t, io::SvgPath>;  // by object
 
 struct Drawing {
-    std::array<Paths, ink::penCount> paths;  // by pen
-    bool isCut = false;                      // whether some ink lies beyond the picture's edges
+    std::array<Paths, settings::penCount> paths;  // by pen
+    bool isCut = false;                           // whether some ink lies beyond the picture's edges
 };
 
 bool reachesBeyond(glm::dvec2 size, glm::dvec2 pixel, double by) {
@@ -189,7 +189,7 @@ bool reachesBeyond(glm::dvec2 size, glm::dvec2 pixel, double by) {
 
 void addOutlines(Drawing& drawing, const Lines& lines, const PictureSettings& picture, const LineSettings& settings,
                  double tolerance) {
-    const auto allPens = ink::pens(picture);
+    const auto allPens = settings::pens(picture);
     const glm::dvec2 size{lines.size.width, lines.size.height};
     const ink::StrokeMaker maker{lines, picture, settings, tolerance};
     std::vector<ink::Stroke> strokes;
@@ -207,11 +207,11 @@ void addOutlines(Drawing& drawing, const Lines& lines, const PictureSettings& pi
 
 void addCentreLines(Drawing& drawing, const Lines& lines, const PictureSettings& picture, const LineSettings& settings,
                     double tolerance) {
-    const auto allPens = ink::pens(picture);
+    const auto allPens = settings::pens(picture);
     const glm::dvec2 size{lines.size.width, lines.size.height};
     for (const Line& line : lines.lines) {
-        if (!ink::isDrawn(line, picture, settings)) continue;
-        const std::uint8_t pen = ink::penOf(line);
+        if (!settings::isDrawn(line, picture, settings)) continue;
+        const std::uint8_t pen = settings::penOf(line);
         const double margin = 0.5 * allPens[pen].width;
         for (const Line& part : curves::clip(line, glm::dvec2{-margin}, size + margin)) {
             io::SvgPath& path = drawing.paths[pen].try_emplace(line.object, stepFor(settings)).first->second;
@@ -234,12 +234,12 @@ Drawing drawingOf(const Lines& lines, const PictureSettings& picture, const Line
     return drawing;
 }
 
-std::string inkOf(const ink::Pen& pen, bool isHidden, const LineSettings& settings) {
+std::string inkOf(const settings::Pen& pen, bool isHidden, const LineSettings& settings) {
     if (varies(settings)) return fmt::format("fill=\"{}\"", hex(pen.color));
     std::string ink = fmt::format("stroke=\"{}\" stroke-width=\"{}\"", hex(pen.color), number(pen.width));
     if (isHidden && settings.hidden == HiddenLines::Dashed) {
-        ink += fmt::format(" stroke-dasharray=\"{} {}\"", number(ink::dashLength * pen.width),
-                           number(ink::gapLength * pen.width));
+        ink += fmt::format(" stroke-dasharray=\"{} {}\"", number(settings::dashLength * pen.width),
+                           number(settings::gapLength * pen.width));
     }
     return ink;
 }
@@ -309,7 +309,7 @@ std::string linesSvg(const Lines& lines, const Settings& settings, std::string_v
         text += fmt::format("<clipPath id=\"picture\"><rect {}/></clipPath>\n", rectangle);
         attributes += " clip-path=\"url(#picture)\"";
     }
-    const auto allPens = ink::pens(picture);
+    const auto allPens = settings::pens(picture);
     for (std::size_t i = drawing.paths.size(); i-- > 0;) {  // the first covers the others, and is written last
         if (drawing.paths[i].empty()) continue;
         text += group(i, inkOf(allPens[i], i >= lineTypeCount, settings.lines), attributes, drawing.paths[i]);

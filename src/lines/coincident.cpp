@@ -1,6 +1,7 @@
 #include "lines/coincident.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <tuple>
@@ -10,13 +11,14 @@
 #include "base/stop.h"
 #include "lines/coincident_runs.h"
 #include "lines/picture_grid.h"
+#include "settings/pens.h"
 
 namespace inkedge::lines {
 namespace {
 
-constexpr double asNear = 0.1;      // pixel footprints of depth: no line is nearer than the other
-constexpr double shortest = 1e-3;   // pixels: shorter pieces have no direction, and shorter overlaps are none
-constexpr double roundAnEnd = 1.0;  // pixels along a line: what is as near as that to itself only bends
+constexpr double asNear = 0.1;       // pixel footprints of depth: no line is nearer than the other
+constexpr double shortest = 1e-3;    // pixels: shorter pieces have no direction, and shorter overlaps are none
+constexpr double roundAnEnd = 10.0;  // times as far along a line as it may be off: what is as near only bends
 constexpr std::uint32_t piecesBetweenLooks = 256;
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
@@ -32,6 +34,7 @@ struct Piece {
 
 // Two pieces along each other. Positions along a line count pieces, as those of a Part do.
 struct Overlap {
+    bool isBeside;  // not as near to each other as lines that are one, but not much further
     struct Side {
         std::uint32_t line;
         double from;
@@ -42,12 +45,28 @@ struct Overlap {
     Side goes;
 };
 
+// How near another line a line is when it falls on it, and for how long at least; pixels.
+struct Reach {
+    double within;
+    double shortest;
+};
+
+Reach reachOf(const Line& line, const std::array<settings::Pen, settings::penCount>& pens) {
+    if (line.visible) return {coincidentWithin, minCoincident};
+    const double width = pens[settings::penOf(line)].width;
+    return {std::max(minHiddenWithin, width),
+            std::max(minCoincident, (settings::dashLength + settings::gapLength) * width)};
+}
+
 class Merger {
 public:
     Merger(std::vector<Line> lines, const PictureSettings& picture, const Screen& screen, glm::dvec3 origin)
         : lines_{std::move(lines)}, screen_{screen}, origin_{origin}, lengths_(lines_.size()), runs_(lines_.size()) {
-        for (std::uint32_t i = 0; i < lines_.size(); ++i)
+        const auto pens = settings::pens(picture);
+        for (std::uint32_t i = 0; i < lines_.size(); ++i) {
+            reaches_.push_back(reachOf(lines_[i], pens));
             if (picture.lines.contains(lines_[i].type)) addPieces(i);
+        }
     }
 
     std::vector<Line> merge() {
@@ -81,10 +100,27 @@ private:
         lengths_[i] = start;
     }
 
+    // Whether a hidden line is too short to be cut, or to cut a longer one.
+    [[nodiscard]] bool isScrap(std::uint32_t line) const {
+        return !lines_[line].visible && lengths_[line] < reaches_[line].shortest;
+    }
+
+    // How near two lines are when they are one.
+    [[nodiscard]] double within(std::uint32_t a, std::uint32_t b) const {
+        return std::max(reaches_[a].within, reaches_[b].within);
+    }
+
+    // Of hidden lines, those beside others are found, too.
+    [[nodiscard]] double farthest(std::uint32_t a, std::uint32_t b) const {
+        return lines_[a].visible && lines_[b].visible ? within(a, b) : 2.0 * within(a, b);
+    }
+
     [[nodiscard]] std::vector<Overlap> findOverlaps() const {
+        double reach = 0.0;
+        for (std::uint32_t i = 0; i < lines_.size(); ++i) reach = std::max(reach, farthest(i, i));
         const PictureGrid grid{screen_.size()};
         const CellLists listed{grid, pieces_.size(), [&](std::uint32_t p, auto&& visit) {
-                                   grid.forEachCell(pieces_[p].a, pieces_[p].b, coincidentWithin, visit);
+                                   grid.forEachCell(pieces_[p].a, pieces_[p].b, reach, visit);
                                }};
         std::vector<Overlap> overlaps;
         std::vector<std::uint32_t> lookedAtFor(pieces_.size(), ~0U);
@@ -95,20 +131,30 @@ private:
                     if (other >= p) break;
                     if (lookedAtFor[other] == p) continue;
                     lookedAtFor[other] = p;
-                    if (const auto overlap = overlapOf(pieces_[p], pieces_[other])) overlaps.push_back(*overlap);
+                    addOverlaps(pieces_[p], pieces_[other], overlaps);
                 }
             });
         }
         return overlaps;
     }
 
+    void addOverlaps(const Piece& p, const Piece& q, std::vector<Overlap>& overlaps) const {
+        const double one = within(p.line, q.line);
+        if (const auto overlap = overlapOf(p, q, one)) overlaps.push_back(*overlap);
+        const double far = farthest(p.line, q.line);
+        if (far == one) return;
+        if (auto overlap = overlapOf(p, q, far)) {
+            overlap->isBeside = true;
+            overlaps.push_back(*overlap);
+        }
+    }
+
     // The stretch of p along which q runs.
-    [[nodiscard]] std::optional<Overlap> overlapOf(const Piece& p, const Piece& q) const {
+    [[nodiscard]] std::optional<Overlap> overlapOf(const Piece& p, const Piece& q, double within) const {
         const double length = glm::distance(p.a, p.b);
         const glm::dvec2 along = (p.b - p.a) / length;
         const double apart[2]{cross(along, q.a - p.a), cross(along, q.b - p.a)};
-        if (std::min(apart[0], apart[1]) > coincidentWithin || std::max(apart[0], apart[1]) < -coincidentWithin)
-            return {};
+        if (std::min(apart[0], apart[1]) > within || std::max(apart[0], apart[1]) < -within) return {};
         const double at[2]{glm::dot(along, q.a - p.a), glm::dot(along, q.b - p.a)};
         const double whole = at[1] - at[0];
         if (std::abs(whole) <= shortest) return {};
@@ -119,8 +165,8 @@ private:
         double to = std::min(1.0, shares[1]);
         const double slope = apart[1] - apart[0];
         if (std::abs(slope) > 1e-12) {
-            const double low = (-coincidentWithin - apart[0]) / slope;
-            const double high = (coincidentWithin - apart[0]) / slope;
+            const double low = (-within - apart[0]) / slope;
+            const double high = (within - apart[0]) / slope;
             from = std::max(from, std::min(low, high));
             to = std::min(to, std::max(low, high));
         }
@@ -135,7 +181,7 @@ private:
         const double between =
             std::abs(p.start + atP * glm::distance(p.a, p.b) - q.start - atQ * glm::distance(q.a, q.b));
         const double round = lines_[p.line].closed ? lengths_[p.line] - between : between;
-        return std::min(between, round) < roundAnEnd;
+        return std::min(between, round) < roundAnEnd * farthest(p.line, p.line);
     }
 
     [[nodiscard]] Overlap::Side sideOf(const Piece& piece, double from, double to) const {
@@ -154,26 +200,31 @@ private:
         };
         const bool seenAlike = lines_[p.line].visible == lines_[q.line].visible;
         bool pStays = lines_[p.line].visible;
-        if (seenAlike) pStays = std::abs(p.depth - q.depth) > asNear ? p.depth < q.depth : order(p) < order(q);
-        return pStays ? Overlap{p, q} : Overlap{q, p};
+        if (seenAlike && isScrap(p.line) != isScrap(q.line)) {
+            pStays = isScrap(q.line);
+        } else if (seenAlike) {
+            pStays = std::abs(p.depth - q.depth) > asNear ? p.depth < q.depth : order(p) < order(q);
+        }
+        return pStays ? Overlap{false, p, q} : Overlap{false, q, p};
     }
 
-    [[nodiscard]] std::tuple<bool, double, LineType, std::uint32_t> rank(const Overlap::Side& side) const {
+    [[nodiscard]] std::tuple<bool, bool, double, LineType, std::uint32_t> rank(const Overlap::Side& side) const {
         const Line& line = lines_[side.line];
-        return {!line.visible, std::floor(side.depth / asNear), line.type, side.line};
+        return {!line.visible, isScrap(side.line), std::floor(side.depth / asNear), line.type, side.line};
     }
 
     void settle(const Overlap& overlap) {
         const Line& stays = lines_[overlap.stays.line];
         const Line& goes = lines_[overlap.goes.line];
         if (runsOf(overlap.stays.line).hasGone(0.5 * (overlap.stays.from + overlap.stays.to))) return;
+        if (overlap.isBeside) return runsOf(overlap.goes.line).addBeside(overlap.goes.from, overlap.goes.to);
         if (stays.visible && goes.visible && goes.type < stays.type)
             runsOf(overlap.stays.line).add(overlap.stays.from, overlap.stays.to, goes.type);
         runsOf(overlap.goes.line).add(overlap.goes.from, overlap.goes.to, {});
     }
 
     CoincidentRuns& runsOf(std::uint32_t line) {
-        if (!runs_[line]) runs_[line].emplace(lines_[line]);
+        if (!runs_[line]) runs_[line].emplace(lines_[line], reaches_[line].within, reaches_[line].shortest);
         return *runs_[line];
     }
 
@@ -206,6 +257,7 @@ private:
     std::vector<Line> lines_;
     const Screen& screen_;
     glm::dvec3 origin_;
+    std::vector<Reach> reaches_;  // one per line
     std::vector<Piece> pieces_;
     std::vector<double> lengths_;                      // of lines, pixels
     std::vector<std::optional<CoincidentRuns>> runs_;  // one per line; none: it stays as it is

@@ -3,7 +3,10 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
+
+#include <fmt/format.h>
 
 #include "cli/command.h"
 #include "cli/decode_png.h"
@@ -77,6 +80,91 @@ std::array<double, 4> multiplied(const json& rows, const std::array<double, 4>& 
         for (std::size_t k = 0; k < 4; ++k) result[i] += rows.at(i).at(k).get<double>() * column[k];
     }
     return result;
+}
+
+// Two boxes that lie in each other, with tops, bottoms, fronts and backs in common, behind a screen of six by four.
+std::string boxesBehindAScreen() {
+    std::string obj = "o screen\nv -3 -2 3\nv 3 -2 3\nv 3 2 3\nv -3 2 3\nf 1 2 3 4\n";
+    int first = 5;
+    for (const auto& [left, right] : {std::pair{-2.0, 0.0}, std::pair{-1.3, 2.0}}) {
+        obj += fmt::format("o box{}\n", first);
+        for (int i = 0; i < 8; ++i)
+            obj += fmt::format("v {} {} {}\n", (i & 1) != 0 ? right : left, (i & 2) - 1, (i & 4) / 4);
+        for (const std::array<int, 4>& face : {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+                                               std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}})
+            obj += fmt::format("f {} {} {} {}\n", first + face[0], first + face[1], first + face[2], first + face[3]);
+        first += 8;
+    }
+    return obj;
+}
+
+// The length of the paths of an SVG that are made of relative moves, lines and closings alone.
+double lengthOfPaths(const std::string& svg) {
+    static const std::regex path{R"-( d="([^"]*)")-"};
+    static const std::regex token{R"([mlz]|-?(?:\d+\.?\d*|\.\d+))"};
+    double length = 0.0;
+    for (std::sregex_iterator p{svg.begin(), svg.end(), path}; p != std::sregex_iterator{}; ++p) {
+        const std::string data = (*p)[1];
+        bool moves = false;
+        std::array<double, 2> fromStart{};
+        std::vector<double> step;
+        for (std::sregex_iterator t{data.begin(), data.end(), token}; t != std::sregex_iterator{}; ++t) {
+            if (t->str() == "z") length += std::hypot(fromStart[0], fromStart[1]);
+            if (t->str() == "m") moves = true;
+            if (t->str() == "m" || t->str() == "l" || t->str() == "z") continue;
+            step.push_back(std::stod(t->str()));
+            if (step.size() < 2) continue;
+            length += moves ? 0.0 : std::hypot(step[0], step[1]);
+            fromStart = moves ? std::array{0.0, 0.0} : std::array{fromStart[0] + step[0], fromStart[1] + step[1]};
+            moves = false;
+            step.clear();
+        }
+    }
+    return length;
+}
+
+TEST_F(RenderLines, OfLinesThatFallOnEachOtherSvgAndPngHoldOne) {
+    const std::string model = file("boxes.obj", boxesBehindAScreen());
+    constexpr int pixels = 30;  // a unit
+    for (const std::string which : {"merge", "keep"}) {
+        for (const std::string extension : {".json", ".svg", ".png"}) {
+            expectSuccess(run({"render",
+                               model,
+                               "-o",
+                               which + extension,
+                               "--coincident",
+                               which,
+                               "--hidden",
+                               "dashed",
+                               "--lines-from",
+                               "object",
+                               "--camera-orthographic",
+                               "5",
+                               "--azimuth",
+                               "0",
+                               "--elevation",
+                               "0",
+                               "--size",
+                               "210x150",
+                               "--line-width",
+                               "2"}));
+        }
+    }
+    const double right = pixels * (20.0 + 2.0 * 4.0 + 4.0 * 2.0);  // the screen, the rows, the uprights
+    EXPECT_NEAR(lengthOf(lines("merge.json")), right, 1.0);
+    EXPECT_NEAR(lengthOfPaths(drawing("merge.svg")), right, 1.0);
+    EXPECT_GT(lengthOfPaths(drawing("keep.svg")), 1.3 * right);
+    // Along the top of both boxes, where they lie in each other: dashes of six pixels and two half caps, gaps of three.
+    const auto inked = [&](const std::string& png) {
+        const Picture picture = decodePng(text(png));
+        const std::size_t row = picture.width * (75 - pixels);
+        const std::string_view overlap = std::string_view{picture.grey}.substr(row + 105 - 39, 39);
+        const auto dark =
+            std::ranges::count_if(overlap, [](char level) { return static_cast<unsigned char>(level) < 192; });
+        return static_cast<double>(dark) / 39.0;
+    };
+    EXPECT_LT(inked("merge.png"), 0.85);
+    EXPECT_GT(inked("keep.png"), 0.9) << "the test sees no gaps that are filled";
 }
 
 TEST_F(RenderLines, SvgHasAGroupATypeAndVisibility) {

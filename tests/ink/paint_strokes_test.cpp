@@ -9,7 +9,6 @@
 #include <glm/trigonometric.hpp>
 
 #include "ink/ink_measures.h"
-#include "ink/pens.h"
 
 namespace inkedge::ink {
 namespace {
@@ -42,32 +41,6 @@ double angle(int i) { return glm::radians(i * 180.0 / angleCount + 0.7); }
 Line lineThrough(glm::dvec2 middle, double direction, double length) {
     const glm::dvec2 half = 0.5 * length * glm::dvec2{std::cos(direction), std::sin(direction)};
     return {middle - half, middle + half};
-}
-
-TEST(Pens, takeTheCommonWidthAndColourUnlessTheirTypeHasItsOwn) {
-    PictureSettings settings;
-    settings.lineWidth = {2.5, false};
-    settings.lineColor = {1, 2, 3};
-    settings.pens[crease] = {PictureLength{1.0, false}, Color{9, 9, 9}};
-    settings.pens[occlusion].width = PictureLength{4.0, false};
-    const auto all = pens(settings);
-    EXPECT_EQ(all[outline].width, 2.5);
-    EXPECT_EQ(all[outline].color, (Color{1, 2, 3}));
-    EXPECT_EQ(all[crease].width, 1.0);
-    EXPECT_EQ(all[crease].color, (Color{9, 9, 9}));
-    EXPECT_EQ(all[occlusion].width, 4.0);
-    EXPECT_EQ(all[occlusion].color, (Color{1, 2, 3}));
-}
-
-TEST(Pens, turnMillimetresIntoPixelsByTheResolution) {
-    PictureSettings settings;
-    settings.lineWidth = {0.5, true};
-    settings.dpi = 254.0;  // ten pixels per millimetre
-    EXPECT_DOUBLE_EQ(pens(settings)[outline].width, 5.0);
-    settings.dpi = 127.0;
-    EXPECT_DOUBLE_EQ(pens(settings)[outline].width, 2.5);
-    settings.lineWidth = {0.5, false};
-    EXPECT_DOUBLE_EQ(pens(settings)[outline].width, 0.5) << "pixels do not depend on it";
 }
 
 TEST(PaintStrokes, coverPixelsAsTheExactBandDoes) {

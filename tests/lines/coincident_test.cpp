@@ -1,6 +1,10 @@
 #include "lines/coincident.h"
 
+#include <cmath>
+#include <numbers>
+
 #include <gmock/gmock.h>
+#include <glm/trigonometric.hpp>
 
 #include "lines/views.h"
 
@@ -39,8 +43,11 @@ public:
         PictureSettings picture;
         picture.size = size_;
         picture.lines = drawn;
+        picture.lineWidth = {lineWidth, false};
         return mergeCoincident(std::move(lines), picture, screen_, glm::dvec3{0.0});
     }
+
+    double lineWidth = PictureSettings{}.lineWidth.value;
 
 private:
     Size size_{400, 300};
@@ -148,6 +155,75 @@ TEST(Coincident, SomeLineStaysWhereverOneWas) {
     }
 }
 
+// Of a hidden line's pen by default.
+constexpr double hiddenPen = 0.75;  // pixels
+constexpr double dashAndGap = 7.5;
+
+Line hiddenCircle(double radius, int facets, double turn, double depth) {
+    std::vector<glm::dvec2> pixels;
+    for (int i = 0; i < facets; ++i) {
+        const double angle = 2.0 * std::numbers::pi * (i + turn) / facets;
+        pixels.push_back({200.0 + radius * std::cos(angle), 150.0 + 0.4 * radius * std::sin(angle)});
+    }
+    return Plane::hidden(Plane::closed(Plane::line(LineType::Crease, pixels, depth)));
+}
+
+TEST(Coincident, HiddenCirclesOfDifferentFacetsRoundOneHoleAreOne) {
+    for (const double radius : {20.0, 50.0, 100.0}) {
+        for (const int facets : {24, 32, 37, 48, 64}) {
+            const Line nearest = hiddenCircle(radius, 32, 0.0, 1.0);
+            const auto merged =
+                Plane{}.merged({hiddenCircle(radius, facets, 0.3, 2.0), nearest, hiddenCircle(radius, 40, 0.1, 3.0)});
+            EXPECT_NEAR(length(merged), length(nearest), 1e-6) << radius << ", " << facets;
+            EXPECT_THAT(merged, SizeIs(1));
+        }
+    }
+}
+
+// Further apart than the pen is wide they are two, but no piece is shorter than dashes need to be seen.
+TEST(Coincident, HiddenLinesAreNotCutIntoPiecesShorterThanADashAndItsGap) {
+    for (int facets = 5; facets < 60; ++facets) {
+        for (const Line& line : Plane{}.merged({hiddenCircle(140, 48, 0.0, 1.0), hiddenCircle(140, facets, 0.2, 2.0)}))
+            EXPECT_GE(length(line), dashAndGap) << facets;
+    }
+}
+
+TEST(Coincident, HiddenLinesAsNearAsTheirPenIsWideAreOne) {
+    const auto lines = [&](double apart) {
+        return std::vector{Plane::hidden(Plane::line(LineType::Crease, {{10, 20}, {110, 20}})),
+                           Plane::hidden(Plane::line(LineType::Crease, {{10, 20 + apart}, {110, 20 + apart}}))};
+    };
+    EXPECT_THAT(Plane{}.merged(lines(hiddenPen - 0.01)), SizeIs(1));
+    EXPECT_THAT(Plane{}.merged(lines(hiddenPen + 0.01)), SizeIs(2));
+    Plane wide;
+    wide.lineWidth = 8.0;
+    EXPECT_THAT(wide.merged(lines(3.9)), SizeIs(1));
+    EXPECT_THAT(wide.merged(lines(4.1)), SizeIs(2));
+    Plane thin;
+    thin.lineWidth = 0.2;
+    EXPECT_THAT(thin.merged(lines(0.49)), SizeIs(1));
+    EXPECT_THAT(thin.merged(lines(0.51)), SizeIs(2));
+}
+
+TEST(Coincident, HiddenLinesThatCrossStayWhole) {
+    for (const double angle : {15.0, 30.0, 90.0}) {
+        const glm::dvec2 along{std::cos(glm::radians(angle)), std::sin(glm::radians(angle))};
+        const glm::dvec2 middle{200, 150};
+        const std::vector lines{
+            Plane::hidden(Plane::line(LineType::Crease, {{100, 150}, {300, 150}}, 1.0)),
+            Plane::hidden(Plane::line(LineType::Crease, {middle - 90.0 * along, middle + 90.0 * along}))};
+        EXPECT_NEAR(length(Plane{}.merged(lines)), 380.0, exact) << angle;
+    }
+}
+
+TEST(Coincident, AHiddenLineTooShortForADashGoesBelowALongerOneBehindIt) {
+    const auto merged =
+        Plane{}.merged({Plane::hidden(Plane::line(LineType::Intersection, {{50, 20.3}, {54, 20.4}}, 1.0)),
+                        Plane::hidden(Plane::line(LineType::Crease, {{10, 20}, {110, 20}}, 2.0))});
+    ASSERT_THAT(merged, SizeIs(1));
+    EXPECT_EQ(merged[0].type, LineType::Crease);
+}
+
 Settings keeping(HiddenLines hidden, CoincidentLines coincident) {
     Settings settings = settingsOf({.size = {400, 300}, .contour = Contour::Auto, .hidden = hidden});
     settings.lines.coincident = coincident;
@@ -167,6 +243,29 @@ TEST(Coincident, TheSameMeshTwiceIsDrawnAsOnce) {
         EXPECT_NEAR(length(ObjectLines{twice}.find(camera, merge).lines), right, exact);
         const auto keep = keeping(hidden, CoincidentLines::Keep);
         EXPECT_NEAR(length(ObjectLines{twice}.find(camera, keep).lines), 2.0 * right, exact);
+    }
+}
+
+// Boards side by side, and boards that lie on each other, as one mesh or as many.
+TEST(Coincident, APlanOfEqualBoardsHasEveryLineOnce) {
+    constexpr int across = 8;
+    constexpr int layers = 5;
+    const glm::dvec3 board{0.25, 0.1, 1.5};
+    std::vector<std::pair<Mesh, glm::dmat4>> boards;
+    for (int i = 0; i < across * layers; ++i)
+        boards.emplace_back(box(board), translation(board * glm::dvec3{i % across - 3.5, i / across, 0.0}));
+    const Scene scene = sceneOf(boards);
+    constexpr double pixels = 300.0 / 2.0;  // a unit
+    constexpr double ends = 1.0;            // pixels: at the ends of lines, whose corners are rounded to floats
+    const auto isHidden = [](const Line& line) { return !line.visible; };
+    for (const HiddenLines hidden : {HiddenLines::None, HiddenLines::Dashed}) {
+        const auto settings = keeping(hidden, CoincidentLines::Merge);
+        const auto plan = ObjectLines{scene}.find(orthographic({0, 5, 0}, 2.0), settings).lines;
+        EXPECT_NEAR(length(plan), pixels * (2.0 * across * board.x + (across + 1) * board.z), ends);
+        EXPECT_NEAR(length(thoseOf(plan, isHidden)), 0.0, exact);
+        const auto front = ObjectLines{scene}.find(orthographic({0, 0.2, 5}, 2.0, {0, 0.2, 0}), settings).lines;
+        EXPECT_NEAR(length(front), pixels * ((layers + 1) * across * board.x + (across + 1) * layers * board.y), ends);
+        EXPECT_NEAR(length(thoseOf(front, isHidden)), 0.0, exact);
     }
 }
 

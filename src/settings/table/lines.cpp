@@ -38,8 +38,8 @@ std::vector<SettingDescription> lineRows() {
              [](auto& s) -> auto& { return s.lines.hidden; }),
          row(
              {.name = "coincident",
-              .help = "merge: of lines within 0.1 px of each other the nearest that is seen; keep: all; lines from "
-                      "object"},
+              .help = "merge: of lines within 0.1 px of each other, hidden ones within their pen's width, the nearest "
+                      "that is seen; keep: all; lines from object"},
              Choice{coincidentNames}, [](auto& s) -> auto& { return s.lines.coincident; }),
          row(
              {.name = "stroke-width",

@@ -1,6 +1,6 @@
-#include "ink/pens.h"
+#include "settings/pens.h"
 
-namespace inkedge::ink {
+namespace inkedge::settings {
 namespace {
 
 constexpr double millimetresPerInch = 25.4;
@@ -32,4 +32,4 @@ bool isDrawn(const Line& line, const PictureSettings& picture, const LineSetting
     return picture.lines.contains(line.type) && (line.visible || lines.hidden != HiddenLines::None);
 }
 
-}  // namespace inkedge::ink
+}  // namespace inkedge::settings

@@ -6,7 +6,7 @@
 #include <inkedge/lines.h>
 #include <inkedge/settings.h>
 
-namespace inkedge::ink {
+namespace inkedge::settings {
 
 /// Width, in output pixels, and colour of strokes.
 struct Pen {
@@ -34,4 +34,4 @@ inline constexpr double gapLength = 4.0;
 /// Whether a line is drawn: its type is drawn, and it is visible or hidden lines are drawn.
 [[nodiscard]] bool isDrawn(const Line&, const PictureSettings&, const LineSettings&) noexcept;
 
-}  // namespace inkedge::ink
+}  // namespace inkedge::settings
