@@ -11,7 +11,8 @@ class StopScope {
 public:
     /// @param stopRequested  called on any of those threads, at the same time too
     explicit StopScope(std::function<bool()> stopRequested);
-    /// On another thread: the scopes that a thread is in, which must not end before this one. Null: none.
+    /// Takes the place of the scopes that this thread is in. On another thread: the scopes that a thread is in, which
+    /// must not end before this one. Null: nothing stops what is done in it.
     explicit StopScope(const StopScope* around);
     StopScope(const StopScope&) = delete;
     StopScope& operator=(const StopScope&) = delete;

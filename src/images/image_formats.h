@@ -4,36 +4,20 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <inkedge/error.h>
 #include <inkedge/image.h>
 
+#include "images/layer.h"
 #include "modules/open_module.h"
 
 // The interface between the library and the module of image formats. OpenImageIO takes half a second to load.
 
 namespace inkedge::images {
 
-enum class FileFormat { Tiff, OpenExr };
-enum class SampleType { Uint8, Half, Float };
-
-/// Channels that come from one image.
-struct Layer {
-    /// 8-bit values stand for 0..1; 16- and 32-bit integers stay as they are.
-    std::variant<const Image<std::uint8_t>*, const Image<float>*, const Image<std::uint16_t>*,
-                 const Image<std::uint32_t>*>
-        image;
-    std::vector<std::string> channels;  ///< a name for each of its channels
-    SampleType stored;                  ///< the type in the file
-};
-
-/// An entry in a file's header: one float, or 16: a 4 x 4 matrix, row-major.
-struct HeaderEntry {
-    std::string name;
-    std::vector<float> values;
-};
+/// The type of a file's values.
+enum class SampleType { Uint8, Float };
 
 struct EncodedPicture {
     std::vector<std::uint8_t> bytes;
@@ -63,9 +47,8 @@ struct Differences {
 
 /// The module's functions; safe to call from several threads.
 struct ImageFormats {
-    /// Makes a file in memory. The layers' images are of one size and hold at least one pixel. A channel "A" is alpha:
-    /// not premultiplied in Tiff, premultiplied in OpenExr.
-    EncodedPicture (*encode)(FileFormat, std::span<const Layer>, std::span<const HeaderEntry>);
+    /// Makes a TIFF in memory, of at least one pixel. A channel "A" is alpha, which the others are not multiplied by.
+    EncodedPicture (*encodeTiff)(const Layer&, SampleType);
 
     /// The first picture of a file of any format; alpha is not premultiplied.
     ReadPicture (*read)(const std::filesystem::path&);
@@ -80,7 +63,7 @@ struct ImageFormats {
 
 inline constexpr modules::ModuleOf<ImageFormats> imageModule{{.purpose = "image formats",
                                                               .file = "inkedge_image_formats.so",
-                                                              .symbol = "inkedge_image_formats_4",
+                                                              .symbol = "inkedge_image_formats_5",
                                                               .library = "OpenImageIO",
                                                               .option = "",
                                                               .remedy = "use .png, which needs no module"}};

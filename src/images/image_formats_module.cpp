@@ -21,89 +21,45 @@ namespace inkedge::images {
 namespace {
 
 constexpr const char* notThisFile = "; write it again, as .png or .exr";
-constexpr int rowsAtOnce = 64;  // a multiple of every scanline block that the formats compress
+constexpr int rowsAtOnce = 64;
 
-OIIO::TypeDesc typeDesc(SampleType type) {
-    switch (type) {
-        case SampleType::Uint8:
-            return OIIO::TypeUInt8;
-        case SampleType::Half:
-            return OIIO::TypeHalf;
-        case SampleType::Float:
-            break;
-    }
-    return OIIO::TypeFloat;
-}
-
-Size sizeOf(const Layer& layer) {
-    return std::visit([](const auto* image) { return image->size(); }, layer.image);
-}
-
-OIIO::ImageSpec describe(FileFormat format, std::span<const Layer> layers, std::span<const HeaderEntry> header) {
-    const Size size = sizeOf(layers.front());
-    OIIO::ImageSpec spec{size.width, size.height, 0, typeDesc(layers.front().stored)};
-    for (const Layer& layer : layers) {
-        spec.channelnames.insert(spec.channelnames.end(), layer.channels.begin(), layer.channels.end());
-        spec.channelformats.insert(spec.channelformats.end(), layer.channels.size(), typeDesc(layer.stored));
-    }
-    spec.nchannels = static_cast<int>(spec.channelnames.size());
+OIIO::ImageSpec describe(const Layer& layer, SampleType type) {
+    const Size size = layer.size();
+    OIIO::ImageSpec spec{size.width, size.height, static_cast<int>(layer.channels.size()),
+                         type == SampleType::Uint8 ? OIIO::TypeUInt8 : OIIO::TypeFloat};
+    spec.channelnames = layer.channels;
     const auto alpha = std::find(spec.channelnames.begin(), spec.channelnames.end(), "A");
     if (alpha != spec.channelnames.end()) spec.alpha_channel = static_cast<int>(alpha - spec.channelnames.begin());
-    if (format == FileFormat::Tiff) {
-        spec.attribute("oiio:UnassociatedAlpha", 1);
-        spec.channelformats.clear();  // TIFF has one type per picture
-    }
-    for (const HeaderEntry& entry : header) {
-        spec.attribute(entry.name, entry.values.size() == 16 ? OIIO::TypeMatrix44 : OIIO::TypeFloat,
-                       entry.values.data());
-    }
+    spec.attribute("oiio:UnassociatedAlpha", 1);
     return spec;
 }
 
-float normalised(float value) { return value; }
-float normalised(std::uint8_t value) { return static_cast<float>(value) / 255.0F; }
-float normalised(std::uint16_t value) { return static_cast<float>(value); }
-float normalised(std::uint32_t value) { return static_cast<float>(value); }
-
-/// Copies rows [begin, end) of an image into interleaved rows of `stride` channels, from channel `first` on.
-template <class T>
-void interleave(const Image<T>& image, int begin, int end, std::size_t first, std::size_t stride,
-                std::vector<float>& rows) {
-    std::size_t pixel = first;
-    for (int y = begin; y < end; ++y) {
-        for (int x = 0; x < image.size().width; ++x, pixel += stride) {
-            for (int c = 0; c < image.channels(); ++c) {
-                rows[pixel + static_cast<std::size_t>(c)] = normalised(image(x, y, c));
-            }
-        }
-    }
-}
-
-bool writeRows(OIIO::ImageOutput& output, const OIIO::ImageSpec& spec, std::span<const Layer> layers) {
-    const auto stride = static_cast<std::size_t>(spec.nchannels);
-    std::vector<float> rows(static_cast<std::size_t>(spec.width) * stride *
-                            static_cast<std::size_t>(std::min(rowsAtOnce, spec.height)));
+bool writeRows(OIIO::ImageOutput& output, const OIIO::ImageSpec& spec, const Layer& layer) {
+    std::vector<float> rows;
     for (int begin = 0; begin < spec.height; begin += rowsAtOnce) {
         const int end = std::min(begin + rowsAtOnce, spec.height);
-        std::size_t first = 0;
-        for (const Layer& layer : layers) {
-            std::visit([&](const auto* image) { interleave(*image, begin, end, first, stride, rows); }, layer.image);
-            first += layer.channels.size();
-        }
+        rows.clear();
+        const auto append = [&](const auto* image) {
+            for (int y = begin; y < end; ++y) {
+                for (int x = 0; x < spec.width; ++x) {
+                    for (int c = 0; c < spec.nchannels; ++c) rows.push_back(stored((*image)(x, y, layer.first + c)));
+                }
+            }
+        };
+        std::visit(append, layer.image);
         if (!output.write_scanlines(begin, end, 0, OIIO::TypeFloat, rows.data())) return false;
     }
     return true;
 }
 
-EncodedPicture encodeFile(FileFormat format, std::span<const Layer> layers, std::span<const HeaderEntry> header) {
-    const char* const formatName = format == FileFormat::Tiff ? "tiff" : "openexr";
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(formatName);
+EncodedPicture encodeFile(const Layer& layer, SampleType type) {
+    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("tiff");
     if (!output) return {{}, modules::oneLine(OIIO::geterror())};
-    const OIIO::ImageSpec spec = describe(format, layers, header);
+    const OIIO::ImageSpec spec = describe(layer, type);
     EncodedPicture result;
     OIIO::Filesystem::IOVecOutput memory{result.bytes};
-    const bool written = output->set_ioproxy(&memory) && output->open(formatName, spec) &&
-                         writeRows(*output, spec, layers) && output->close();
+    const bool written = output->set_ioproxy(&memory) && output->open("tiff", spec) &&
+                         writeRows(*output, spec, layer) && output->close();
     if (!written) result.failure = modules::oneLine(output->geterror());
     return result;
 }
@@ -169,11 +125,9 @@ DecodedPicture decodeJpeg(std::span<const std::uint8_t> bytes, std::uint64_t max
 
 }  // namespace
 
-extern "C" INKEDGE_API const ImageFormats* inkedge_image_formats_4() noexcept {
+extern "C" INKEDGE_API const ImageFormats* inkedge_image_formats_5() noexcept {
     static constexpr ImageFormats formats{
-        [](FileFormat format, std::span<const Layer> layers, std::span<const HeaderEntry> header) {
-            return modules::guarded([&] { return encodeFile(format, layers, header); });
-        },
+        [](const Layer& layer, SampleType type) { return modules::guarded([&] { return encodeFile(layer, type); }); },
         [](const std::filesystem::path& path) { return modules::guarded([&] { return readFile(path); }); },
         [](std::span<const std::uint8_t> bytes, std::uint64_t maxPixels) {
             return modules::guarded([&] { return decodeJpeg(bytes, maxPixels); });

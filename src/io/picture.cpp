@@ -11,6 +11,7 @@
 #include <inkedge/write.h>
 
 #include "base/staged_files.h"
+#include "images/encode_exr.h"
 #include "images/image_formats.h"
 #include "io/output_formats.h"
 
@@ -23,18 +24,37 @@ float linearLight(std::uint8_t value) {
     return static_cast<float>(encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
 }
 
-const std::array<float, 256>& linearLights() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> values{};
-        for (std::size_t i = 0; i < values.size(); ++i) values[i] = linearLight(static_cast<std::uint8_t>(i));
-        return values;
+/// To the nearest value that 16 bits hold: finer by far than 8 bits of sRGB, and half the size when compressed.
+float toHalf(float value) {
+    constexpr int digits = 11;
+    constexpr int minExponent = -13;  // below it the steps stay the same
+    int exponent = 0;
+    std::frexp(value, &exponent);
+    const float step = std::ldexp(1.0F, std::max(exponent, minExponent) - digits);
+    return std::nearbyint(value / step) * step;
+}
+
+struct Light {
+    float exact;
+    float asHalf;
+};
+
+const std::array<Light, 256>& linearLights() {
+    static const std::array<Light, 256> table = [] {
+        std::array<Light, 256> lights{};
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            const float light = linearLight(static_cast<std::uint8_t>(i));
+            lights[i] = {light, toHalf(light)};
+        }
+        return lights;
     }();
     return table;
 }
 
-std::vector<std::uint8_t> encodeWithModule(images::FileFormat format, const images::Layer& layer,
-                                           const std::filesystem::path& target) {
-    images::EncodedPicture encoded = images::imageFormats(Error::Kind::Output).encode(format, {&layer, 1}, {});
+std::vector<std::uint8_t> encodeTiff(const Image<std::uint8_t>& picture, const std::filesystem::path& target) {
+    const images::Layer layer{&picture, channelNames(picture.channels())};
+    images::EncodedPicture encoded =
+        images::imageFormats(Error::Kind::Output).encodeTiff(layer, images::SampleType::Uint8);
     if (!encoded.failure.empty()) base::failToWrite(target, encoded.failure);
     return std::move(encoded.bytes);
 }
@@ -46,27 +66,31 @@ std::vector<std::uint8_t> encodePicture(const Image<std::uint8_t>& picture, cons
         case PictureFormat::Png:
             break;
         case PictureFormat::Tiff:
-            return encodeWithModule(images::FileFormat::Tiff,
-                                    {&picture, channelNames(picture.channels()), images::SampleType::Uint8}, target);
+            return encodeTiff(picture, target);
         case PictureFormat::OpenExr: {
             const Image<float> linear = linearPicture(picture);
-            return encodeWithModule(images::FileFormat::OpenExr,
-                                    {&linear, channelNames(linear.channels()), images::SampleType::Half}, target);
+            const images::Layer layer{&linear, channelNames(linear.channels())};
+            return images::encodeExr({&layer, 1}, {});
         }
     }
     return encodePng(picture);
 }
 
 Image<float> linearPicture(const Image<std::uint8_t>& picture) {
-    const std::array<float, 256>& lights = linearLights();
-    const bool grey = picture.channels() == 1;
-    Image<float> linear{picture.size(), grey ? 3 : picture.channels()};
-    for (int y = 0; y < picture.size().height; ++y) {
-        for (int x = 0; x < picture.size().width; ++x) {
-            const float alpha = picture.channels() == 4 ? static_cast<float>(picture(x, y, 3)) / 255.0F : 1.0F;
-            for (int c = 0; c < 3; ++c) linear(x, y, c) = alpha * lights[picture(x, y, grey ? 0 : c)];
-            if (picture.channels() == 4) linear(x, y, 3) = alpha;
+    const std::array<Light, 256>& lights = linearLights();
+    const auto channels = static_cast<std::size_t>(picture.channels());
+    const std::size_t last = channels == 1 ? 0 : 2;  // grey serves for all three
+    Image<float> linear{picture.size(), channels == 4 ? 4 : 3};
+    float* to = linear.mutablePixels().data();
+    for (std::size_t i = 0; i < picture.pixels().size(); i += channels) {
+        const std::uint8_t* const from = &picture.pixels()[i];
+        const std::uint8_t opacity = channels == 4 ? from[3] : 255;
+        const float alpha = static_cast<float>(opacity) / 255.0F;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Light& light = lights[from[std::min(c, last)]];
+            *to++ = opacity == 255 ? light.asHalf : toHalf(alpha * light.exact);
         }
+        if (channels == 4) *to++ = toHalf(alpha);
     }
     return linear;
 }

@@ -10,7 +10,7 @@
 #include <inkedge/error.h>
 
 #include "base/staged_files.h"
-#include "images/image_formats.h"
+#include "images/encode_exr.h"
 #include "io/output_formats.h"
 #include "io/picture.h"
 #include "raster/memory.h"
@@ -138,37 +138,35 @@ Image<std::uint8_t> mapPicture(const Maps& maps, Map map) {
 /// A layer of an EXR. The names of its channels end in one letter: Blender drops other layers. Ids are floats: beside
 /// floats OpenImageIO reads integers as shares of the largest one, unless it is told not to.
 images::Layer mapLayer(const Maps& maps, Map map) {
-    using images::SampleType;
     switch (map) {
         case Map::Depth:
-            return {&maps.depth, {"depth.Z"}, SampleType::Float};
+            return {&maps.depth, {"depth.Z"}};
         case Map::Normal:
-            return {&maps.normal, {"normal.X", "normal.Y", "normal.Z"}, SampleType::Float};
+            return {&maps.normal, {"normal.X", "normal.Y", "normal.Z"}};
         case Map::DepthEdges:
-            return {&maps.depthEdges, {"depth-edges.Y"}, SampleType::Half};
+            return {&maps.depthEdges, {"depth-edges.Y"}};
         case Map::NormalEdges:
-            return {&maps.normalEdges, {"normal-edges.Y"}, SampleType::Half};
+            return {&maps.normalEdges, {"normal-edges.Y"}};
         case Map::Types:
-            return {&maps.types, {"types.V"}, SampleType::Float};
+            return {&maps.types, {"types.V"}};
         case Map::Ids:
-            return {&maps.ids, {"patch.V", "across.V", "object.V", "material.V"}, SampleType::Float};
+            return {&maps.ids, {"patch.V", "across.V", "object.V", "material.V"}};
         case Map::Edges:
             break;
     }
-    return {&maps.edges, {"edges.Y"}, SampleType::Half};
+    return {&maps.edges, {"edges.Y"}};
 }
 
-std::vector<float> rowMajor(const glm::dmat4& matrix) {
-    std::vector<float> values;
-    for (int row = 0; row < 4; ++row) {
-        for (int column = 0; column < 4; ++column) values.push_back(static_cast<float>(matrix[column][row]));
-    }
+std::array<float, 16> rowMajor(const glm::dmat4& matrix) {
+    std::array<float, 16> values{};
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = static_cast<float>(matrix[static_cast<int>(i % 4)][static_cast<int>(i / 4)]);
     return values;
 }
 
 std::vector<images::HeaderEntry> cameraEntries(const Camera& camera, Size size) {
-    return {{"inkedge:near", {static_cast<float>(camera.near)}},
-            {"inkedge:far", {static_cast<float>(camera.far)}},
+    return {{"inkedge:near", static_cast<float>(camera.near)},
+            {"inkedge:far", static_cast<float>(camera.far)},
             {"inkedge:view", rowMajor(camera.view)},
             {"inkedge:projection", rowMajor(camera.projection(size))}};
 }
@@ -190,13 +188,9 @@ std::vector<std::uint8_t> encodeLayers(const Maps& maps, std::span<const Map> wa
     const int channels = std::max(maps.picture.channels(), 3);
     raster::expectMemory(maps.picture.size(), sizeof(float) * static_cast<std::uint64_t>(channels));
     const Image<float> picture = io::linearPicture(maps.picture);
-    std::vector<images::Layer> layers{{&picture, io::channelNames(picture.channels()), images::SampleType::Half}};
+    std::vector<images::Layer> layers{{&picture, io::channelNames(picture.channels())}};
     for (const Map map : wanted) layers.push_back(mapLayer(maps, map));
-    images::EncodedPicture encoded =
-        images::imageFormats(Error::Kind::Output)
-            .encode(images::FileFormat::OpenExr, layers, cameraEntries(maps.camera, picture.size()));
-    if (!encoded.failure.empty()) base::failToWrite(target, encoded.failure);
-    return std::move(encoded.bytes);
+    return images::encodeExr(layers, cameraEntries(maps.camera, picture.size()));
 }
 
 void expectSize(Size found, Size expected, std::string_view map) {

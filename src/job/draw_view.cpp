@@ -57,6 +57,7 @@ JobResult drawView(const Job& job, const View& view, const Scene& scene, Rendere
     JobResult result;
     base::stopIfAsked();  // the last time: no view is written by half
     if (drawn.maps) reportDrawn(*drawn.maps);
+    const base::StopScope toTheEnd{static_cast<const base::StopScope*>(nullptr)};
     result.files = write(drawn, outputs, settings);
     const double writing = watch.milliseconds();
 

@@ -82,6 +82,16 @@ TEST(StopScope, isLookedAtWhenAStageEnds) {
     EXPECT_EQ(times.size(), 1U);
 }
 
+TEST(StopScope, ofNoneIsNotStopped) {
+    const StopScope asked{[] { return true; }};
+    EXPECT_THROW(stopIfAsked(), Error);
+    {
+        const StopScope toTheEnd{static_cast<const StopScope*>(nullptr)};
+        EXPECT_NO_THROW(stopIfAsked());
+    }
+    EXPECT_THROW(stopIfAsked(), Error);
+}
+
 TEST(LockUnlessStopped, waitsUntilTheMutexIsFree) {
     std::timed_mutex mutex;
     std::unique_lock held{mutex};

@@ -10,6 +10,7 @@
 
 #include "base/expect_error.h"
 #include "base/temporary_folder.h"
+#include "images/encode_exr.h"
 #include "images/image_formats.h"
 #include "images/read_png.h"
 
@@ -34,10 +35,8 @@ protected:
     }
 
     fs::path save(const std::string& name, const Image<float>& picture) {
-        const images::Layer layer{&picture, {"Y"}, images::SampleType::Float};
-        const auto encoded =
-            images::imageFormats(Error::Kind::Output).encode(images::FileFormat::OpenExr, {&layer, 1}, {});
-        writeFile(folder_ / name, encoded.bytes);
+        const images::Layer layer{&picture, {"Y"}};
+        writeFile(folder_ / name, images::encodeExr({&layer, 1}, {}));
         return folder_ / name;
     }
 

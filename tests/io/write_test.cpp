@@ -1,7 +1,9 @@
 #include <inkedge/write.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstring>
 
 #include <OpenImageIO/imageio.h>
 #include <fcntl.h>
@@ -118,9 +120,8 @@ TEST(WriteMaps, namesTheLayersOfAnExr) {
                 testing::UnorderedElementsAre("R", "G", "B", "depth.Z", "normal.X", "normal.Y", "normal.Z",
                                               "depth-edges.Y", "normal-edges.Y", "edges.Y"));
     EXPECT_EQ(file.spec.channelnames.front(), "R");
-    for (const char* const exact : {"depth.Z", "normal.X", "normal.Y", "normal.Z"}) {
-        EXPECT_EQ(file.spec.channelformat(file.spec.channelindex(exact)), OIIO::TypeFloat) << exact;
-    }
+    for (int c = 0; c < file.spec.nchannels; ++c)
+        EXPECT_EQ(file.spec.channelformat(c), OIIO::TypeFloat) << file.spec.channel_name(c);
 }
 
 TEST(WriteMaps, keepsFloatMapsExactlyInAnExr) {
@@ -195,6 +196,45 @@ TEST(WriteMaps, keepsRowsOfATallExrInOrder) {
     for (std::size_t i = 0; i < maps.depth.pixels().size(); ++i) maps.depth.mutablePixels()[i] = static_cast<float>(i);
     writeMaps(maps, std::array{Map::Depth}, folder / "a.exr");
     EXPECT_THAT(decodeFile(folder / "a.exr").channel("depth.Z"), ElementsAreArray(maps.depth.pixels()));
+}
+
+TEST(WriteMaps, keepsWhatDoesNotCompressInAnExr) {
+    const TemporaryFolder folder;
+    Maps maps = smallMaps();
+    maps.picture = Image<std::uint8_t>{{61, 35}, 1, 255};
+    const Image<std::uint8_t> bits = noise({61, 35}, 4);
+    maps.normal = Image<float>{{61, 35}, 3};
+    for (std::size_t i = 0; i < maps.normal.pixels().size(); ++i) {
+        std::uint32_t value = 0;  // of numbers from 1 to 2, so that none is NaN
+        std::memcpy(&value, &bits.pixels()[4 * (i % (61 * 35))], sizeof value);
+        maps.normal.mutablePixels()[i] = std::bit_cast<float>(0x3F800000U | (value & 0x7FFFFFU));
+    }
+    writeMaps(maps, std::array{Map::Normal}, folder / "a.exr");
+    const DecodedFile file = decodeFile(folder / "a.exr");
+    for (int c = 0; c < 3; ++c) {
+        const std::vector<float> found =
+            file.channel(std::array{"normal.X", "normal.Y", "normal.Z"}[static_cast<std::size_t>(c)]);
+        ASSERT_EQ(found.size(), 61U * 35U);
+        for (std::size_t i = 0; i < found.size(); ++i)
+            ASSERT_EQ(found[i], maps.normal.pixels()[3 * i + static_cast<std::size_t>(c)]) << "pixel " << i;
+    }
+}
+
+TEST(WriteMaps, roundsAPictureInAnExrToWhatSixteenBitsHold) {
+    const TemporaryFolder folder;
+    Maps maps = smallMaps();
+    maps.picture = Image<std::uint8_t>{{256, 2}, 4, 255};
+    for (int x = 0; x < 256; ++x) maps.picture(x, 0, 0) = maps.picture(x, 0, 3) = static_cast<std::uint8_t>(x);
+    writeMaps(maps, {}, folder / "a.exr");
+    const DecodedFile file = decodeFile(folder / "a.exr");
+    for (const char* const name : {"R", "A"}) {
+        for (const float value : file.channel(name)) {
+            const auto bits = std::bit_cast<std::uint32_t>(value);
+            // Normal numbers have 10 bits after the first, those below 2^-14 are multiples of 2^-24.
+            EXPECT_TRUE(value < 0x1p-14F ? std::fmod(value, 0x1p-24F) == 0.0F : (bits & 0x1FFFU) == 0) << value;
+        }
+    }
+    EXPECT_NEAR(file.channel("R")[1], 1.0 / 255.0 / 12.92 / 255.0, 0x1p-25);
 }
 
 TEST(WriteMaps, putsOnlyTheMapsAskedForIntoAnExr) {

@@ -73,3 +73,4 @@ endfunction()
 expect_refusal(1 "lines from object space: expected inkedge_embree.so in " --lines-from object -o ${WORK}/lines.svg)
 expect_refusal(1 "subdivision: expected inkedge_subdivision.so in " --subdivide 1 -o ${WORK}/smooth.png)
 expect_refusal(5 "image formats: expected inkedge_image_formats.so in " -o ${WORK}/drawn.tif)
+run(${WORK}/prefix/bin/inkedge render ${MODEL} --size 64x64 --maps depth --output ${WORK}/plain.exr)  # needs none
