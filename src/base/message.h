@@ -5,14 +5,17 @@
 #include <string_view>
 
 #include <inkedge/error.h>
+#include <inkedge/export.h>
 
 namespace inkedge::base {
 
 /// @throws Error  (Kind::Input) always, with this message
 [[noreturn]] void refuse(const std::string& message);
 
-/// Text from outside as one line: control characters become '?'.
-[[nodiscard]] std::string printable(std::string_view text);
+/// Text from outside as one line: control characters, those of Unicode and its line separators among them, become
+/// escapes: "\n", "\x1b", "\u2028". What is printable already stays as it is. The command calls it in the shared
+/// library; other programs are not offered it.
+[[nodiscard]] INKEDGE_API std::string printable(std::string_view text);
 
 /// Text from outside for a message: printable, between quotes, cut after about 80 bytes.
 [[nodiscard]] std::string quote(std::string_view text);

@@ -108,6 +108,24 @@ void overwrite(const fs::path& target, std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
+fs::path destinationOf(const fs::path& target) {
+    std::error_code error;
+    const fs::file_status status = fs::status(target, error);
+    if (fs::is_directory(status)) failToWrite(target, EISDIR);
+    if (status.type() == fs::file_type::not_found) {
+        if (!fs::is_symlink(fs::symlink_status(target, error))) return target;
+        failToWrite(target,
+                    fmt::format("expected a file behind the link, found none at {}; make one or remove the link",
+                                fs::read_symlink(target, error).string()));
+    }
+    if (status.type() == fs::file_type::none) failToWrite(target, error.value());
+    if (!fs::is_regular_file(status)) return target;
+    if (::access(target.c_str(), W_OK) != 0) failToWrite(target, errno);
+    fs::path destination = fs::canonical(target, error);
+    if (error) failToWrite(target, error.value());
+    return destination;
+}
+
 void failToWrite(const fs::path& target, std::string_view reason) {
     throw Error{Error::Kind::Output, fmt::format("{}: cannot be written: {}", target.string(), reason)};
 }
@@ -143,14 +161,10 @@ StagedFiles::StagedFiles(Staging staging) : staging_{staging} {}
 StagedFiles::~StagedFiles() = default;
 
 void StagedFiles::add(const fs::path& target, std::span<const std::uint8_t> bytes) {
-    std::error_code error;
-    const fs::file_status status = fs::status(target, error);
-    if (fs::is_directory(status)) failToWrite(target, EISDIR);
+    const fs::path destination = destinationOf(target);
+    std::error_code ignored;
+    const fs::file_status status = fs::status(destination, ignored);
     if (fs::exists(status) && !fs::is_regular_file(status)) return overwrite(target, bytes);
-    if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0) failToWrite(target, errno);
-
-    const fs::path destination = fs::exists(status) ? fs::canonical(target, error) : target;
-    if (error && fs::exists(status)) failToWrite(target, error.value());
     File file{target, destination, Descriptor{-1}, {}};
     if (const int failure = file.create(staging_)) failToWrite(target, failure);
     if (const int failure = writeAll(file.data, bytes)) failToWrite(target, failure);

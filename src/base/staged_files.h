@@ -23,9 +23,9 @@ public:
     StagedFiles& operator=(const StagedFiles&) = delete;
     ~StagedFiles();
 
-    /// Writes bytes to a file that does not have its name yet. A link is followed. A target that is no regular file (a
-    /// pipe, a device) cannot be replaced, and is written at once.
-    /// @throws Error  (Kind::Output) if target is a folder or protected, or its folder takes no file
+    /// Writes bytes to a file that does not have its name yet. A target that is no regular file (a pipe, a device)
+    /// cannot be replaced, and is written at once.
+    /// @throws Error  (Kind::Output) as destinationOf(), or if the target's folder takes no file
     void add(const std::filesystem::path& target, std::span<const std::uint8_t> bytes);
 
     /// Gives every file its name, in the order in which they were added. A file that has the name already is replaced.
@@ -37,6 +37,10 @@ private:
     Staging staging_;
     std::vector<File> files_;
 };
+
+/// The file that a target stands for: a link is followed, so that it stays and what it leads to is replaced.
+/// @throws Error  (Kind::Output) if target is a folder, protected, or a link to nothing
+[[nodiscard]] std::filesystem::path destinationOf(const std::filesystem::path& target);
 
 /// @throws Error  (Kind::Output) always: "TARGET: cannot be written: REASON"
 [[noreturn]] void failToWrite(const std::filesystem::path& target, std::string_view reason);

@@ -7,6 +7,7 @@
 
 #include <inkedge/inspect_model.h>
 
+#include "base/message.h"
 #include "base/stage_clock.h"
 #include "cli/model_argument.h"
 #include "cli/settings_sources.h"
@@ -87,8 +88,10 @@ std::string list(std::string_view heading, std::size_t count, Line&& line) {
 
 void printText(const std::string& model, const ModelContents& contents) {
     const SceneSource& source = contents.source;
-    const auto named = [](const std::string& name) { return name.empty() ? std::string{"(no name)"} : name; };
-    std::string lines = fmt::format("{}: {}\n", model, source.format);
+    const auto named = [](const std::string& name) {
+        return name.empty() ? std::string{"(no name)"} : base::printable(name);
+    };
+    std::string lines = fmt::format("{}: {}\n", base::printable(model), source.format);
     lines += fmt::format("{:<11}{} in {} instances of {} meshes\n", "triangles", contents.triangles, contents.instances,
                          contents.meshes.size());
     if (!contents.undrawn.empty()) lines += fmt::format("{:<11}{}\n", "not drawn", fmt::join(contents.undrawn, ", "));
@@ -109,7 +112,8 @@ void printText(const std::string& model, const ModelContents& contents) {
     lines += list("scenes", source.scenes.size(), [&](std::size_t i) { return named(source.scenes[i]); });
     lines += list("animations", source.animations.size(), [&](std::size_t i) { return named(source.animations[i]); });
     if (!source.extensions.empty())
-        lines += fmt::format("{:<11}{}\n", "extensions", fmt::join(source.extensions, ", "));
+        lines += fmt::format("{:<11}{}\n", "extensions",
+                             base::printable(fmt::format("{}", fmt::join(source.extensions, ", "))));
     for (const std::string& warning : contents.warnings) lines += fmt::format("{:<11}{}\n", "warning", warning);
     print(lines);
 }

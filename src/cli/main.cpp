@@ -23,13 +23,11 @@ int report(std::string_view message, int exitCode) {
     return exitCode;
 }
 
-std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
-
 // An error of the command line in the words of all our errors, or in the parser's own words if we have none for it.
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
     const auto verbs = app.get_subcommands();
     const std::vector<std::string> unknown = app.remaining(true);
-    const std::string text = firstLine(error.what());
+    const std::string text = error.what();
     if (verbs.empty()) {
         return fmt::format("expected render, inspect, compare or doctor, found {}; see inkedge --help",
                            unknown.empty() ? "nothing" : fmt::format("'{}'", unknown.front()));
@@ -84,8 +82,7 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         return report("expected enough memory, found too little; use a smaller model or --size", runtimeFailure);
     } catch (const std::exception& error) {
-        return report(fmt::format("expected the work to come to its end, found: {}; report this, please",
-                                  firstLine(error.what())),
+        return report(fmt::format("expected the work to come to its end, found: {}; report this, please", error.what()),
                       runtimeFailure);
     }
 }

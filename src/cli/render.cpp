@@ -11,6 +11,7 @@
 #include <inkedge/renderer.h>
 #include <inkedge/views.h>
 
+#include "base/message.h"
 #include "cli/checks.h"
 #include "cli/model_argument.h"
 #include "cli/settings_sources.h"
@@ -47,7 +48,7 @@ void startTimeout(const RenderArguments& arguments) {
         *arguments.timeout,
         fmt::format("inkedge: error: {}: expected the work to end within {} s, found it still going; raise "
                     "--timeout or ask for less (a smaller model, --size or --supersampling)\n",
-                    arguments.model, *arguments.timeout));
+                    base::printable(arguments.model), *arguments.timeout));
 }
 
 void warn(const RenderArguments& arguments, const Settings& settings, const Scene& scene) {
@@ -86,6 +87,8 @@ int render(const RenderArguments& arguments) {
     Job job{.model = arguments.model, .settings = arguments.settings.resolve(), .metadata = arguments.metadataFile};
     checkStandardOutput(arguments, job.settings);
     if (!arguments.views.empty()) job.views = viewsOf(arguments.views, job.settings.camera);
+    for (const std::string& read : {arguments.views, arguments.settings.configFile()})
+        if (!read.empty()) job.inputs.emplace_back(read);
     JobOptions options{.workers = arguments.jobs};
     if (arguments.output == "-") {
         options.drawn = [](std::size_t, std::size_t, const Maps& maps) {

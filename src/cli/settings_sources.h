@@ -24,6 +24,9 @@ public:
     ///                (Kind::Input) if the configuration file cannot be read
     [[nodiscard]] Settings resolve() const;
 
+    /// Empty if none is given.
+    [[nodiscard]] const std::string& configFile() const noexcept { return configFile_; }
+
 private:
     std::map<std::string_view, std::string> flags_;  // by setting name; only those that were given count
     std::map<std::string_view, CLI::Option*> options_;

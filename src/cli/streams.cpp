@@ -12,6 +12,8 @@
 
 #include <inkedge/error.h>
 
+#include "base/message.h"
+
 namespace inkedge::cli {
 namespace {
 
@@ -61,7 +63,7 @@ void print(std::string_view result) {
 
 void report(std::string_view label, std::string_view text) noexcept {
     try {
-        (void)writeAll(STDERR_FILENO, fmt::format("inkedge: {}{}\n", label, text));
+        (void)writeAll(STDERR_FILENO, fmt::format("inkedge: {}{}\n", label, base::printable(text)));
     } catch (...) {  // no memory to join the texts
         for (const std::string_view part : {std::string_view{"inkedge: "}, label, text, std::string_view{"\n"}}) {
             (void)writeAll(STDERR_FILENO, part);

@@ -68,6 +68,7 @@ Scene load(const ModelInput& input, const LoadSettings& settings) {
 Scene::Data readModel(const ModelInput& input, const LoadSettings& settings) {
     const Reader& reader = readerOf(input);
     Scene::Data data = reader.read(input, settings);
+    for (std::string& warning : data.warnings) warning = base::printable(warning);
     data.source.name = input.name.filename().string();
     data.source.format = reader.format.name;
     data.source.knowsSides = reader.knowsSides;

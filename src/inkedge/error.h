@@ -21,7 +21,8 @@ public:
         Stopped = 6,  ///< the caller asked to stop: the command never does, signals end it
     };
 
-    Error(Kind kind, const std::string& message) : std::runtime_error{message}, kind_{kind} {}
+    /// @param message  one line; control characters in it, say of a file's name, become escapes: "\n", "\x1b"
+    Error(Kind kind, const std::string& message);
     ~Error() override;
 
     [[nodiscard]] Kind kind() const noexcept { return kind_; }

@@ -21,7 +21,8 @@
 namespace inkedge {
 
 /// One model, drawn from its views into its files. In names of files "{model}" stands for the model's name without
-/// folder and extension, "{view}" for View::name, "{map}" for "outline" or a map's name.
+/// folder and extension, "{view}" for View::name, "{map}" for "outline" or a map's name. What is filled in stays as it
+/// is, braces in a model's name too.
 struct Job {
     std::filesystem::path model;
     std::optional<Scene> scene = {};  ///< the model, already loaded; none: it is read from its file, with
@@ -31,6 +32,9 @@ struct Job {
     std::vector<std::string> outputs = {};  ///< pictures, as writeMaps() takes them, and lines, as writeLines() does;
                                             ///< none: pictures are drawn for JobOptions::drawn alone
     std::string metadata = {};              ///< for metadataJson(), of the first output; empty: none
+    /// What was read for the job beside the model, its brush and its functions (a list of views, a configuration): no
+    /// output may replace it.
+    std::vector<std::filesystem::path> inputs = {};
 };
 
 /// One view of a job, drawn and written.
@@ -73,13 +77,15 @@ struct JobOptions {
 };
 
 /// The files that a view of a job is written to: one of each output, its maps' after it, then that of metadata.
-/// @throws Error  (Kind::Usage) if an output's extension is none that can be written
+/// @throws Error  (Kind::Usage) if an output's extension is none that can be written, or the model's or the view's name
+///                would lead out of the output's folder
 [[nodiscard]] INKEDGE_API std::vector<std::filesystem::path> filesOf(const Job&, const View&);
 
 /// Finds before the work what would fail after it. Messages name outputs and settings by the command's flags.
-/// @throws Error  (Kind::Usage) if validate() refuses a setting, an output's extension is none that can be written, two
-///                views would be written to one file, or an output takes lines and a setting asks for what is no line;
-///                (Kind::Output) if a file's folder is not there
+/// @throws Error  (Kind::Usage) if validate() refuses a setting, as filesOf(), if one file is asked for twice or is read
+///                for one of the jobs, by whatever spelling or link, or an output takes lines and a setting asks for
+///                what is no line; (Kind::Output) if a file's folder is not there, or the file is a folder, protected
+///                or a link to nothing
 INKEDGE_API void checkJobs(std::span<const Job>);
 
 /// Checks the jobs and draws their views, in this order, by several renderers at once: a software driver leaves cores

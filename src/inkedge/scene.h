@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,6 +32,7 @@ struct SceneSource {
     std::vector<std::string> extensions;  ///< of glTF, that it uses
     LengthUnit unit = LengthUnit::None;   ///< of world space; None: the file does not say
     bool knowsSides = false;              ///< a surface is single-sided unless its Material says that it is not
+    std::vector<std::filesystem::path> files = {};  ///< buffers and pictures that it names, as far as they are there
 };
 
 /// What the file says of a surface.

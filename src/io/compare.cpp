@@ -14,6 +14,7 @@
 #include <inkedge/error.h>
 #include <inkedge/write.h>
 
+#include "base/file_key.h"
 #include "base/staged_files.h"
 #include "images/image_formats.h"
 #include "images/read_png.h"
@@ -37,6 +38,8 @@ std::vector<std::uint8_t> readBytes(const fs::path& file) {
     const fs::file_status status = fs::status(file, error);
     if (fs::is_directory(status)) failToRead(file, "expected a file, found a folder; add a file's name");
     if (status.type() == fs::file_type::not_found) failToRead(file, "expected a file, found none; check its name");
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        failToRead(file, "expected a regular file, found a device, pipe or socket; write a file and name that");
     std::ifstream stream{file, std::ios::binary};
     std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>{stream}, {}};
     if (!stream) {
@@ -146,11 +149,22 @@ Comparison judge(const images::Differences& found, const Image<float>& image, co
     return result;
 }
 
+// Refuses a name for the differences before the work.
+void expectUsable(const fs::path& difference, const fs::path& a, const fs::path& b) {
+    (void)io::pictureFormat(difference);
+    for (const fs::path& picture : {a, b}) {
+        if (base::fileKey(difference) != base::fileKey(picture)) continue;
+        throw Error{Error::Kind::Usage,
+                    fmt::format("{}: expected an output other than what is compared, found {}; choose another name",
+                                difference.string(), picture.string())};
+    }
+}
+
 }  // namespace
 
 Comparison compare(const fs::path& a, const fs::path& b, const Tolerance& tolerance,
                    const std::optional<fs::path>& difference) {
-    if (difference) (void)io::pictureFormat(*difference);  // refuse a wrong name before the work
+    if (difference) expectUsable(*difference, a, b);
     images::ReadPicture left = read(a);
     images::ReadPicture right = read(b);
     expectSameShape(a, left.image, b, right.image);

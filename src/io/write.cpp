@@ -13,6 +13,7 @@
 #include "images/encode_exr.h"
 #include "io/output_formats.h"
 #include "io/picture.h"
+#include "io/write_map_files.h"
 #include "raster/memory.h"
 
 namespace fs = std::filesystem;
@@ -220,13 +221,12 @@ std::vector<fs::path> outputFiles(const fs::path& output, std::span<const Map> m
     return files;
 }
 
-std::vector<fs::path> writeMaps(const Maps& maps, std::span<const Map> wanted, const fs::path& output) {
-    const std::vector<fs::path> files = outputFiles(output, wanted);
+void io::writeMapFiles(const Maps& maps, std::span<const Map> wanted, std::span<const fs::path> files) {
     const std::vector<Map> each = distinct(wanted);
     expectRendered(maps, each);
 
     base::StagedFiles staged;
-    if (io::pictureFormat(output) == io::PictureFormat::OpenExr) {
+    if (io::pictureFormat(files.front()) == io::PictureFormat::OpenExr) {
         staged.add(files.front(), encodeLayers(maps, each, files.front()));
     } else {
         staged.add(files.front(), io::encodePicture(maps.picture, files.front()));
@@ -235,6 +235,11 @@ std::vector<fs::path> writeMaps(const Maps& maps, std::span<const Map> wanted, c
         }
     }
     staged.commit();
+}
+
+std::vector<fs::path> writeMaps(const Maps& maps, std::span<const Map> wanted, const fs::path& output) {
+    std::vector<fs::path> files = outputFiles(output, wanted);
+    io::writeMapFiles(maps, wanted, files);
     return files;
 }
 

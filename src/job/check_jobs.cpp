@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -9,7 +8,9 @@
 #include <inkedge/setting_table.h>
 #include <inkedge/write.h>
 
+#include "base/staged_files.h"
 #include "job/file_names.h"
+#include "job/files_apart.h"
 
 namespace inkedge {
 namespace job {
@@ -17,11 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder that is missing fails before the work, and before another file is written.
-void expectFolderOf(const fs::path& file) {
+// What cannot be written fails before the work, and before another file is written.
+void expectPlaceFor(const fs::path& file) {
     const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
     std::error_code ignored;
-    if (fs::is_directory(folder, ignored)) return;
+    if (fs::is_directory(folder, ignored)) return static_cast<void>(base::destinationOf(file));
     const bool exists = fs::exists(folder, ignored);
     throw Error{Error::Kind::Output,
                 fmt::format("{}: cannot be written: expected a folder {}, found {}", file.string(), folder.string(),
@@ -35,7 +36,7 @@ void expectViewIn(std::string_view flag, const std::string& file, std::size_t vi
 }
 
 // What makes no lines does not go into a file of lines.
-void expectLinesOnly(const Job& job, const std::string& output, const View& view) {
+void expectLinesOnly(const Job& job, const std::string& output) {
     const Settings& settings = job.settings;
     const auto refuseIf = [&](bool given, std::string_view flag, std::string_view why) {
         if (!given) return;
@@ -44,56 +45,56 @@ void expectLinesOnly(const Job& job, const std::string& output, const View& view
                                 ".png, or leave {0} out",
                                 flag, output, why)};
     };
-    const bool hasPicture = !std::ranges::all_of(
-        job.outputs, [&](const std::string& other) { return holdsLines(outputOf(job, other, view)); });
+    const bool hasPicture =
+        !std::ranges::all_of(job.outputs, [](const std::string& other) { return holdsLines(other); });
     refuseIf(!settings.maps.empty() && !hasPicture, "--maps", "holds lines");
     refuseIf(settings.style.style != Style::Ink, "--style", "holds lines");
     refuseIf(!settings.detector.functions.empty(), "--function", "holds lines");
-    const bool isSvg = outputOf(job, output, view).extension() == ".svg";
-    refuseIf(!settings.lines.brush.empty() && isSvg, "--brush", "has no textures");
+    refuseIf(!settings.lines.brush.empty() && fs::path{output}.extension() == ".svg", "--brush", "has no textures");
 }
 
-struct Writer {
-    std::size_t job;
-    std::size_t view;
-    friend bool operator==(const Writer&, const Writer&) = default;
-};
-using Writers = std::map<fs::path, Writer>;
-
-void expectNoOther(std::span<const Job> jobs, const fs::path& file, const Writer& writer, Writers& writers) {
-    const auto [found, isNew] = writers.emplace(file.lexically_normal(), writer);
-    if (isNew || found->second == writer) return;
-    const auto nameOf = [&](const Writer& each) {
-        return fmt::format("view {} of {}", viewsOf(jobs[each.job])[each.view].name, jobs[each.job].model.string());
-    };
-    throw Error{Error::Kind::Usage,
-                fmt::format("{}: expected a file for {} alone, found it asked for by {} too; put {{model}} and "
-                            "{{view}} in its name",
-                            file.string(), nameOf(found->second), nameOf(writer))};
-}
-
-void check(std::span<const Job> jobs, std::size_t number, Writers& writers) {
-    const Job& job = jobs[number];
+// @param viewsBefore  of other jobs
+void check(const Job& job, std::size_t& viewsBefore, FilesApart& files) {
     validate(job.settings);
     const std::vector<View> views = viewsOf(job);
-    for (const std::string& output : job.outputs) expectViewIn("--output", output, views.size());
+    for (const std::string& output : job.outputs) {
+        expectViewIn("--output", output, views.size());
+        if (holdsLines(output)) expectLinesOnly(job, output);
+    }
     if (!job.metadata.empty()) expectViewIn("--metadata", job.metadata, views.size());
-    for (std::size_t i = 0; i < views.size(); ++i) {
+    for (const View& view : views) {
+        const std::string who = fmt::format("view {} of {}", view.name, job.model.string());
+        const auto add = [&](const fs::path& file, std::string_view flag) {
+            expectPlaceFor(file);
+            files.addOutput(file, {viewsBefore, who, flag});
+        };
         for (const std::string& output : job.outputs)
-            if (holdsLines(outputOf(job, output, views[i]))) expectLinesOnly(job, output, views[i]);
-        for (const fs::path& file : filesOf(job, views[i])) {
-            expectFolderOf(file);
-            expectNoOther(jobs, file, {number, i}, writers);
-        }
+            for (const fs::path& file : filesOfOutput(job, output, view)) add(file, "--output");
+        if (!job.metadata.empty()) add(metadataFileOf(job, view), "--metadata");
+        ++viewsBefore;
     }
 }
 
+void addInputs(const Job& job, FilesApart& files) {
+    if (!job.scene) files.addInput(job.model, "the model");
+    if (!job.settings.lines.brush.empty()) files.addInput(job.settings.lines.brush, "--brush");
+    for (const FunctionSettings& function : job.settings.detector.functions)
+        if (!function.file.empty()) files.addInput(function.file, "--function");
+    for (const fs::path& input : job.inputs) files.addInput(input, "a file that is read,");
+}
+
 }  // namespace
+
+FilesApart checkedFiles(std::span<const Job> jobs) {
+    FilesApart files;
+    for (const Job& job : jobs) addInputs(job, files);
+    std::size_t views = 0;
+    for (const Job& job : jobs) check(job, views, files);
+    return files;
+}
+
 }  // namespace job
 
-void checkJobs(std::span<const Job> jobs) {
-    job::Writers writers;
-    for (std::size_t i = 0; i < jobs.size(); ++i) job::check(jobs, i, writers);
-}
+void checkJobs(std::span<const Job> jobs) { static_cast<void>(job::checkedFiles(jobs)); }
 
 }  // namespace inkedge

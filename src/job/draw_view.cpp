@@ -8,6 +8,7 @@
 
 #include "base/stage_clock.h"
 #include "base/stop.h"
+#include "io/write_map_files.h"
 #include "job/file_names.h"
 
 namespace inkedge::job {
@@ -18,10 +19,9 @@ struct Drawn {
     std::optional<Lines> lines;
 };
 
-Drawn draw(const Job& job, const std::vector<std::filesystem::path>& outputs, const Scene& scene,
-           const Settings& settings, Renderer& renderer) {
+Drawn draw(const Job& job, const Scene& scene, const Settings& settings, Renderer& renderer) {
     const Camera camera = frameCamera(scene, settings.camera, settings.picture.size);
-    const auto linesAmong = std::ranges::count_if(outputs, [](const auto& output) { return holdsLines(output); });
+    const auto linesAmong = std::ranges::count_if(job.outputs, [](const auto& output) { return holdsLines(output); });
     Drawn drawn;
     if (linesAmong > 0) drawn.lines = renderer.lines(scene, camera, settings);
     if (linesAmong == 0 || static_cast<std::size_t>(linesAmong) < job.outputs.size())
@@ -29,16 +29,16 @@ Drawn draw(const Job& job, const std::vector<std::filesystem::path>& outputs, co
     return drawn;
 }
 
-std::vector<std::filesystem::path> write(const Drawn& drawn, const std::vector<std::filesystem::path>& outputs,
+std::vector<std::filesystem::path> write(const Drawn& drawn, const Job& job, const View& view,
                                          const Settings& settings) {
     std::vector<std::filesystem::path> files;
-    for (const std::filesystem::path& output : outputs) {
-        if (holdsLines(output)) {
-            writeLines(*drawn.lines, settings, output);
-            files.push_back(output);
-        } else {
-            for (auto& file : writeMaps(*drawn.maps, settings.maps, output)) files.push_back(std::move(file));
-        }
+    for (const std::string& output : job.outputs) {
+        auto written = filesOfOutput(job, output, view);
+        if (holdsLines(output))
+            writeLines(*drawn.lines, settings, written.front());
+        else
+            io::writeMapFiles(*drawn.maps, settings.maps, written);
+        for (auto& file : written) files.push_back(std::move(file));
     }
     return files;
 }
@@ -49,16 +49,14 @@ JobResult drawView(const Job& job, const View& view, const Scene& scene, Rendere
                    const std::vector<StageTime>& before, const std::function<void(const Maps&)>& reportDrawn) {
     Settings settings = job.settings;
     settings.camera = view.camera;
-    std::vector<std::filesystem::path> outputs;
-    for (const std::string& output : job.outputs) outputs.push_back(outputOf(job, output, view));
-    Drawn drawn = draw(job, outputs, scene, settings, renderer);
+    Drawn drawn = draw(job, scene, settings, renderer);
 
     const base::Stopwatch watch;
     JobResult result;
     base::stopIfAsked();  // the last time: no view is written by half
     if (drawn.maps) reportDrawn(*drawn.maps);
     const base::StopScope toTheEnd{static_cast<const base::StopScope*>(nullptr)};
-    result.files = write(drawn, outputs, settings);
+    result.files = write(drawn, job, view, settings);
     const double writing = watch.milliseconds();
 
     result.times = before;
@@ -67,7 +65,7 @@ JobResult drawView(const Job& job, const View& view, const Scene& scene, Rendere
     result.times.push_back({"write", writing});
     result.backend = drawn.maps ? drawn.maps->backend : drawn.lines->backend;
 
-    const bool startsWithLines = !outputs.empty() && holdsLines(outputs.front());
+    const bool startsWithLines = !job.outputs.empty() && holdsLines(job.outputs.front());
     (startsWithLines ? drawn.lines->times : drawn.maps->times) = result.times;
     result.metadata =
         startsWithLines ? metadataJson(*drawn.lines, settings) : metadataJson(scene, *drawn.maps, settings);

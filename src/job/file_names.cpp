@@ -1,22 +1,67 @@
 #include "job/file_names.h"
 
+#include <algorithm>
+#include <array>
+#include <span>
 #include <string_view>
 
+#include <fmt/format.h>
+
+#include <inkedge/error.h>
 #include <inkedge/write.h>
 
 namespace inkedge {
 namespace job {
 namespace {
 
-std::string expandField(std::string text, std::string_view field, const std::string& value) {
-    for (std::size_t at = 0; (at = text.find(field, at)) != std::string::npos; at += value.size()) {
-        text.replace(at, field.size(), value);
+namespace fs = std::filesystem;
+using namespace std::string_view_literals;
+
+struct Field {
+    std::string_view placeholder;
+    std::string value;
+};
+
+// Fills in every field in one go, so that no value is taken for a field.
+std::string expanded(std::string_view text, std::span<const Field> fields) {
+    std::string whole;
+    while (!text.empty()) {
+        const auto field =
+            std::ranges::find_if(fields, [&](const Field& each) { return text.starts_with(each.placeholder); });
+        if (field == fields.end()) {
+            whole += text.front();
+            text.remove_prefix(1);
+        } else {
+            whole += field->value;
+            text.remove_prefix(field->placeholder.size());
+        }
     }
-    return text;
+    return whole;
 }
 
-std::string expandTemplate(const std::string& text, const Job& job, const View& view) {
-    return expandField(expandField(text, "{model}", job.model.stem().string()), "{view}", view.name);
+bool leadsOut(const fs::path& part) { return part == "." || part == ".."; }
+
+// A name that is filled in makes no folder of its own and leads to no other than the text does.
+void expectWithin(const std::string& text, const fs::path& file, std::span<const Field> fields) {
+    for (const Field& field : fields) {
+        if (text.find(field.placeholder) == std::string::npos) continue;
+        const fs::path written{text};
+        const bool within = std::ranges::count_if(file, leadsOut) == std::ranges::count_if(written, leadsOut) &&
+                            file.is_absolute() == written.is_absolute();
+        if (within && field.value.find_first_of("/\0"sv) == std::string::npos) continue;
+        throw Error{
+            Error::Kind::Usage,
+            fmt::format("{}: expected a name for {} that stays in the folder, found '{}'; name the file without "
+                        "it",
+                        text, field.placeholder, field.value)};
+    }
+}
+
+fs::path expandTemplate(const std::string& text, const Job& job, const View& view) {
+    const std::array fields{Field{"{model}", job.model.stem().string()}, Field{"{view}", view.name}};
+    const fs::path file = expanded(text, fields);
+    expectWithin(text, file, fields);
+    return file;
 }
 
 }  // namespace
@@ -25,27 +70,26 @@ std::vector<View> viewsOf(const Job& job) {
     return job.views.empty() ? std::vector<View>{{"0", job.settings.camera}} : job.views;
 }
 
-std::filesystem::path outputOf(const Job& job, const std::string& output, const View& view) {
-    const std::string file = expandTemplate(output, job, view);
-    return holdsLines(file) ? expandField(file, "{map}", "outline") : file;
+std::vector<fs::path> filesOfOutput(const Job& job, const std::string& output, const View& view) {
+    std::vector<fs::path> files;
+    if (holdsLines(output)) {
+        const std::array outline{Field{"{map}", "outline"}};
+        files.emplace_back(expanded(output, outline));
+    } else {
+        files = outputFiles(output, job.settings.maps);
+    }
+    for (fs::path& file : files) file = expandTemplate(file.string(), job, view);
+    return files;
 }
 
-std::filesystem::path metadataFileOf(const Job& job, const View& view) {
-    return expandTemplate(job.metadata, job, view);
-}
+fs::path metadataFileOf(const Job& job, const View& view) { return expandTemplate(job.metadata, job, view); }
 
 }  // namespace job
 
 std::vector<std::filesystem::path> filesOf(const Job& job, const View& view) {
     std::vector<std::filesystem::path> files;
-    for (const std::string& output : job.outputs) {
-        const std::filesystem::path file = job::outputOf(job, output, view);
-        if (holdsLines(file)) {
-            files.push_back(file);
-        } else {
-            for (auto& each : outputFiles(file, job.settings.maps)) files.push_back(std::move(each));
-        }
-    }
+    for (const std::string& output : job.outputs)
+        for (auto& file : job::filesOfOutput(job, output, view)) files.push_back(std::move(file));
     if (!job.metadata.empty()) files.push_back(job::metadataFileOf(job, view));
     return files;
 }

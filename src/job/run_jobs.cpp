@@ -18,6 +18,7 @@
 #include "base/stop.h"
 #include "job/draw_view.h"
 #include "job/file_names.h"
+#include "job/files_apart.h"
 
 namespace inkedge {
 namespace job {
@@ -63,7 +64,8 @@ void loadScene(JobState& state) {
 
 class Queue {
 public:
-    Queue(std::span<const Job> jobs, const JobOptions& options) : options_{options}, states_(jobs.size()) {
+    Queue(std::span<const Job> jobs, const JobOptions& options)
+        : options_{options}, files_{checkedFiles(jobs)}, states_(jobs.size()) {
         for (std::size_t j = 0; j < jobs.size(); ++j) {
             states_[j].job = &jobs[j];
             states_[j].views = viewsOf(jobs[j]);
@@ -129,6 +131,8 @@ private:
                 state.scene = state.job->scene;
             else
                 loadScene(state);
+            for (const auto& file : state.scene->source().files)
+                files_.expectNoOutput(file, fmt::format("a file of {},", state.job->model.string()));
             const std::scoped_lock callLock{calling_};
             if (options_.loaded) options_.loaded(number, *state.scene);
         } catch (...) {
@@ -165,6 +169,7 @@ private:
     }
 
     const JobOptions& options_;
+    const FilesApart files_;
     std::vector<JobState> states_;
     std::vector<Task> tasks_;
     std::atomic<std::size_t> next_ = 0;
@@ -181,7 +186,6 @@ void runJobs(std::span<const Job> jobs, const JobOptions& options) {
         throw Error{Error::Kind::Usage,
                     fmt::format("workers: expected 0 to {}, found {}", job::maximumWorkers, options.workers)};
     }
-    checkJobs(jobs);
     job::Queue{jobs, options}.run();
 }
 

@@ -85,6 +85,34 @@ TEST_F(CheckJobs, refusesModelsThatShareAFile) {
     expectRefused(Kind::Usage, {job({"{model}.png"}, "x/a.glb"), job({"{model}.png"}, "y/a.obj")}, "a.png: ");
 }
 
+TEST_F(CheckJobs, refusesAnotherJobsModelAsOutput) {
+    put(folder_ / "b.glb", "");
+    std::filesystem::create_hard_link(folder_ / "b.glb", folder_ / "a.png");
+    Job second = job({"c.png"});
+    second.model = folder_ / "b.glb";
+    expectRefused(Kind::Usage, {job({"{model}.png"}, "a.glb"), second},
+                  "a.png: expected an output other than what is read, found the model " + second.model.string());
+}
+
+TEST_F(CheckJobs, refusesNamesThatLeadOutOfTheFolder) {
+    for (const std::string& name : std::vector<std::string>{"..", ".", "a/b", "../a", {"a\0b", 3}}) {
+        Job named = job({"{view}/a.png"});
+        std::filesystem::create_directories(folder_ / "a/b");
+        named.views = views({name});
+        expectRefused(Kind::Usage, {named}, "expected a name for {view} that stays in the folder, found '");
+    }
+    Job unnamed = job({"{model}/a.png"}, "");
+    unnamed.model.clear();
+    unnamed.outputs = {"{model}/a.png"};
+    expectRefused(Kind::Usage, {unnamed}, "expected a name for {model} that stays in the folder, found ''");
+}
+
+TEST_F(CheckJobs, refusesLinksToNothing) {
+    std::filesystem::create_symlink("gone", folder_ / "a.png");
+    expectRefused(Kind::Output, {job({"a.png"})},
+                  "a.png: cannot be written: expected a file behind the link, found none");
+}
+
 TEST_F(CheckJobs, refusesWhatIsNoLineInFilesOfLines) {
     const auto refuse = [&](const std::string& name, const std::string& text) {
         Job lines = job({"a.svg"});

@@ -16,6 +16,7 @@
 #include "base/read_file.h"
 #include "formats/gltf/compression.h"
 #include "formats/gltf/json.h"
+#include "formats/gltf/named_files.h"
 #include "formats/gltf/uri.h"
 
 namespace inkedge::gltf {
@@ -388,6 +389,7 @@ File readFile(const formats::ModelInput& input, const LoadLimits& limits) {
     file.warnings = warningsOf(file.extensions);
     file.materials = readMaterials(document);
     file.images = readImages(document);
+    file.named = namedFiles(input, document);
     for (const char* read : {"images", "materials", "samplers", "textures"}) document.erase(read);
     std::optional<base::Bytes> binaryChunk;
     if (!chunks.binary.empty()) binaryChunk = std::move(bytes).keepOnly(chunks.binary);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,10 @@ namespace inkedge::gltf {
 /// ones become the largest). The uri of buffer i is the number i. No geometry is compressed.
 struct File {
     std::string json;
-    std::vector<base::Bytes> buffers;  ///< each of the byteLength that the JSON gives
-    std::vector<Material> materials;   ///< removed from the JSON
-    std::vector<Image> images;         ///< removed from the JSON; their pixels are not read yet
+    std::vector<base::Bytes> buffers;          ///< each of the byteLength that the JSON gives
+    std::vector<Material> materials;           ///< removed from the JSON
+    std::vector<Image> images;                 ///< removed from the JSON; their pixels are not read yet
+    std::vector<std::filesystem::path> named;  ///< its buffers' and images' files, as far as they are there
     std::vector<std::string> warnings;
     std::vector<std::string> extensions;  ///< extensionsUsed
     bool primitiveRestart = false;        ///< whether indices may hold restarts: KHR_ or EXT_mesh_primitive_restart

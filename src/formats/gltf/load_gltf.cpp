@@ -387,6 +387,7 @@ Scene::Data loadGltf(const formats::ModelInput& input, const LoadSettings& setti
             data.source.scenes = namesOf(model.scenes);
             data.source.animations = namesOf(model.animations);
             data.source.extensions = file.extensions;
+            data.source.files = file.named;
             data.warnings.insert(data.warnings.begin(), warnings.begin(), warnings.end());
             return data;
         } catch (const Error&) {
