@@ -25,18 +25,33 @@
 namespace inkedge::polygons {
 namespace {
 
+// A file that is too large is refused by its start, before it takes memory.
+void expectStartWithin(const formats::ModelInput& input, PolygonFormat format, const LoadLimits& limits) {
+    if (!input.isFile() || format == PolygonFormat::Obj) return;
+    constexpr std::size_t longestHeader = std::size_t{1} << 16U;
+    const base::Bytes start = formats::startOf(input, longestHeader);
+    std::error_code failure;
+    const std::uint64_t size = std::filesystem::file_size(input.name, failure);
+    if (failure || size > limits.fileSize) return;  // what reads it says so
+    if (format == PolygonFormat::Stl)
+        expectStlWithin(start, size, limits.vertices);
+    else
+        expectPlyWithin(base::textOf(start), limits.vertices);
+}
+
 PolygonFile readFile(const formats::ModelInput& input, PolygonFormat format, const LoadLimits& limits,
                      Coordinates coordinates) {
     std::uint64_t bytesLeft = limits.fileSize;
+    expectStartWithin(input, format, limits);
     const formats::Content content{input, bytesLeft};
     const std::span<const std::uint8_t> bytes = content.bytes();
     switch (format) {
         case PolygonFormat::Obj:
-            return readObj(base::textOf(bytes), coordinates);
+            return readObj(base::textOf(bytes), coordinates, limits.vertices);
         case PolygonFormat::Stl:
-            return readStl(bytes);
+            return readStl(bytes, limits.vertices);
         case PolygonFormat::Ply:
-            return readPly(base::textOf(bytes), coordinates);
+            return readPly(base::textOf(bytes), coordinates, limits.vertices);
     }
     return {};
 }

@@ -27,8 +27,11 @@ struct Vertex {
 
 class Reader {
 public:
-    Reader(std::string_view content, Coordinates coordinates)
-        : rest_{content}, coordinates_{coordinates}, maxElements_{content.size() / shortestLine} {}
+    Reader(std::string_view content, Coordinates coordinates, std::uint64_t limit)
+        : rest_{content},
+          coordinates_{coordinates},
+          limit_{limit},
+          maxElements_{std::min<std::uint64_t>(content.size() / shortestLine, limit)} {}
 
     PolygonFile read() {
         try {
@@ -90,7 +93,10 @@ private:
 
     void readLine(std::string_view line) {
         const std::string_view keyword = formats::takeWord(line);
-        if (keyword == "v") return positions_.push_back(readVector("v", line));
+        if (keyword == "v") {
+            positions_.push_back(readVector("v", line));
+            return expectWithin(positions_.size(), limit_);
+        }
         if (keyword == "vn") return normals_.push_back(glm::vec3{readVector("vn", line)});
         if (keyword == "vt" && coordinates_ == Coordinates::Read) return readTexture(line);
         if (keyword == "f" || keyword == "fo") return readFace(line);
@@ -155,6 +161,7 @@ private:
             file_.corners.push_back(vertexOf(corner));
         }
         file_.endFace(corners_.size(), material_);
+        expectWithin(vertices_.size() + file_.corners.size(), limit_);
     }
 
     // The index of the vertex that a corner names; a new vertex if no earlier corner named it. Of a position with very
@@ -239,6 +246,7 @@ private:
 
     std::string_view rest_;
     Coordinates coordinates_;
+    std::uint64_t limit_;
     std::uint64_t maxElements_;  // of a kind that the file can hold
     PolygonFile file_;
     std::size_t line_ = 0;
@@ -258,11 +266,11 @@ private:
 
 }  // namespace
 
-PolygonFile readObj(std::string_view content, Coordinates coordinates) {
+PolygonFile readObj(std::string_view content, Coordinates coordinates, std::uint64_t maxElements) {
     if (formats::isUtf16(content)) base::refuse("expected OBJ, found UTF-16 text: save it as UTF-8");
     if (const std::size_t zero = content.find('\0'); zero != std::string_view::npos)
         base::refuse(fmt::format("expected OBJ, found a zero byte at byte {}", zero));
-    return Reader{formats::withoutByteOrderMark(content), coordinates}.read();
+    return Reader{formats::withoutByteOrderMark(content), coordinates, maxElements}.read();
 }
 
 }  // namespace inkedge::polygons

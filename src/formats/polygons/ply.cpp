@@ -283,7 +283,8 @@ std::uint32_t toIndex(std::int64_t number) {
 template <class Data>
 class Reader {
 public:
-    Reader(Data data, Coordinates coordinates) : data_{data}, coordinates_{coordinates} {}
+    Reader(Data data, Coordinates coordinates, std::uint64_t maxElements)
+        : data_{data}, coordinates_{coordinates}, maxElements_{maxElements} {}
 
     PolygonFile read(Header& header, bool finerThanFloat) {
         finerThanFloat_ = finerThanFloat;
@@ -346,6 +347,7 @@ private:
 
     void readFace(const Property& property) {
         const std::uint64_t length = data_.takeLength(*property.length);
+        expectRoomFor(length);
         for (std::uint64_t i = 0; i < length; ++i) file_.corners.push_back(toIndex(data_.takeInteger(property.type)));
         file_.endFace(length);
     }
@@ -364,6 +366,7 @@ private:
             }
             const std::uint32_t vertex = toIndex(index);
             if (++count >= 3) {
+                expectRoomFor(3);
                 const std::size_t first = count % 2 == 0 ? 1 : 0;  // every second triangle runs the other way
                 file_.corners.insert(file_.corners.end(), {last[first], last[1 - first], vertex});
                 file_.endFace(3);
@@ -372,8 +375,13 @@ private:
         }
     }
 
+    void expectRoomFor(std::uint64_t corners) const {
+        expectWithin(vertexCount_ + file_.corners.size() + std::min(corners, maxElements_), maxElements_);
+    }
+
     Data data_;
     Coordinates coordinates_;
+    std::uint64_t maxElements_;
     bool finerThanFloat_ = false;
     bool hasNormals_ = false;
     bool hasTexture_ = false;
@@ -389,14 +397,34 @@ bool hasDoubles(const Header& header) {
     });
 }
 
+// By what the header says; a face has at least three corners.
+void expectHeaderWithin(const Header& header, std::uint64_t maxElements) {
+    std::uint64_t elements = 0;
+    for (const Element& element : header.elements) {
+        if (element.name == "vertex") elements += element.count;
+        if (element.name == "face") elements += 3 * element.count;
+    }
+    expectWithin(elements, maxElements);
+}
+
 }  // namespace
 
-PolygonFile readPly(std::string_view content, Coordinates coordinates) {
+PolygonFile readPly(std::string_view content, Coordinates coordinates, std::uint64_t maxElements) {
     content = formats::withoutByteOrderMark(content);
     Header header = takeHeader(content);
     checkHeader(header);
-    if (header.encoding == Encoding::Text) return Reader{TextData{content}, coordinates}.read(header, true);
-    return Reader{BinaryData{content, *header.encoding}, coordinates}.read(header, hasDoubles(header));
+    expectHeaderWithin(header, maxElements);
+    if (header.encoding == Encoding::Text)
+        return Reader{TextData{content}, coordinates, maxElements}.read(header, true);
+    return Reader{BinaryData{content, *header.encoding}, coordinates, maxElements}.read(header, hasDoubles(header));
+}
+
+void expectPlyWithin(std::string_view start, std::uint64_t maxElements) {
+    if (start.find("end_header") == std::string_view::npos) return;
+    start = formats::withoutByteOrderMark(start);
+    const Header header = takeHeader(start);
+    checkHeader(header);
+    expectHeaderWithin(header, maxElements);
 }
 
 }  // namespace inkedge::polygons

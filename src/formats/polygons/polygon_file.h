@@ -7,6 +7,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "base/message.h"
+
 namespace inkedge::polygons {
 
 /// What an OBJ, STL or PLY file says of its surface. Indices are not yet checked.
@@ -38,5 +40,13 @@ struct PolygonFile {
         ++faceCount;
     }
 };
+
+/// @param count    vertices and corners, of a header or read so far
+/// @throws Error   (Kind::Input) if there are more than limits.vertices
+inline void expectWithin(std::uint64_t count, std::uint64_t maxElements) {
+    if (count > maxElements)
+        base::refuse("expected at most " + std::to_string(maxElements) +
+                     " vertices and corners, found more; raise max-vertices");
+}
 
 }  // namespace inkedge::polygons

@@ -23,6 +23,7 @@ constexpr std::size_t headerSize = 80;
 constexpr std::size_t dataStart = headerSize + 4;  // after the number of triangles
 constexpr std::size_t triangleSize = 50;
 constexpr std::size_t normalSize = 12;
+constexpr std::uint64_t elementsPerTriangle = 6;  // its corners have vertices of their own
 
 std::uint32_t wordAt(ByteSpan bytes, std::size_t at) {
     std::uint32_t word = 0;
@@ -39,7 +40,7 @@ bool is(std::string_view word, std::string_view lowerCase) {
 
 class TextReader {
 public:
-    explicit TextReader(std::string_view content) : rest_{content} {}
+    TextReader(std::string_view content, std::uint64_t maxElements) : rest_{content}, maxElements_{maxElements} {}
 
     PolygonFile read() {
         for (std::string_view word = formats::takeWord(rest_); !word.empty(); word = formats::takeWord(rest_)) {
@@ -91,6 +92,7 @@ private:
         expect("endloop");
         expect("endfacet");
         file_.endFace(3);
+        expectWithin(elementsPerTriangle * file_.faceCount, maxElements_);
     }
 
     void expect(std::string_view word) {
@@ -119,34 +121,42 @@ private:
     void skipLine() { rest_.remove_prefix(std::min(rest_.find_first_of("\r\n"), rest_.size())); }
 
     std::string_view rest_;
+    std::uint64_t maxElements_;
     std::size_t facet_ = 0;
     PolygonFile file_;
 };
 
 // How many triangles are read: as many as the header says, or all there are.
-std::size_t triangleCount(ByteSpan bytes, PolygonFile& file) {
-    const std::uint64_t size = binarySize(bytes);
-    const std::uint64_t said = wordAt(bytes, headerSize);
-    const std::size_t found = (bytes.size() - dataStart) / triangleSize;
-    if (said != 0 && size <= bytes.size()) return said;
-    if (found == 0 || (bytes.size() - dataStart) % triangleSize != 0) {
-        if (formats::isUtf16(base::textOf(bytes))) base::refuse("expected STL, found UTF-16 text: save it as UTF-8");
+// @param wholeSize  bytes of the file that starts so
+std::uint64_t triangleCount(ByteSpan start, std::uint64_t wholeSize, std::vector<std::string>& warnings) {
+    const std::uint64_t size = binarySize(start);
+    const std::uint64_t said = wordAt(start, headerSize);
+    const std::uint64_t found = (wholeSize - dataStart) / triangleSize;
+    if (said != 0 && size <= wholeSize) return said;
+    if (found == 0 || (wholeSize - dataStart) % triangleSize != 0) {
+        if (formats::isUtf16(base::textOf(start))) base::refuse("expected STL, found UTF-16 text: save it as UTF-8");
         base::refuse(
             fmt::format("expected {} bytes for the {} triangles that the header says, found {}: the file is "
                         "truncated or no STL",
-                        size, said, bytes.size()));
+                        size, said, wholeSize));
     }
-    file.warnings.push_back(
-        fmt::format("expected {} triangles, as the header says, found {}: all are read", said, found));
+    warnings.push_back(fmt::format("expected {} triangles, as the header says, found {}: all are read", said, found));
     return found;
 }
 
-PolygonFile readBinary(ByteSpan bytes) {
+// Whether a file of this size that starts so holds no text.
+bool isBinary(ByteSpan start, std::uint64_t wholeSize) {
+    const bool exact = start.size() > dataStart && binarySize(start) == wholeSize;
+    return exact || base::textOf(start).find('\0') != std::string_view::npos;
+}
+
+PolygonFile readBinary(ByteSpan bytes, std::uint64_t maxElements) {
     PolygonFile file;
-    const std::size_t count = triangleCount(bytes, file);
+    const std::uint64_t count = triangleCount(bytes, bytes.size(), file.warnings);
+    expectWithin(elementsPerTriangle * count, maxElements);
     file.positions.reserve(3 * count);
     file.corners.reserve(3 * count);
-    for (std::size_t t = 0; t < count; ++t) {
+    for (std::uint64_t t = 0; t < count; ++t) {
         std::size_t at = dataStart + t * triangleSize + normalSize;
         const auto next = [&] {
             at += 4;
@@ -166,18 +176,23 @@ PolygonFile readBinary(ByteSpan bytes) {
 
 }  // namespace
 
-PolygonFile readStl(ByteSpan bytes) {
-    const std::string_view content = formats::withoutByteOrderMark(base::textOf(bytes));
-    const bool exact = bytes.size() > dataStart && binarySize(bytes) == bytes.size();
-    if (!exact && content.find('\0') == std::string_view::npos) {
+PolygonFile readStl(ByteSpan bytes, std::uint64_t maxElements) {
+    if (!isBinary(bytes, bytes.size())) {
+        const std::string_view content = formats::withoutByteOrderMark(base::textOf(bytes));
         if (!is(formats::trimmed(content).substr(0, 5), "solid"))
             base::refuse(fmt::format("expected STL, found {}", base::kindOf(content)));
-        return TextReader{content}.read();
+        return TextReader{content, maxElements}.read();
     }
     if (bytes.size() < dataStart)
         base::refuse(fmt::format("expected an STL file of at least {} bytes, found {}", dataStart, bytes.size()));
     if (bytes.size() == dataStart && binarySize(bytes) == dataStart) return {};  // of no triangle
-    return readBinary(bytes);
+    return readBinary(bytes, maxElements);
+}
+
+void expectStlWithin(ByteSpan start, std::uint64_t size, std::uint64_t maxElements) {
+    if (start.size() <= dataStart || !isBinary(start, size)) return;
+    std::vector<std::string> ignored;
+    expectWithin(elementsPerTriangle * triangleCount(start, size, ignored), maxElements);
 }
 
 }  // namespace inkedge::polygons
