@@ -10,7 +10,7 @@ layout(location = 5) in vec4 normalMatrix[3];
 layout(location = 8) in uint patchIndex;    // of the mesh's patches; the same at all corners of a triangle
 layout(location = 9) in uvec3 numbering;    // per instance: its first patch, its first triangle, its triangles
 
-// The numbers of all instances' patches; negative where coplanar layers overlap.
+// The numbers of all instances' patches; negative where coplanar layers overlap. See src/gl/upload.cpp.
 layout(std430, binding = 0) readonly buffer PatchNumbers { float patchNumbers[]; };
 
 layout(location = 0) uniform mat4 projection;  // as in draw_surface.vert

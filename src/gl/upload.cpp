@@ -169,11 +169,17 @@ void appendLayers(const Scene& scene, const Item& item, GLuint index, Geometry& 
     if (count > 0) commands.push_back({count, 1, first, mesh.baseVertex, index});
 }
 
-// Numbers of patches from 1, negative where layers overlap: draw_planes.vert looks at the sign.
+// Numbers of patches, negative where layers overlap: draw_planes.vert looks at the sign. Those of other patches are so
+// large that the number of a layer, which is under 2^24, is lost in rounding when it is added. A patch that a seam joins
+// to a layer has the same number as the layer.
 std::vector<float> signedPatchNumbers(const scene::PatchNumbers& patches) {
+    std::vector<bool> ofLayers(std::size_t{patches.count} + 1, false);
+    for (std::size_t p = 0; p < patches.number.size(); ++p)
+        if (patches.layered[p]) ofLayers[patches.number[p]] = true;
     std::vector<float> numbers(patches.number.size());
     for (std::size_t p = 0; p < numbers.size(); ++p) {
-        numbers[p] = static_cast<float>(patches.number[p]) * (patches.layered[p] ? -1.0F : 1.0F);
+        const float factor = patches.layered[p] ? -1.0F : ofLayers[patches.number[p]] ? 1.0F : 0x1p48F;
+        numbers[p] = factor * static_cast<float>(patches.number[p]);
     }
     return numbers;
 }

@@ -12,6 +12,7 @@
 
 #include <inkedge/error.h>
 
+#include "raster/plane_pairs.h"
 #include "reference/raster.h"
 #include "settings/picture_channels.h"
 
@@ -144,42 +145,19 @@ Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength, 
     if (planes.channels() != 4) {
         throw Error{Error::Kind::Usage, fmt::format("expected planes of 4 channels, found {}", planes.channels())};
     }
-    const int width = planes.size().width;
-    const int height = planes.size().height;
-    const double creaseCosine = std::cos(glm::radians(creaseAngle));
-    const auto value = [&](int x, int y, int channel) { return static_cast<double>(planes(x, y, channel)); };
-    const auto normal = [&](int x, int y) {
-        const glm::dvec2 g{value(x, y, 1), value(x, y, 2)};
-        const glm::dvec2 fromCentre{x + 0.5 - 0.5 * width, y + 0.5 - 0.5 * height};
-        return glm::dvec3{g * focalLength, orthographic ? 1.0 : value(x, y, 0) - glm::dot(g, fromCentre)};
-    };
-    const auto between = [&](int px, int py, int qx, int qy) -> unsigned {
-        if (qx >= width || qy >= height) return 0;
-        const double patchP = value(px, py, 3);
-        const double patchQ = value(qx, qy, 3);
-        if (patchP == 0.0 || patchQ == 0.0) return patchP == patchQ ? 0 : raster::PairMark::background;
-        unsigned marks = patchP == patchQ ? 0 : raster::PairMark::patch;
-
-        const glm::dvec3 np = normal(px, py);
-        const glm::dvec3 nq = normal(qx, qy);
-        if (glm::dot(np, nq) < creaseCosine * glm::length(np) * glm::length(nq)) marks |= raster::PairMark::bend;
-
-        const int axis = qx > px ? 1 : 2;
-        const double wp = value(px, py, 0);
-        const double wq = value(qx, qy, 0);
-        const double gp = value(px, py, axis);
-        const double gq = value(qx, qy, axis);
-        const double rp = wq - (wp + gp);
-        const double rq = wp - (wq - gq);
-        const double k = orthographic ? focalLength : focalLength / std::max(wp, wq);
-        const double slope = std::min(std::abs(gp), std::abs(gq)) * k;
-        if (rp * rq < 0.0 && std::min(std::abs(rp), std::abs(rq)) * k > 1.0 + slope) marks |= raster::PairMark::jump;
-        return marks;
+    const auto [width, height] = planes.size();
+    const raster::PlaneView view{focalLength, orthographic, std::cos(glm::radians(creaseAngle))};
+    const glm::dvec2 centre{0.5 * width, 0.5 * height};
+    const auto seen = [&](int x, int y) -> raster::SeenPlane {
+        const auto value = [&](int channel) { return static_cast<double>(planes(x, y, channel)); };
+        return {value(0), {value(1), value(2)}, value(3), glm::dvec2{x + 0.5, y + 0.5} - centre};
     };
     Image<std::uint8_t> marks{planes.size(), 1};
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            marks(x, y) = static_cast<std::uint8_t>(between(x, y, x + 1, y) | between(x, y, x, y + 1) << 4U);
+            const unsigned right = x + 1 < width ? pairMarks(seen(x, y), seen(x + 1, y), 0, view) : 0;
+            const unsigned below = y + 1 < height ? pairMarks(seen(x, y), seen(x, y + 1), 1, view) : 0;
+            marks(x, y) = static_cast<std::uint8_t>(right | below << 4U);
         }
     }
     return marks;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -47,15 +48,17 @@ glm::dvec2 CrossingTracer::centre(Sample s) const {
     return {s.x + drawn.x + 0.5, s.y + drawn.y + 0.5};
 }
 
-CrossingTracer::Walk CrossingTracer::walk(Sample from, Sample to) const {
-    return triangles_.walk(triangle(from), centre(from), centre(to));
+CrossingTracer::Walk CrossingTracer::walk(Sample from, Sample to, Over over) const {
+    return triangles_.walk(triangle(from), centre(from), centre(to), over);
 }
 
 // Where coplanar layers overlap a pixel holds the sum of their patches' numbers. If one side has one layer more, the
 // difference is the number of that layer.
-std::optional<double> CrossingTracer::layerBorder(Sample from, Sample to) const {
-    const float difference = buffers_.planes(from.x, from.y, 3) - buffers_.planes(to.x, to.y, 3);
-    return triangles_.layerBorder(static_cast<std::uint32_t>(std::abs(difference)), centre(from), centre(to));
+std::optional<ScreenTriangles::LayerBorder> CrossingTracer::layerBorder(Sample from, Sample to) const {
+    constexpr float maxNumber = 0x1p24F;  // other patches' numbers differ by more: see PlaneBuffers
+    const float difference = std::abs(buffers_.planes(from.x, from.y, 3) - buffers_.planes(to.x, to.y, 3));
+    if (!(difference < maxNumber)) return {};
+    return triangles_.layerBorder(static_cast<std::uint32_t>(difference), centre(from), centre(to));
 }
 
 // The plane of a sample's triangle. Planes that were drawn are rounded differently in each tile; this one is the same
@@ -103,33 +106,45 @@ std::optional<double> CrossingTracer::planesMeet(Sample p, Sample q) const {
 
 // Where a line crosses the step from near to far, 0 to 1. If the nearer surface goes on to the far sample, where it is
 // not seen any more, it ends there, within the grid that vertices snap to.
-double CrossingTracer::positionAlong(Sample near, Sample far, unsigned marks, const Walk& way) const {
-    const bool jumps = (marks & (raster::PairMark::background | raster::PairMark::jump)) != 0;
-    const double otherwise = way.exit ? way.exit->t : jumps && way.arrivedAt ? 1.0 : 0.5;
-    if (jumps) return otherwise;
+double CrossingTracer::positionAlong(const Step& step) const {
+    const auto& [near, far, marks, way, whole, back] = step;
+    if (step.jumps()) {  // a crease that is nearer than the surface's end has more of the surface behind it
+        if (whole.exit && whole.exit->end != End::Crease) return whole.exit->t;
+        return way.exit ? way.exit->t : way.arrivedAt ? 1.0 : 0.5;
+    }
     const bool forward = near.x <= far.x && near.y <= far.y;
-    if (const std::optional<double> meet = forward ? planesMeet(near, far) : planesMeet(far, near))
-        return forward ? *meet : 1.0 - *meet;
-    if (way.exit) return otherwise;
-    if (const Walk back = walk(far, near); back.exit) return 1.0 - back.exit->t;
-    return layerBorder(near, far).value_or(otherwise);
+    const Walk other = walk(far, near);
+    if (const std::optional<double> meet = forward ? planesMeet(near, far) : planesMeet(far, near)) {
+        const double t = forward ? *meet : 1.0 - *meet;
+        if (isBend(step)) return t;
+        // A surface that ends before its plane meets the other one's lies in front of it, by little.
+        const double begin = other.exit ? 1.0 - other.exit->t : 0.0;
+        return way.exit ? std::min(std::max(t, begin), way.exit->t) : std::max(t, begin);
+    }
+    if (way.exit) return way.exit->t;
+    if (other.exit) return 1.0 - other.exit->t;
+    const auto border = layerBorder(near, far);
+    return border ? border->t : 0.5;
 }
 
 StepCrossing CrossingTracer::crossing(Sample p, Sample q, unsigned marks) {
     const bool swap = isBackground(p) || (!isBackground(q) && isNearer(q, p));
-    const Sample near = swap ? q : p;
-    const Sample far = swap ? p : q;
-    const Walk way = walk(near, far);
-    if ((marks & ~(raster::PairMark::bend | raster::PairMark::jump)) == 0 && goesOnSmoothly(way, far)) return {};
+    Step step{swap ? q : p, swap ? p : q, marks, {}, {}, {}};
+    const auto& [near, far] = std::pair{step.near, step.far};
+    step.way = walk(near, far);
+    if ((marks & ~(raster::PairMark::bend | raster::PairMark::jump)) == 0 && goesOnSmoothly(step)) return {};
     // A slight bend is marked for creases that end within their patch; it is none by itself.
-    const bool atCrease = way.exit && way.exit->end == End::Crease;
+    const bool atCrease = step.way.exit && step.way.exit->end == End::Crease;
     if (marks == raster::PairMark::bend && !atCrease && !bendsByCreaseAngle(near, far)) return {};
+    step.whole = walk(near, far, Over::Surface);
+    if (!step.jumps()) step.back = walk(far, near, Over::Surface);
 
-    const LineTypes types = classify(near, far, marks, way.exit);
+    const LineTypes types = classify(step);
     types_(near.x, near.y) |= static_cast<std::uint16_t>(types.bits());
     const glm::dvec2 from = centre(near);
-    const glm::dvec2 offset = positionAlong(near, far, marks, way) * (centre(far) - from);
-    return {glm::vec2{from + offset}, types, inverseDepthAt(near, offset), triangle(near)};
+    const glm::dvec2 position = from + positionAlong(step) * (centre(far) - from);
+    const Sample its = farOwns(step) ? far : near;
+    return {glm::vec2{position}, types, inverseDepthAt(its, position - centre(its)), owner(step)};
 }
 
 // The inverse depth of the surface that a sample sees, extended to the line. Beyond the sample itself faces seen
@@ -144,23 +159,96 @@ float CrossingTracer::inverseDepthAt(Sample s, glm::dvec2 offset) const {
 // Whether one patch goes on from a sample to another, so that there is no line. Its faces may bend by more than the
 // crease angle in several smooth steps, or fall off by more than their planes say where narrow faces lie between them.
 // If the walk ends on another triangle than the one seen there, the patch runs into itself.
-bool CrossingTracer::goesOnSmoothly(const Walk& way, Sample far) const {
-    if (way.exit) return false;
-    const scene::SceneFace seen = triangle(far);
-    return !way.arrivedAt || triangles_.touch({seen.instance, *way.arrivedAt}, seen);
+bool CrossingTracer::goesOnSmoothly(const Step& step) const {
+    if (step.way.exit) return false;
+    const scene::SceneFace seen = triangle(step.far);
+    return !step.way.arrivedAt || triangles_.touch({seen.instance, *step.way.arrivedAt}, seen);
 }
 
-LineTypes CrossingTracer::classify(Sample near, Sample far, unsigned marks,
-                                   const std::optional<ScreenTriangles::Exit>& exit) const {
-    const bool atBorder = exit && exit->end == End::Border;
+// Whether a walk from a sample to another ends on the patch that is seen there.
+bool CrossingTracer::arrives(const Walk& walk, Sample from, Sample to) const {
+    return walk.arrivedAt &&
+           triangles_.patchOf({triangle(from).instance, *walk.arrivedAt}) == triangles_.patchOf(triangle(to));
+}
+
+// Whether the surfaces of two samples meet in a crease: one of them goes on to the other sample, or both end at one
+// edge, of the mesh or of two meshes, and bend there.
+bool CrossingTracer::isBend(const Step& step) const {
+    constexpr double sameEdge = 0.1;  // samples: well over the width of seams
+    if (arrives(step.whole, step.near, step.far) || arrives(step.back, step.far, step.near)) return true;
+    if ((step.marks & raster::PairMark::bend) == 0) return false;
+    const auto walkBeyond = [&](Sample from, Sample to) {  // the edge may pass through a sample's centre
+        const glm::dvec2 goal = glm::mix(centre(from), centre(to), 1.0 + sameEdge);
+        return triangles_.walk(triangle(from), centre(from), goal, Over::Surface).exit;
+    };
+    const std::optional<Exit> exit = walkBeyond(step.near, step.far);
+    const std::optional<Exit> other = walkBeyond(step.far, step.near);
+    if (!exit || !other || exit->end != other->end || exit->end == End::Fold) return false;
+    return std::abs((exit->t + other->t) * (1.0 + sameEdge) - 1.0) < sameEdge;
+}
+
+// How far a face lies in front of another one, across the other one's plane, in samples.
+double CrossingTracer::gap(scene::SceneFace front, scene::SceneFace behind, glm::dvec2 at) const {
+    const Plane nearer = triangles_.plane(front, at);
+    const Plane plane = triangles_.plane(behind, at);
+    const Size whole = buffers_.tile.whole;
+    const glm::dvec2 fromCentre = at - 0.5 * glm::dvec2{whole.width, whole.height};
+    const glm::dvec2 slope{plane.dx, plane.dy};
+    const glm::dvec3 normal{slope * focalLength_, orthographic_ ? 1.0 : plane.w - glm::dot(slope, fromCentre)};
+    return (nearer.w - plane.w) * focalLength_ / glm::length(normal);
+}
+
+// What a line is between two surfaces that are not seen to jump. They touch, run into each other, or one ends in front
+// of the other, less than a sample away.
+LineTypes CrossingTracer::meeting(const Step& step) const {
+    constexpr double touching = 0.1;  // samples
+    const auto& [near, far, marks, way, whole, back] = step;
+    if (!way.exit && arrives(way, near, far)) return LineType::Intersection;  // with a layer in the plane of both
+    if (isBend(step)) return LineType::Crease;
+    if (way.exit && way.exit->end == End::Fold) return LineType::Occlusion;
+    const Walk farWay = walk(far, near);
+    const bool farEnds = !way.exit && farWay.exit;
+    if (!way.exit && !farEnds) return LineType::Intersection;
+    const Walk& patch = farEnds ? farWay : way;
+    const Walk& surface = farEnds ? back : whole;  // goes on beyond a crease
+    const Sample ending = farEnds ? far : near;
+    const Sample other = farEnds ? near : far;
+    const auto touches = [&](std::uint32_t face, double t) {
+        const glm::dvec2 at = glm::mix(centre(ending), centre(other), t);
+        return !(gap({triangle(ending).instance, face}, triangle(other), at) > touching);
+    };
+    if (touches(patch.last, patch.exit->t)) return LineType::Intersection;
+    const bool beyondCrease = patch.exit->end == End::Crease;
+    if (!surface.exit || (beyondCrease && touches(surface.last, surface.exit->t)))
+        return LineType::Crease | LineType::Intersection;
+    const bool atBorder = surface.exit->end == End::Border;
+    return atBorder ? LineType::Occlusion | LineType::Boundary : LineTypes{LineType::Occlusion};
+}
+
+LineTypes CrossingTracer::classify(const Step& step) const {
+    const bool atBorder = step.whole.exit && step.whole.exit->end == End::Border;
     const LineTypes boundary = atBorder ? LineTypes{LineType::Boundary} : LineTypes{};
-    if ((marks & raster::PairMark::background) != 0) return LineType::Outline | boundary;
-    const bool otherObject = triangle(near).instance != triangle(far).instance;
+    if ((step.marks & raster::PairMark::background) != 0) return LineType::Outline | boundary;
+    const bool otherObject = triangle(step.near).instance != triangle(step.far).instance;
     const LineTypes object = otherObject ? LineTypes{LineType::Object} : LineTypes{};
-    if ((marks & raster::PairMark::jump) != 0) return LineType::Occlusion | boundary | object;
-    if (otherObject) return LineType::Intersection | object;
-    if (exit && exit->end == End::Fold) return LineType::Occlusion;
-    return exit ? LineType::Crease : LineType::Intersection;
+    return object | (step.jumps() ? LineType::Occlusion | boundary : meeting(step));
+}
+
+// Where the surfaces of two nodes meet either may be the nearer one, from sample to sample. The line belongs to the one
+// that ends there or, if both do, to the first node.
+bool CrossingTracer::farOwns(const Step& step) const {
+    if (step.jumps()) return false;
+    const std::uint32_t nodes[2]{triangle(step.near).instance, triangle(step.far).instance};
+    if (nodes[0] == nodes[1]) return false;
+    const bool farEnds = walk(step.far, step.near).exit.has_value();
+    return step.way.exit.has_value() == farEnds ? nodes[1] < nodes[0] : farEnds;
+}
+
+scene::SceneFace CrossingTracer::owner(const Step& step) const {
+    const scene::SceneFace seen = triangle(farOwns(step) ? step.far : step.near);
+    if (step.jumps() || step.way.exit) return seen;
+    const auto border = layerBorder(step.near, step.far);
+    return border ? border->face : seen;
 }
 
 }  // namespace inkedge::trace

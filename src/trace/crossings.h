@@ -12,6 +12,7 @@
 #include <inkedge/image.h>
 #include <inkedge/line_types.h>
 
+#include "raster/pair_mark.h"
 #include "scene/scene_face.h"
 #include "trace/line_buffers.h"
 #include "trace/screen_triangles.h"
@@ -23,7 +24,7 @@ struct StepCrossing {
     glm::vec2 position;         ///< samples of the whole picture
     LineTypes types;            ///< empty: there is no line
     float inverseDepth = 0.0F;  ///< as TracedPiece has it
-    scene::SceneFace face;      ///< the nearer one
+    scene::SceneFace face;      ///< that the line belongs to: the nearer one; where surfaces meet see owner()
 };
 
 /// The crossings of one row of samples with their neighbours to the right and below.
@@ -62,24 +63,44 @@ private:
         int y;
     };
     using End = ScreenTriangles::End;
+    using Exit = ScreenTriangles::Exit;
+    using Over = ScreenTriangles::Over;
+    using Plane = ScreenTriangles::Plane;
     using Walk = ScreenTriangles::Walk;
+    // The step from the nearer of two neighbouring samples to the other one.
+    struct Step {
+        Sample near;
+        Sample far;
+        unsigned marks;
+        Walk way;    // over the near sample's patch
+        Walk whole;  // over its surface
+        Walk back;   // over the far sample's surface, towards the near one; only where the surfaces meet
+        [[nodiscard]] bool jumps() const noexcept {
+            return (marks & (raster::PairMark::background | raster::PairMark::jump)) != 0;
+        }
+    };
 
     [[nodiscard]] bool isBackground(Sample) const;
     [[nodiscard]] scene::SceneFace triangle(Sample) const;
     [[nodiscard]] glm::dvec2 centre(Sample) const;  // in the whole picture
-    [[nodiscard]] Walk walk(Sample from, Sample to) const;
-    [[nodiscard]] std::optional<double> layerBorder(Sample from, Sample to) const;
-    [[nodiscard]] ScreenTriangles::Plane plane(Sample) const;
+    [[nodiscard]] Walk walk(Sample from, Sample to, Over over = Over::Patch) const;
+    [[nodiscard]] std::optional<ScreenTriangles::LayerBorder> layerBorder(Sample from, Sample to) const;
+    [[nodiscard]] Plane plane(Sample) const;
     [[nodiscard]] glm::dvec3 normal(Sample) const;
     [[nodiscard]] bool bendsByCreaseAngle(Sample, Sample) const;
     [[nodiscard]] bool isNearer(Sample q, Sample p) const;
     [[nodiscard]] std::optional<double> planesMeet(Sample p, Sample q) const;
-    [[nodiscard]] double positionAlong(Sample near, Sample far, unsigned marks, const Walk&) const;
+    [[nodiscard]] double positionAlong(const Step&) const;
     [[nodiscard]] StepCrossing crossing(Sample p, Sample q, unsigned marks);
     [[nodiscard]] float inverseDepthAt(Sample, glm::dvec2 offset) const;
-    [[nodiscard]] bool goesOnSmoothly(const Walk&, Sample far) const;
-    [[nodiscard]] LineTypes classify(Sample near, Sample far, unsigned marks,
-                                     const std::optional<ScreenTriangles::Exit>&) const;
+    [[nodiscard]] bool arrives(const Walk&, Sample from, Sample to) const;
+    [[nodiscard]] bool goesOnSmoothly(const Step&) const;
+    [[nodiscard]] bool isBend(const Step&) const;
+    [[nodiscard]] double gap(scene::SceneFace front, scene::SceneFace behind, glm::dvec2 at) const;
+    [[nodiscard]] LineTypes meeting(const Step&) const;
+    [[nodiscard]] LineTypes classify(const Step&) const;
+    [[nodiscard]] bool farOwns(const Step&) const;
+    [[nodiscard]] scene::SceneFace owner(const Step&) const;
 
     const LineBuffers& buffers_;
     const ScreenTriangles& triangles_;

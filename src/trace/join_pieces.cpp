@@ -1,7 +1,11 @@
 #include "trace/join_pieces.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <unordered_set>
+
+#include <glm/geometric.hpp>
 
 #include "lines/bridge_gaps.h"
 #include "lines/chains.h"
@@ -16,6 +20,8 @@ using lines::Key;
 using lines::Screen;
 using lines::ScreenSegment;
 using lines::Segment;
+
+constexpr double minLength = 2.0;  // pixels
 
 Key pixelKey(glm::vec2 pixel) {
     return (Key{std::bit_cast<std::uint32_t>(pixel.x)} << 32U) | std::bit_cast<std::uint32_t>(pixel.y);
@@ -40,26 +46,79 @@ public:
 
     std::vector<Line> join() {
         for (const Chain& chain : lines::chainSegments(segments_, projected_)) addChain(chain);
+        dropStubs();
         return lines::bridgeGaps(std::move(lines_), screen_, scene_.bounds().centre);
     }
 
 private:
-    [[nodiscard]] bool goOn(const TracedPiece& a, const TracedPiece& b) const {
+    // Links of a chain whose pieces are of one type and node.
+    struct Run {
+        std::size_t begin;
+        std::size_t end;
+        double length;             // pixels
+        const TracedPiece* piece;  // says which type and node
+    };
+
+    [[nodiscard]] static bool goOn(const TracedPiece& a, const TracedPiece& b) {
         return a.type == b.type && a.face.instance == b.face.instance;
     }
 
-    void addChain(const Chain& chain) {
-        const std::size_t first = lines_.size();
+    // The runs of a chain. What is under minLength belongs to the longer run beside it: near junctions samples differ
+    // in what they see.
+    [[nodiscard]] std::vector<Run> runsOf(const Chain& chain) const {
+        std::vector<Run> runs;
         for (std::size_t i = 0; i < chain.links.size(); ++i) {
-            const Chain::Link link = chain.links[i];
-            const TracedPiece& piece = pieces_[link.segment];
-            if (i == 0 || !goOn(piece, pieces_[chain.links[i - 1].segment])) begin(link, piece);
-            addEnd(link, 1);
+            const TracedPiece& piece = pieces_[chain.links[i].segment];
+            if (runs.empty() || !goOn(piece, *runs.back().piece)) runs.push_back({i, i, 0.0, &piece});
+            runs.back().end = i + 1;
+            runs.back().length += static_cast<double>(glm::distance(piece.ends[0], piece.ends[1]));
         }
-        if (chain.closed && lines_.size() == first + 1) {
+        for (;;) {
+            const auto shortest = std::ranges::min_element(runs, {}, &Run::length);
+            if (runs.size() == 1 || shortest->length >= minLength) return runs;
+            const auto after = shortest + 1;
+            const bool first = shortest == runs.begin();
+            const bool joinsAfter = first || (after != runs.end() && after->length > (shortest - 1)->length);
+            const auto longer = joinsAfter ? after : shortest - 1;
+            *longer = {std::min(longer->begin, shortest->begin), std::max(longer->end, shortest->end),
+                       longer->length + shortest->length, longer->piece};
+            const auto next = runs.erase(shortest);
+            if (next == runs.begin() || next == runs.end() || !goOn(*(next - 1)->piece, *next->piece)) continue;
+            *next = {(next - 1)->begin, next->end, (next - 1)->length + next->length, next->piece};
+            runs.erase(next - 1);
+        }
+    }
+
+    void addChain(const Chain& chain) {
+        const std::vector<Run> runs = runsOf(chain);
+        for (const Run& run : runs) {
+            begin(chain.links[run.begin], *run.piece);
+            for (std::size_t i = run.begin; i < run.end; ++i) addEnd(chain.links[i], 1);
+        }
+        if (chain.closed && runs.size() == 1) {
             lines_.back().closed = true;
             lines_.back().points.pop_back();
         }
+    }
+
+    // Leaves out lines under minLength that begin or end on a longer one: corners of three lines, of which each cell of
+    // samples sees another two.
+    void dropStubs() {
+        const auto isShort = [](const Line& line) {
+            double length = 0.0;
+            for (std::size_t i = 1; i < line.points.size(); ++i)
+                length += glm::distance(line.points[i - 1].pixel, line.points[i].pixel);
+            return !line.closed && length < minLength;
+        };
+        std::unordered_set<Key> onLonger;
+        for (const Line& line : lines_) {
+            if (isShort(line)) continue;
+            for (const LinePoint& point : line.points) onLonger.insert(pixelKey(glm::vec2{point.pixel}));
+        }
+        std::erase_if(lines_, [&](const Line& line) {
+            const auto touches = [&](const LinePoint& p) { return onLonger.contains(pixelKey(glm::vec2{p.pixel})); };
+            return isShort(line) && (touches(line.points.front()) || touches(line.points.back()));
+        });
     }
 
     void begin(Chain::Link link, const TracedPiece& piece) {

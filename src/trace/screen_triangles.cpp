@@ -52,7 +52,8 @@ void ScreenTriangles::collectLayerBorders() {
         for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
             const std::uint32_t patch = patches.base[i] + topology.patches[h / 3];
             if (!patches.layered[patch] || (mesh::isHalfEdge(topology.twins[h]) && !topology.creases[h])) continue;
-            layerBorders_[patches.number[patch]].push_back({corner(i, h), corner(i, mesh::nextHalfEdge(h))});
+            layerBorders_[patches.number[patch]].push_back(
+                {{i, h / 3}, corner(i, h), corner(i, mesh::nextHalfEdge(h))});
         }
     }
 }
@@ -68,7 +69,10 @@ bool ScreenTriangles::touch(scene::SceneFace a, scene::SceneFace b) const {
     return false;
 }
 
-std::optional<double> ScreenTriangles::layerBorder(std::uint32_t patch, glm::dvec2 start, glm::dvec2 goal) const {
+std::uint32_t ScreenTriangles::patchOf(scene::SceneFace face) const { return scene::patchOf(scene_, face); }
+
+std::optional<ScreenTriangles::LayerBorder> ScreenTriangles::layerBorder(std::uint32_t patch, glm::dvec2 start,
+                                                                         glm::dvec2 goal) const {
     const auto borders = layerBorders_.find(patch);
     if (borders == layerBorders_.end()) return {};
     const glm::dvec3 p{start, 1.0};
@@ -80,7 +84,7 @@ std::optional<double> ScreenTriangles::layerBorder(std::uint32_t patch, glm::dve
         const glm::dvec3 line = glm::cross(edge.from, edge.to);
         const double ep = glm::dot(line, p);
         const double eq = glm::dot(line, q);
-        if ((ep >= 0.0) != (eq >= 0.0)) return ep / (ep - eq);
+        if ((ep >= 0.0) != (eq >= 0.0)) return LayerBorder{ep / (ep - eq), edge.face};
     }
     return {};
 }
@@ -125,7 +129,7 @@ ScreenTriangles::Plane ScreenTriangles::plane(scene::SceneFace t, glm::dvec2 at)
     return {glm::dot(plane, glm::dvec3{at, 1.0}), plane.x, plane.y};
 }
 
-ScreenTriangles::Walk ScreenTriangles::walk(scene::SceneFace from, glm::dvec2 start, glm::dvec2 goal) const {
+ScreenTriangles::Walk ScreenTriangles::walk(scene::SceneFace from, glm::dvec2 start, glm::dvec2 goal, Over over) const {
     const mesh::MeshTopology& topology = scene::topologyOf(scene_, scene_.instances()[from.instance].mesh);
     const glm::dvec3 p{start, 1.0};
     const glm::dvec3 q{goal, 1.0};
@@ -145,17 +149,19 @@ ScreenTriangles::Walk ScreenTriangles::walk(scene::SceneFace from, glm::dvec2 st
                 exit = 3 * at.triangle + k;
             }
         }
-        if (exit == mesh::noHalfEdge) return {{}, at.triangle};
+        if (exit == mesh::noHalfEdge) return {{}, at.triangle, at.triangle};
         const std::uint32_t twin = topology.twins[exit];
-        if (twin == mesh::noHalfEdge) return {Exit{End::Border, t}, {}};
-        if (twin == mesh::manyHalfEdges || topology.creases[exit]) return {Exit{End::Crease, t}, {}};
+        if (twin == mesh::noHalfEdge) return {Exit{End::Border, t}, {}, at.triangle};
+        const bool ends = over == Over::Patch && topology.creases[exit];
+        if (twin == mesh::manyHalfEdges || ends) return {Exit{End::Crease, t}, {}, at.triangle};
         const std::uint32_t third = mesh::nextHalfEdge(mesh::nextHalfEdge(twin));
-        if (glm::dot(lines.line[exit % 3], corner(at.instance, third)) > 0.0) return {Exit{End::Fold, t}, {}};
+        if (glm::dot(lines.line[exit % 3], corner(at.instance, third)) > 0.0)
+            return {Exit{End::Fold, t}, {}, at.triangle};
         at.triangle = twin / 3;
         entry = twin;
         reached = t;
     }
-    return {};
+    return {{}, {}, at.triangle};
 }
 
 }  // namespace inkedge::trace

@@ -32,7 +32,7 @@ public:
     /// What ends a surface on a walk across it.
     enum class End {
         Border,  ///< the mesh ends
-        Crease,  ///< an edge that is a crease, or that more than two triangles share
+        Crease,  ///< an edge that is a crease, unless it is walked over, or that more than two triangles share
         Fold,    ///< the mesh turns back under itself
     };
     struct Exit {
@@ -40,12 +40,15 @@ public:
         double t;  ///< share of the way from the walk's start to its goal
     };
     struct Walk {
-        std::optional<Exit> exit;                ///< where the smooth surface ends on the way; none: it does not
+        std::optional<Exit> exit;                ///< where the surface ends on the way; none: it does not
         std::optional<std::uint32_t> arrivedAt;  ///< without an exit: the triangle of the mesh that covers the goal
+        std::uint32_t last = 0;                  ///< the triangle that the walk ends on
     };
+    /// What a walk stays on: a patch, or the whole surface, which goes on across creases.
+    enum class Over { Patch, Surface };
     /// Walks in the picture from a point on a triangle towards another point, from triangle to triangle. There is
     /// neither an exit nor an arrival if the triangles on the way are too many to follow.
-    [[nodiscard]] Walk walk(scene::SceneFace from, glm::dvec2 start, glm::dvec2 goal) const;
+    [[nodiscard]] Walk walk(scene::SceneFace from, glm::dvec2 start, glm::dvec2 goal, Over over = Over::Patch) const;
 
     /// A triangle as a linear function of the picture: w and its slopes per pixel, as PlaneBuffers::planes, but in
     /// scene units and double precision.
@@ -59,13 +62,20 @@ public:
     /// Whether two triangles of one mesh are the same or touch each other.
     [[nodiscard]] bool touch(scene::SceneFace, scene::SceneFace) const;
 
-    /// Where the border of a coplanar layer lies between start and goal, as a share of the way, whichever layer is seen
-    /// there.
+    /// The number of a triangle's patch (PatchNumbers::number).
+    [[nodiscard]] std::uint32_t patchOf(scene::SceneFace) const;
+
+    /// Where the border of a coplanar layer lies between two points, whichever layer is seen there.
+    struct LayerBorder {
+        double t;  ///< share of the way
+        scene::SceneFace face;
+    };
     /// @param patch  the layer's number (PatchNumbers::number)
-    [[nodiscard]] std::optional<double> layerBorder(std::uint32_t patch, glm::dvec2 start, glm::dvec2 goal) const;
+    [[nodiscard]] std::optional<LayerBorder> layerBorder(std::uint32_t patch, glm::dvec2 start, glm::dvec2 goal) const;
 
 private:
     struct BorderEdge {
+        scene::SceneFace face;
         glm::dvec3 from;  // homogeneous pixels
         glm::dvec3 to;
     };

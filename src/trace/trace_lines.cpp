@@ -5,6 +5,7 @@
 #include "base/stop.h"
 #include "trace/crossings.h"
 #include "trace/pinholes.h"
+#include "trace/slivers.h"
 #include "trace/trace_maps.h"
 
 namespace inkedge::trace {
@@ -13,6 +14,7 @@ TracedLines traceLines(LineBuffers buffers, const Scene& scene, const ScreenTria
                        double unit, DrawnTypes types, int samplesPerPixel, TraceIds ids) {
     TracedLines traced;
     removePinholes(buffers, camera, unit);
+    removeSlivers(buffers, triangles, camera, unit, scene.creaseAngle());
     CrossingTracer tracer{buffers, triangles, camera};
     const raster::Tile& tile = buffers.tile;
     const raster::Rectangle rows = aroundKept(tile);

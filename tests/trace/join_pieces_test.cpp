@@ -49,6 +49,32 @@ TEST_F(JoinPieces, partsLinesWhereTheTypeChanges) {
     EXPECT_NE(lines[0].type, lines[1].type);
 }
 
+TEST_F(JoinPieces, giveScrapsOfAnotherTypeTheTypeBesideThem) {
+    const auto lines = join({piece({10, 10}, {20, 10}), piece({20, 10}, {21.5, 10}, LineType::Outline),
+                             piece({21.5, 10}, {30, 10}), piece({30, 10}, {31, 10}, LineType::Occlusion)});
+    ASSERT_THAT(lines, SizeIs(1));
+    EXPECT_EQ(lines[0].type, LineType::Crease);
+    EXPECT_THAT(lines[0].points, SizeIs(5));
+    // A scrap between two types goes to the longer line.
+    const auto unlike = join({piece({10, 10}, {20, 10}), piece({20, 10}, {21, 10}, LineType::Boundary),
+                              piece({21, 10}, {40, 10}, LineType::Outline)});
+    ASSERT_THAT(unlike, SizeIs(2));
+    EXPECT_EQ(unlike[1].points.front().pixel, glm::dvec2(20, 10));
+    EXPECT_EQ(unlike[1].type, LineType::Outline);
+}
+
+TEST_F(JoinPieces, leaveOutStubs) {
+    const std::vector<TracedPiece> through{piece({10, 10}, {20, 10}), piece({20, 10}, {30, 10})};
+    const auto with = [&](glm::vec2 from, glm::vec2 to) {
+        std::vector<TracedPiece> pieces = through;
+        pieces.push_back(piece(from, to));
+        return join(pieces);
+    };
+    EXPECT_THAT(with({20, 10}, {20, 11.5}), SizeIs(1));
+    EXPECT_THAT(with({20, 10}, {20, 12.5}), SizeIs(2));
+    EXPECT_THAT(with({22, 12}, {22, 13.5}), SizeIs(2)) << "it stands alone";
+}
+
 TEST_F(JoinPieces, knowsThePointsInTheWorld) {
     const auto lines = join({piece({10, 10}, {210, 110})});
     ASSERT_THAT(lines, SizeIs(1));
