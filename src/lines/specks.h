@@ -3,11 +3,12 @@
 #include <vector>
 
 #include <inkedge/lines.h>
+#include <inkedge/scene.h>
 
 namespace inkedge::lines {
 
 inline constexpr double minLineLength = 0.1;   ///< pixels
-inline constexpr double minScrapLength = 4.0;  ///< pixels
+inline constexpr double minScrapLength = 3.0;  ///< pixels
 /// Pixels: a gap up to this does not part a line from another.
 inline constexpr double scrapReach = 1.5;
 
@@ -17,6 +18,9 @@ inline constexpr double scrapReach = 1.5;
     return type == LineType::Outline || type == LineType::Occlusion || type == LineType::Boundary ||
            type == LineType::Crease || type == LineType::Intersection;
 }
+
+/// Whether scraps are left out of a scene's lines: not with Creases::Angle, which asks for all lines of the definition.
+[[nodiscard]] inline bool leavesOutScraps(const Scene& scene) { return scene.loadedWith().creases != Creases::Angle; }
 
 /// Leaves out lines shorter than minLineLength: edges along the view, and scraps where lines end. O(points).
 void leaveOutSpecks(std::vector<Line>&);

@@ -20,6 +20,11 @@ constexpr double minSplitBend = 9.0;       // degrees
 constexpr double maxExcess = 15.0;         // degrees that normals may be split by more than the faces bend
 constexpr double minSplitShare = 1.0 / 3;  // of the bend, that normals are split by
 
+// Degrees within which an edge is in doubt: what facets of one kind differ by. By bends alone, as asked for, only what
+// rounding of coordinates makes of them.
+constexpr double doubt = 1.0;
+constexpr double rounding = 0.1;
+
 // A surface of many faces that bend by this, in degrees, at half of their edges is rough: a scan, most likely.
 constexpr double minRoughness = 3.0;
 constexpr std::size_t minRoughFaces = 1000;
@@ -32,11 +37,12 @@ enum class Evidence { Smooth, Doubt, Crease };
 // An edge that bends by more than an angle; near the angle it must carry on another.
 class Threshold {
 public:
-    explicit Threshold(double degrees) {
-        const double doubt = std::min(1.0, 0.1 * degrees);
+    // @param most  degrees to either side that are in doubt, at most
+    Threshold(double degrees, double most) {
+        const double margin = std::min(most, 0.1 * degrees);
         // No edge bends by more than 180 degrees: at that angle none is a crease.
-        beyond_ = degrees + doubt > 180.0 ? -2.0 : std::cos(glm::radians(degrees + doubt));
-        within_ = degrees >= 180.0 ? -2.0 : std::cos(glm::radians(degrees - doubt));
+        beyond_ = degrees + margin > 180.0 ? -2.0 : std::cos(glm::radians(degrees + margin));
+        within_ = degrees >= 180.0 ? -2.0 : std::cos(glm::radians(degrees - margin));
     }
     [[nodiscard]] Evidence of(double bendCosine) const {
         return bendCosine < beyond_ ? Evidence::Crease : bendCosine < within_ ? Evidence::Doubt : Evidence::Smooth;
@@ -101,11 +107,11 @@ public:
           topology_{topology},
           edges_{mesh, topology, disbelieved},
           kind_{settings.creases},
-          byBend_{settings.creaseAngle},
-          shared_{std::min(180.0, 2.0 * settings.creaseAngle)},
-          split_{std::min(minSplitBend, settings.creaseAngle)},
-          weakByBend_{weakShare * settings.creaseAngle},
-          weakShared_{weakShare * std::min(180.0, 2.0 * settings.creaseAngle)},
+          byBend_{settings.creaseAngle, settings.creases == Creases::Angle ? rounding : doubt},
+          shared_{std::min(180.0, 2.0 * settings.creaseAngle), doubt},
+          split_{std::min(minSplitBend, settings.creaseAngle), doubt},
+          weakByBend_{weakShare * settings.creaseAngle, 0.0},
+          weakShared_{weakShare * std::min(180.0, 2.0 * settings.creaseAngle), 0.0},
           rough_{settings.creases == Creases::Auto && topology.originals.size() >= minRoughFaces &&
                  medianBend(mesh, topology) >= minRoughness} {}
 

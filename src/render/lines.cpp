@@ -20,7 +20,7 @@ Lines objectLines(const Scene& scene, const Camera& camera, const RenderSettings
     clock.finish("prepare lines");
     Lines found = prepared.find(camera, settings);
     lines::leaveOutSpecks(found.lines);
-    lines::leaveOutScraps(found.lines);
+    if (lines::leavesOutScraps(scene)) lines::leaveOutScraps(found.lines);
     lines::describe(found, scene, settings, LinesFrom::Object);
     found.backend = kept.backend();
     found.times.insert(found.times.begin(), before.begin(), before.end());

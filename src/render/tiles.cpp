@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "gl/read_back.h"
+#include "lines/specks.h"
 #include "passes/composite.h"
 #include "passes/detect_edges.h"
 #include "passes/detect_lines.h"
@@ -140,7 +141,7 @@ Tiles drawTiles(const passes::Frame& picture, gl::FunctionInputs& inputs, const 
         const passes::Frame samples = passes::withTile(picture, tile);
         painter.draw({samples, passes::inPixels(samples, settings.picture.supersampling)}, all);
     }
-    trace::leaveOutScraps(all.pieces);
+    if (lines::leavesOutScraps(picture.scene)) trace::leaveOutScraps(all.pieces);
     return all;
 }
 

@@ -44,11 +44,11 @@ const Line longCrease = typed(LineType::Crease, {{0, 50}, {40, 50}});
 
 TEST(Scraps, AreShortLinesThatReachNoOther) {
     for (const LineType type : {LineType::Crease, LineType::Occlusion, LineType::Boundary, LineType::Intersection})
-        EXPECT_EQ(keptOf({longCrease, typed(type, {{5, 5}, {8.9, 5}})}), 1U);
+        EXPECT_EQ(keptOf({longCrease, typed(type, {{5, 5}, {7.9, 5}})}), 1U);
     for (const LineType type : {LineType::Marked, LineType::Isoparametric, LineType::Object})
-        EXPECT_EQ(keptOf({longCrease, typed(type, {{5, 5}, {8.9, 5}})}), 2U);
-    EXPECT_EQ(keptOf({longCrease, typed(LineType::Crease, {{5, 5}, {9.1, 5}})}), 2U) << "long enough";
-    Line loop = typed(LineType::Crease, {{5, 5}, {6, 5}, {6, 6}});
+        EXPECT_EQ(keptOf({longCrease, typed(type, {{5, 5}, {7.9, 5}})}), 2U);
+    EXPECT_EQ(keptOf({longCrease, typed(LineType::Crease, {{5, 5}, {8.1, 5}})}), 2U) << "long enough";
+    Line loop = typed(LineType::Crease, {{5, 5}, {5.9, 5}, {5.9, 5.8}});
     loop.closed = true;
     EXPECT_EQ(keptOf({longCrease, loop}), 1U);
 }
@@ -58,7 +58,7 @@ TEST(Scraps, StayWhereTheyJoinAnotherLine) {
     EXPECT_EQ(keptOf({longCrease, typed(LineType::Crease, {{20, 48.6}, {20, 47}})}), 2U) << "across a gap";
     EXPECT_EQ(keptOf({longCrease, typed(LineType::Crease, {{20, 48.4}, {20, 47}})}), 1U);
     // Dashes of one line, or one that changes its type.
-    EXPECT_EQ(keptOf({typed(LineType::Crease, {{5, 5}, {7, 5}}), typed(LineType::Occlusion, {{8, 5}, {11, 5}})}), 2U);
+    EXPECT_EQ(keptOf({typed(LineType::Crease, {{5, 5}, {7, 5}}), typed(LineType::Occlusion, {{8, 5}, {9.5, 5}})}), 2U);
     EXPECT_EQ(keptOf({typed(LineType::Crease, {{5, 5}, {6, 5}}), typed(LineType::Occlusion, {{7, 5}, {8, 5}})}), 0U);
 }
 
