@@ -87,6 +87,9 @@ struct ViewSegments {
         const bool isContour = segment.curve == Curve::Contour;
         const bool isBoundary = segment.curve == Curve::Boundary;
         const bool isCrease = segment.curve == Curve::Crease;
+        const bool isMarked = segment.curve == Curve::Marked;
+        const bool isMeshEdge = segment.slack == 0.0 && (isContour || isCrease || isBoundary || isMarked);
+        if (isMeshEdge && touching.isBehindFace(segment, point)) return Seen::Hidden;
         if (!isContour && !isCrease && !isBoundary) return Seen::Inside;
         const Touch touch = isBoundary ? touching.atBorder(segment, point) : Touch::None;
         if (touch == Touch::Begins) return Seen::Seam;

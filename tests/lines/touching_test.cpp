@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -58,6 +59,23 @@ TEST(Touching, ContactsAreIntersectionsAlongTheirWholeLength) {
         const auto contacts = thoseOf(linesOf(scene, perspective(eye, {1, 0, 0})), isContact);
         EXPECT_THAT(contacts, Not(IsEmpty()));
         for (const Line& line : contacts) EXPECT_EQ(line.type, LineType::Intersection);
+    }
+}
+
+TEST(Touching, EdgesThatTouchAFaceFromBehindAreNotSeen) {
+    const glm::dmat4 onItsEdge = translation({0, -std::sqrt(2.0), 0}) * rotation(45.0, {0, 0, 1});
+    const glm::dmat4 upright = translation({0, -1, 0}) * rotation(90.0, {0, 0, 1});
+    for (const auto& [mesh, transform] : {std::pair{cube(), onItsEdge}, std::pair{sheet(2), upright}}) {
+        for (const double gap : {0.0, 1e-7, -1e-7, 1e-6}) {
+            const Scene scene = sceneOf({{sheet(6), glm::dmat4{1.0}}, {mesh, translation({0, -gap, 0}) * transform}});
+            for (const glm::dvec3 eye : {glm::dvec3{0, 8, 0}, glm::dvec3{3, 8, 2}}) {
+                const auto lines = linesOf(scene, orthographic(eye, 300.0 / pixelsPerUnit));
+                EXPECT_THAT(thoseOf(lines, [](const Line& line) { return line.object == 2; }), IsEmpty())
+                    << mesh.name << ", gap " << gap;
+            }
+            const auto below = linesOf(scene, orthographic({3, -8, 2}, 300.0 / pixelsPerUnit));
+            EXPECT_GT(length(thoseOf(below, [](const Line& line) { return line.object == 2; })), 4 * pixelsPerUnit);
+        }
     }
 }
 

@@ -17,8 +17,6 @@
 namespace inkedge::lines {
 namespace {
 
-constexpr double minStep = 1e-5;  // of a point's distance: a face must be nearer by more to hide the point
-
 // A power of two, so that nothing is rounded, that brings a length to 1..2. 1 for no length.
 double scaleOf(double length) { return length > 0.0 ? std::ldexp(1.0, -std::ilogb(length)) : 1.0; }
 

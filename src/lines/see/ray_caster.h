@@ -23,8 +23,11 @@ public:
     RayCaster(const RayCaster&) = delete;
     RayCaster& operator=(const RayCaster&) = delete;
 
+    /// Of a point's distance: a face must be nearer by more to hide the point.
+    static constexpr double minStep = 1e-5;
+
     /// Whether a face lies between the near plane and a point. A face counts if it is nearer than the point by over
-    /// 1e-5 of the point's distance, computed in double precision.
+    /// minStep, computed in double precision.
     /// @param own    faces that do not count
     /// @param slack  how much nearer than that a face must be
     /// Thread-safe.

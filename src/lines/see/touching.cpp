@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -9,6 +10,13 @@
 #include "scene/world_triangles.h"
 
 namespace inkedge::lines {
+namespace {
+
+// Faces with a smaller angle between them lie on each other.
+const double layersSine = std::sin(glm::radians(1.0));
+constexpr double edgeOnCosine = 1e-3;  // of the angle between a face's normal and the view of a face seen as a line
+
+}  // namespace
 
 // A face's side of an edge.
 struct Touching::Edge {
@@ -68,6 +76,41 @@ Touch Touching::atBorder(const Segment& segment, glm::dvec3 point) const {
     const bool runsOn = components_ != nullptr &&
                         (goesOn(segment, edge, point + step, Which::OtherComponents) || isBelow(segment, edge, point));
     return runsOn ? Touch::RunsOn : Touch::Begins;
+}
+
+// Looks in front of points beside the edge, where a ray meets no two faces at once: one on each of its faces, or to both
+// sides of faces that are seen as a line.
+bool Touching::isBehindFace(const Segment& segment, glm::dvec3 point) const {
+    if (components_ == nullptr) return false;
+    const glm::dvec3 view = screen_.ray(point);
+    const double distance = glm::length(view);
+    std::vector<Edge> edges;
+    for (const scene::SceneFace own : segment.faces)
+        if (own != noFace) edges.push_back(edgeOf(segment, own, point));
+    const auto isEdgeOn = [&](const Edge& edge) {
+        return std::abs(glm::dot(edge.normal, view)) < edgeOnCosine * distance;
+    };
+    std::vector<glm::dvec3> beside;
+    const bool allEdgeOn = std::ranges::all_of(edges, isEdgeOn);
+    for (const Edge& edge : edges) {
+        const double step = 0.5 * edge.within;
+        if (allEdgeOn) beside.insert(beside.end(), {point + step * edge.normal, point - step * edge.normal});
+        if (!isEdgeOn(edge)) beside.push_back(point + step * edge.into);
+    }
+    const double within = RayCaster::minStep * distance;
+    const auto hides = [&](scene::SceneFace face, glm::dvec3 normal) {
+        if (components_->of(face) == components_->of(segment.faces[0])) return false;
+        const scene::WorldTriangles triangles{scene_, scene_.instances()[face.instance], scene_.bounds().centre};
+        if (std::abs(glm::dot(normal, point - triangles.triangle(face.triangle)[0])) > within) return false;
+        const double sign = glm::dot(normal, view) < 0.0 ? 1.0 : -1.0;
+        const auto isBehind = [&](const Edge& edge) { return sign * glm::dot(normal, edge.into) < -layersSine; };
+        return std::ranges::all_of(edges, isBehind);
+    };
+    constexpr double grazing = 50.0;  // how much further than beside the edge a face may be in front of it
+    const glm::dvec3 towards = -view / distance * (0.5 * grazing * edges[0].within + within);
+    const glm::dvec3 end = (allEdgeOn ? -0.1 : 1e-3) * towards;  // no face of the edge is met on the way
+    return std::ranges::all_of(beside,
+                               [&](glm::dvec3 at) { return rays_.meetsBetween(at + towards, at + end, hides); });
 }
 
 bool Touching::atEdge(const Segment& segment, glm::dvec3 point) const {

@@ -32,6 +32,10 @@ public:
     /// At a point of a boundary. Where another surface begins there, it may be of the same component.
     [[nodiscard]] Touch atBorder(const Segment&, glm::dvec3 point) const;
 
+    /// Whether an edge lies in a face of another component, behind which all of the edge's faces lie: these touch that
+    /// face from behind, and nothing of them is seen there.
+    [[nodiscard]] bool isBehindFace(const Segment&, glm::dvec3 point) const;
+
     /// Whether another component goes on beyond either face of an edge.
     [[nodiscard]] bool atEdge(const Segment&, glm::dvec3 point) const;
 
