@@ -62,5 +62,16 @@ TEST(SurfaceComponents, GoOnAcrossSeamsOfInstances) {
     EXPECT_FALSE((Components{{{left, here}, {right, translation({0.5, 0, 0})}}}.components.areOne()));
 }
 
+TEST(SurfaceComponents, AreNearWhereTheBoxOfAnotherHoldsAPoint) {
+    const Components both{{{cube(1.0), translation({-2, 0, 0})}, {cube(1.0), translation({2, 0, 0})}}};
+    EXPECT_TRUE(both.components.mayBeNear({0, 0}, {2.5, 0.5, 0}, 1e-6));
+    EXPECT_TRUE(both.components.mayBeNear({0, 0}, {1.4, 0, 0}, 0.2));
+    EXPECT_FALSE(both.components.mayBeNear({0, 0}, {1.4, 0, 0}, 0.05));
+    EXPECT_FALSE(both.components.mayBeNear({0, 0}, {-2, 0, 0}, 0.05)) << "a component is not near itself";
+    std::vector<std::pair<Mesh, glm::dmat4>> many;
+    for (int i = 0; i < 40; ++i) many.emplace_back(cube(1.0), translation({3.0 * i, 0, 0}));
+    EXPECT_TRUE((Components{many}.components.mayBeNear({0, 0}, {0, 50, 0}, 0.05))) << "too many to look at";
+}
+
 }  // namespace
 }  // namespace inkedge::lines

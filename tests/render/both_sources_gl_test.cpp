@@ -30,7 +30,7 @@ using ink_of_lines::square;
 
 INKEDGE_ON_EACH_BACKEND(BothSources);
 
-constexpr double most = 1.0;  // pixels of line of one source alone: where a line ends
+constexpr double largestAlone = 1.0;  // pixels of line of one source alone: where a line ends
 
 // Image space takes the nearest at each pixel. What touches a face from behind is as near as the face, and shows
 // through it where rounding says so.
@@ -153,10 +153,10 @@ TEST_P(BothSources, ofRandomScenesAgree) {
         std::vector<Ink> seen;
         std::ranges::copy_if(objectInk, std::back_inserter(seen), [&](const Ink& dot) { return !unseen.holds(dot); });
         const double objectAlone = alone(seen, {&imageInk});
-        if (std::max(imageAlone, objectAlone) <= most) continue;
+        if (std::max(imageAlone, objectAlone) <= largestAlone) continue;
         if (pictures != nullptr)
             writePicture(std::filesystem::path{pictures} / fmt::format("{}.svg", seed), image, object);
-        if (std::ranges::find(shineThrough, seed) != shineThrough.end() && objectAlone <= most) continue;
+        if (std::ranges::find(shineThrough, seed) != shineThrough.end() && objectAlone <= largestAlone) continue;
         ADD_FAILURE() << "seed " << seed << ": " << imageAlone << " px of image space alone, " << objectAlone
                       << " px of object space alone: " << random.text;
     }

@@ -124,8 +124,8 @@ private:
         const Mesh mesh = someMesh();
         const Bounds own = boundsOf(mesh);
         glm::dvec3 at{0.0};
-        if (!placed_.empty()) {
-            const Bounds& other = placed_[below(placed_.size())];
+        if (!bounds_.empty()) {
+            const Bounds& other = bounds_[below(bounds_.size())];
             const int across = static_cast<int>(below(3));
             for (int axis = 0; axis < 3; ++axis) {
                 const std::size_t how = axis == across ? below(2) : 2 + below(4);
@@ -141,7 +141,7 @@ private:
             }
         }
         scene_.text += "; ";
-        placed_.push_back({own.low + at, own.high + at});
+        bounds_.push_back({own.low + at, own.high + at});
         scene_.parts.emplace_back(mesh, scenes::translation(at));
     }
 
@@ -174,7 +174,7 @@ private:
 
     std::mt19937 numbers_;
     RandomScene scene_;
-    std::vector<Bounds> placed_;
+    std::vector<Bounds> bounds_;
     bool hasRound_ = false;
 };
 

@@ -26,11 +26,24 @@ public:
 
     [[nodiscard]] bool areOne() const noexcept { return areOne_; }
 
+    /// Whether a component other than that of a face may come near a point: so say their boxes, of up to manyComponents.
+    /// @param point   world space less the middle of Scene::bounds()
+    /// @param within  world units
+    [[nodiscard]] bool mayBeNear(scene::SceneFace, glm::dvec3 point, double within) const noexcept;
+    static constexpr std::size_t manyComponents = 32;
+
 private:
+    struct ComponentBox {
+        std::uint32_t component;
+        Box box;
+    };
+    void makeBoxes(const Scene&, std::span<const std::uint32_t> counts);
+
     std::vector<std::uint32_t> meshes_;                // one per instance
     std::vector<std::uint32_t> begins_;                // one per instance: where its components begin in components_
     std::vector<std::vector<std::uint32_t>> ofFaces_;  // one per mesh: the component of each face within the mesh
     std::vector<std::uint32_t> components_;
+    std::vector<ComponentBox> boxes_;  // none: there are too many components
     bool areOne_;
 };
 

@@ -32,6 +32,11 @@ Touching::Touching(const Scene& scene, const RayCaster& rays, const SurfaceCompo
       screen_{screen},
       creaseCosine_{std::cos(glm::radians(scene.creaseAngle()))} {}
 
+double Touching::withinAt(glm::dvec3 point) const {
+    const double rounding = 1e-6 * scene_.bounds().radius;
+    return touchingWithin * screen_.footprint(point) + rounding;
+}
+
 Touching::Edge Touching::edgeOf(const Segment& segment, scene::SceneFace face, glm::dvec3 point) const {
     const scene::WorldTriangles triangles{scene_, scene_.instances()[face.instance], scene_.bounds().centre};
     const auto corners = triangles.triangle(face.triangle);
@@ -40,8 +45,7 @@ Touching::Edge Touching::edgeOf(const Segment& segment, scene::SceneFace face, g
     const glm::dvec3 across = toMiddle - along * glm::dot(toMiddle, along);
     const double length = glm::length(across);
     const glm::dvec3 into = length > 0.0 ? across / length : glm::dvec3{0.0};
-    const double rounding = 1e-6 * scene_.bounds().radius;
-    return {into, glm::cross(along, into), touchingWithin * screen_.footprint(point) + rounding};
+    return {into, glm::cross(along, into), withinAt(point)};
 }
 
 bool Touching::goesOn(const Segment& segment, const Edge& edge, glm::dvec3 beside, Which which) const {
@@ -84,6 +88,8 @@ bool Touching::isBehindFace(const Segment& segment, glm::dvec3 point) const {
     if (components_ == nullptr) return false;
     const glm::dvec3 view = screen_.ray(point);
     const double distance = glm::length(view);
+    const double within = RayCaster::minStep * distance;
+    if (!components_->mayBeNear(segment.faces[0], point, within)) return false;
     std::vector<Edge> edges;
     for (const scene::SceneFace own : segment.faces)
         if (own != noFace) edges.push_back(edgeOf(segment, own, point));
@@ -97,7 +103,6 @@ bool Touching::isBehindFace(const Segment& segment, glm::dvec3 point) const {
         if (allEdgeOn) beside.insert(beside.end(), {point + step * edge.normal, point - step * edge.normal});
         if (!isEdgeOn(edge)) beside.push_back(point + step * edge.into);
     }
-    const double within = RayCaster::minStep * distance;
     const auto hides = [&](scene::SceneFace face, glm::dvec3 normal) {
         if (components_->of(face) == components_->of(segment.faces[0])) return false;
         const scene::WorldTriangles triangles{scene_, scene_.instances()[face.instance], scene_.bounds().centre};
@@ -115,6 +120,7 @@ bool Touching::isBehindFace(const Segment& segment, glm::dvec3 point) const {
 
 bool Touching::atEdge(const Segment& segment, glm::dvec3 point) const {
     if (components_ == nullptr) return false;
+    if (!components_->mayBeNear(segment.faces[0], point, 2.0 * withinAt(point))) return false;
     return std::ranges::any_of(segment.faces, [&](scene::SceneFace face) {
         if (face == noFace) return false;
         const Edge edge = edgeOf(segment, face, point);

@@ -43,6 +43,7 @@ private:
     struct Edge;
     enum class Which { Any, OtherComponents };
 
+    [[nodiscard]] double withinAt(glm::dvec3 point) const;  // world units
     [[nodiscard]] Edge edgeOf(const Segment&, scene::SceneFace, glm::dvec3 point) const;
     [[nodiscard]] bool goesOn(const Segment&, const Edge&, glm::dvec3 beside, Which) const;
 
