@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/message.h"
+#include "mesh/clip_polygon.h"
 #include "mesh/polygon_triangles.h"
 #include "mesh/simplify_loop.h"
 #include "mesh/twice_area.h"
@@ -19,9 +20,9 @@
 namespace inkedge::mesh {
 namespace {
 
-constexpr int cellSize = 128;            // texels: the lattice that triangles and the outline are cut along
-constexpr double simplification = 0.1;   // texels
-constexpr std::int64_t maxCells = 4096;  // of one triangle
+constexpr int cellSize = CutOut::cellSize;
+constexpr double simplification = 0.1;  // texels
+constexpr std::int64_t maxCellsOfTriangle = 4096;
 constexpr std::uint64_t maxPieces = 4'000'000;
 constexpr double maxSteps = 8192.0;                           // along an edge whose factor changes
 constexpr std::uint64_t maxSamples = std::uint64_t{1} << 26;  // where factors change
@@ -31,7 +32,8 @@ constexpr std::uint64_t maxSamples = std::uint64_t{1} << 26;  // where factors c
 // Texel coordinates: whole numbers at the centres of texels.
 class Opacity {
 public:
-    Opacity(Image<std::uint8_t> map, std::array<TextureWrap, 2> wrap) : map_{std::move(map)}, wrap_{wrap} {}
+    Opacity(std::shared_ptr<const Image<std::uint8_t>> map, std::array<TextureWrap, 2> wrap)
+        : whole_{std::move(map)}, map_{*whole_}, wrap_{wrap} {}
 
     [[nodiscard]] double at(std::int64_t x, std::int64_t y) const {
         return map_(wrapped(x, map_.size().width, wrap_[0]), wrapped(y, map_.size().height, wrap_[1]));
@@ -63,7 +65,8 @@ private:
         return static_cast<int>(rest < size ? rest : period - 1 - rest);
     }
 
-    Image<std::uint8_t> map_;
+    std::shared_ptr<const Image<std::uint8_t>> whole_;
+    const Image<std::uint8_t>& map_;
     std::array<TextureWrap, 2> wrap_;
 };
 
@@ -230,29 +233,8 @@ private:
     std::unordered_map<int, int> next_;  // corner -> the next along the outline
 };
 
-// Sutherland and Hodgman: a convex polygon's part in the cell, whose corners are (0, 0) and (cellSize, cellSize).
-Polygon withinCell(Polygon polygon) {
-    for (const int axis : {0, 1}) {
-        for (const double border : {0.0, static_cast<double>(cellSize)}) {
-            const double sign = border == 0.0 ? 1.0 : -1.0;
-            Polygon part;
-            for (std::size_t i = 0; i < polygon.size(); ++i) {
-                const glm::dvec2 a = polygon[i];
-                const glm::dvec2 b = polygon[(i + 1) % polygon.size()];
-                const double da = sign * (a[axis] - border);
-                const double db = sign * (b[axis] - border);
-                if (da >= 0.0) part.push_back(a);
-                if ((da > 0.0 && db < 0.0) || (da < 0.0 && db > 0.0)) {
-                    glm::dvec2 crossing = a + (da / (da - db)) * (b - a);
-                    crossing[axis] = border;
-                    part.push_back(crossing);
-                }
-            }
-            polygon = std::move(part);
-        }
-    }
-    return polygon;
-}
+// A convex polygon's part in the cell, whose corners are (0, 0) and (cellSize, cellSize).
+Polygon withinCell(const Polygon& polygon) { return withinBox(polygon, glm::dvec2{0.0}, glm::dvec2{cellSize}); }
 
 }  // namespace
 
@@ -265,6 +247,10 @@ struct CutOut::State {
     const Cell& cell(std::int64_t x, std::int64_t y) {
         const auto known = cells.find({x, y});
         if (known != cells.end()) return known->second;
+        if (cellsLeft == 0)
+            base::refuse(fmt::format("expected cut-outs that span at most {} x {} x {} texels, found more",
+                                     CutOut::maxCells, cellSize, cellSize));
+        --cellsLeft;
         CellOutline outline{opacity, x, y, threshold};
         Cell made{outline.whole(), {}};
         if (!made.whole && !outline.nothing()) made.outline = untangled(outline.trace());
@@ -297,12 +283,14 @@ struct CutOut::State {
     Opacity opacity;
     double threshold;
     std::map<std::pair<std::int64_t, std::int64_t>, Cell> cells;
+    std::uint64_t& cellsLeft;
     std::uint64_t pieces = 0;
     std::uint64_t samples = 0;
 };
 
-CutOut::CutOut(Image<std::uint8_t> opacity, std::array<TextureWrap, 2> wrap, double threshold)
-    : state_{std::make_unique<State>(State{Opacity{std::move(opacity), wrap}, threshold, {}, 0, 0})} {}
+CutOut::CutOut(std::shared_ptr<const Image<std::uint8_t>> opacity, std::array<TextureWrap, 2> wrap, double threshold,
+               std::uint64_t& cellsLeft)
+    : state_{std::make_unique<State>(State{Opacity{std::move(opacity), wrap}, threshold, {}, cellsLeft, 0, 0})} {}
 CutOut::~CutOut() = default;
 
 std::vector<TrianglePiece> CutOut::cut(const std::array<glm::dvec2, 3>& corners) {
@@ -318,7 +306,7 @@ std::vector<TrianglePiece> CutOut::cut(const std::array<glm::dvec2, 3>& corners)
     const glm::dvec2 high = glm::max(glm::max(inTexels[0], inTexels[1]), inTexels[2]);
     const std::int64_t columns = cellOf(high.x) - cellOf(low.x) + 1;
     const std::int64_t rows = cellOf(high.y) - cellOf(low.y) + 1;
-    if (columns > maxCells || rows > maxCells || columns * rows > maxCells)
+    if (columns > maxCellsOfTriangle || rows > maxCellsOfTriangle || columns * rows > maxCellsOfTriangle)
         base::refuse("expected triangles that repeat the picture less often, found one across too many texels");
 
     std::vector<TrianglePiece> pieces;
@@ -336,7 +324,7 @@ std::vector<TrianglePiece> CutOut::cut(const std::array<glm::dvec2, 3>& corners)
                 return glm::clamp(glm::dvec3{w, 1.0 - w.x - w.y}, 0.0, 1.0);
             };
             const std::vector<PolygonTriangle> triangles =
-                cell.whole ? convexTriangles(part) : trianglesWithin(part, cell.outline);
+                cell.whole ? convexTriangles(part) : trianglesWithin(part, beside(part, cell.outline));
             for (const PolygonTriangle& t : triangles) {
                 TrianglePiece piece{weights(t[0]), weights(t[1]), weights(t[2])};
                 if (area < 0.0) std::swap(piece[1], piece[2]);

@@ -20,9 +20,14 @@ namespace inkedge::mesh {
 /// simplified to a tenth of a texel.
 class CutOut {
 public:
+    static constexpr int cellSize = 128;  ///< texels: the lattice that triangles and the outline are cut along
+    static constexpr std::uint64_t maxCells = 32'768;  ///< of all cut-outs of a model: each takes up to 0.1 ms
+
     /// @param opacity    one channel, row 0 at the top
-    /// @param threshold  the picture is opaque where its opacity is at least this; over 0 and at most 255
-    CutOut(Image<std::uint8_t> opacity, std::array<TextureWrap, 2> wrap, double threshold);
+    /// @param threshold  the picture is opaque where its opacity is at least this; over 0
+    /// @param cellsLeft  how many more cells may be looked at; must outlive this
+    CutOut(std::shared_ptr<const Image<std::uint8_t>> opacity, std::array<TextureWrap, 2> wrap, double threshold,
+           std::uint64_t& cellsLeft);
     ~CutOut();
     CutOut(const CutOut&) = delete;
     CutOut& operator=(const CutOut&) = delete;

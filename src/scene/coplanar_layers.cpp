@@ -81,7 +81,9 @@ std::optional<Plane> planeOf(const std::array<glm::dvec3, 3>& triangle, double r
 struct FlatTriangle {
     std::array<glm::dvec2, 3> corners;
     double low;
-    double high;  // along the first axis
+    double high;    // along the first axis
+    double bottom;  // along the second
+    double top;
     std::uint32_t patch;
     std::uint32_t number;
 };
@@ -208,6 +210,7 @@ private:
             std::erase_if(active, [&](const FlatTriangle* other) { return other->high <= one.low; });
             for (const FlatTriangle* other : active) {
                 if (one.number == other->number || (layered_[one.patch] && layered_[other->patch])) continue;
+                if (one.bottom >= other->top || other->bottom >= one.top) continue;
                 if (separates(one, *other, margin) || separates(*other, one, margin)) continue;
                 layered_[one.patch] = layered_[other->patch] = true;
             }
@@ -241,10 +244,12 @@ private:
             const WorldTriangles world = triangles(run.instance);
             for (std::uint32_t number = run.first; number < run.first + run.count; ++number) {
                 const auto triangle = world.triangle(number);
-                FlatTriangle t{{}, 0.0, 0.0, patchOf(run.instance, number), numberOf(run.instance, number)};
+                FlatTriangle t{{}, 0.0, 0.0, 0.0, 0.0, patchOf(run.instance, number), numberOf(run.instance, number)};
                 for (std::size_t i = 0; i < 3; ++i) t.corners[i] = {glm::dot(triangle[i], u), glm::dot(triangle[i], v)};
                 t.low = std::min({t.corners[0].x, t.corners[1].x, t.corners[2].x});
                 t.high = std::max({t.corners[0].x, t.corners[1].x, t.corners[2].x});
+                t.bottom = std::min({t.corners[0].y, t.corners[1].y, t.corners[2].y});
+                t.top = std::max({t.corners[0].y, t.corners[1].y, t.corners[2].y});
                 flat.push_back(t);
             }
         }

@@ -1,34 +1,21 @@
 #include "formats/gltf/cut_outs.h"
 
 #include <array>
-#include <cmath>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
 #include "base/message.h"
-#include "formats/gltf/attributes.h"
+#include "formats/gltf/mask_uses.h"
 #include "formats/gltf/paint.h"
 #include "images/decode_picture.h"
 
 namespace inkedge::gltf {
 
 namespace {
-
-// The alpha of COLOR_0, one per vertex; empty: all are 1.
-std::vector<double> vertexOpacities(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
-                                    std::size_t count) {
-    const auto color = primitive.attributes.find("COLOR_0");
-    if (color == primitive.attributes.end()) return {};
-    if (at(model.accessors, color->second, "an accessor").type != TINYGLTF_TYPE_VEC4) return {};
-    std::vector<double> opacities;
-    for (const glm::dvec4& c : readAttribute<glm::dvec4>(model, primitive.attributes, "COLOR_0", anyColor, count)) {
-        if (!std::isfinite(c.a)) base::refuse(fmt::format("COLOR_0: expected finite numbers, found {} as alpha", c.a));
-        opacities.push_back(c.a);
-    }
-    return opacities;
-}
 
 // Edges of a piece that lie on an edge of the triangle have its kinds.
 void addEdges(const std::vector<EdgeKinds>& of, std::size_t triangle, const mesh::TrianglePiece& piece,
@@ -75,26 +62,20 @@ void add(const Shape& part, std::size_t triangle, const mesh::TrianglePiece& pie
 }  // namespace
 
 void CutOuts::apply(const Material& material, const tinygltf::Primitive& primitive, Shape& part) {
-    std::vector<double> opacities = vertexOpacities(model_, primitive, part.positions.size());
-    opacities.resize(part.positions.size(), 1.0);
+    const std::vector<double> opacities = vertexOpacities(model_, primitive, part.positions.size());
     const auto opacityOf = [&](const std::uint32_t* corners) {
         return material.opacity * glm::dvec3{opacities[corners[0]], opacities[corners[1]], opacities[corners[2]]};
     };
     std::vector<glm::dvec2> uvs;
     if (material.texture) uvs = uvsOf(model_, *material.texture, primitive, part.positions.size());
-    // Triangles that share an edge must be cut in one way, so that one that varies decides for all.
-    bool varies = false;
-    for (std::size_t i = 0; i < part.indices.size() && !varies; i += 3) {
-        const glm::dvec3 opacity = opacityOf(&part.indices[i]);
-        varies = opacity.x != opacity.y || opacity.x != opacity.z;
-    }
+    const bool changes = varies(opacities, part.indices);
     Shape rest;
     rest.authored = part.authored;
     for (std::size_t t = 0; t < part.indices.size() / 3; ++t) {
         const std::uint32_t* const corners = &part.indices[3 * t];
         const glm::dvec3 opacity = opacityOf(corners);
         for (const mesh::TrianglePiece& piece :
-             varies ? cutVarying(material, uvs, opacity, corners) : cutEven(material, uvs, opacity.x, corners))
+             changes ? cutVarying(material, uvs, opacity, corners) : cutEven(material, uvs, opacity.x, corners))
             add(part, t, piece, rest);
     }
     part = std::move(rest);
@@ -116,26 +97,53 @@ std::vector<mesh::TrianglePiece> CutOuts::cutVarying(const Material& material, c
     return mesh::opaquePart({1, 1, 1}, [&](const glm::dvec3& w) { return glm::dot(w, opacities) - material.cutoff; });
 }
 
+std::string CutOuts::coarsen(const std::vector<MaskUse>& uses) {
+    std::map<std::uint64_t, Mask> masks;
+    for (const MaskUse& use : uses) {
+        if (masks.contains(use.image)) continue;
+        try {
+            masks[use.image] = opacityMap(use.image, file_.images[use.image]);
+        } catch (const Error&) {  // whoever cuts along it says so
+        }
+    }
+    std::string warning;
+    const std::map<std::uint64_t, Mask> coarser = coarserMasks(uses, masks);
+    for (const auto& [image, mask] : coarser) {
+        const Size before = masks[image]->size();
+        maps_[image] = mask;
+        if (warning.empty())
+            warning = fmt::format(
+                "cut-outs leave out what is finer than can be cut in time: image {} of {} x {} texels "
+                "is cut at {} x {}",
+                image, before.width, before.height, mask->size().width, mask->size().height);
+    }
+    if (coarser.size() > 1) warning += fmt::format(", and {} more likewise", coarser.size() - 1);
+    return warning;
+}
+
 // Null if the picture has no alpha or the threshold is 0.
 mesh::CutOut* CutOuts::find(const Texture& texture, double threshold) {
     constexpr double opaque = 255.0;
     const Image& image = imageOf(file_, texture);
     if (!(threshold > 0.0)) return nullptr;
-    const Alpha& alpha = opacityMap(*texture.image, image);
-    if (!alpha) return nullptr;
+    const Mask& mask = opacityMap(*texture.image, image);
+    if (!mask) return nullptr;
     auto& cutOut = cutOuts_[{*texture.image, texture.wrapS, texture.wrapT, threshold}];
     if (!cutOut)
-        cutOut = std::make_unique<mesh::CutOut>(*alpha, std::array{wrapOf(texture.wrapS), wrapOf(texture.wrapT)},
-                                                opaque * threshold);
+        cutOut = std::make_unique<mesh::CutOut>(mask, std::array{wrapOf(texture.wrapS), wrapOf(texture.wrapT)},
+                                                opaque * threshold, cellsLeft_);
     return cutOut.get();
 }
 
-const CutOuts::Alpha& CutOuts::opacityMap(std::uint64_t number, const Image& image) {
+const Mask& CutOuts::opacityMap(std::uint64_t number, const Image& image) {
     const auto known = maps_.find(number);
     if (known != maps_.end()) return known->second;
-    return base::within(base::label("image", number), [&]() -> const Alpha& {
+    return base::within(base::label("image", number), [&]() -> const Mask& {
         const base::Bytes bytes = pictureBytes(model_, input_, image, bytesLeft_);
-        return maps_.emplace(number, images::decodeOpacity(bytes, maxPixels_)).first->second;
+        std::optional<inkedge::Image<std::uint8_t>> opacity = images::decodeOpacity(bytes, maxPixels_);
+        Mask& mask = maps_[number];
+        if (opacity) mask = std::make_shared<const inkedge::Image<std::uint8_t>>(std::move(*opacity));
+        return mask;
     });
 }
 

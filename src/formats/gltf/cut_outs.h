@@ -3,11 +3,12 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <optional>
+#include <string>
 #include <tuple>
 #include <vector>
 
 #include "formats/gltf/file.h"
+#include "formats/gltf/mask_levels.h"
 #include "formats/gltf/model.h"
 #include "formats/gltf/shape.h"
 #include "mesh/cut_out.h"
@@ -21,13 +22,15 @@ public:
     CutOuts(const tinygltf::Model& model, const File& file, const formats::ModelInput& input, const LoadLimits& limits)
         : model_{model}, file_{file}, input_{input}, maxPixels_{limits.imagePixels}, bytesLeft_{file.bytesLeft} {}
 
+    /// Halves the masks that are too fine to be cut along in time. To be called before apply().
+    /// @return  a warning, if there is one; or empty
+    [[nodiscard]] std::string coarsen(const std::vector<MaskUse>&);
+
     /// Keeps only the opaque parts of a primitive's triangles.
     /// @throws Error  (Kind::Input) if the mask's picture cannot be read
     void apply(const Material&, const tinygltf::Primitive&, Shape& part);
 
 private:
-    using Alpha = std::optional<inkedge::Image<std::uint8_t>>;
-
     // Where an opacity of the vertices changes within a triangle.
     [[nodiscard]] std::vector<mesh::TrianglePiece> cutVarying(const Material&, const std::vector<glm::dvec2>& uvs,
                                                               const glm::dvec3& opacities,
@@ -35,14 +38,15 @@ private:
     [[nodiscard]] std::vector<mesh::TrianglePiece> cutEven(const Material&, const std::vector<glm::dvec2>& uvs,
                                                            double opacity, const std::uint32_t* corners);
     mesh::CutOut* find(const Texture&, double threshold);
-    const Alpha& opacityMap(std::uint64_t number, const Image& image);
+    const Mask& opacityMap(std::uint64_t number, const Image& image);
 
     const tinygltf::Model& model_;
     const File& file_;
     const formats::ModelInput& input_;
     std::uint64_t maxPixels_;
     std::uint64_t bytesLeft_;
-    std::map<std::uint64_t, Alpha> maps_;
+    std::uint64_t cellsLeft_ = mesh::CutOut::maxCells;
+    std::map<std::uint64_t, Mask> maps_;
     std::map<std::tuple<std::uint64_t, Wrap, Wrap, double>, std::unique_ptr<mesh::CutOut>> cutOuts_;
 };
 

@@ -7,7 +7,6 @@
 #include <memory>
 #include <new>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -24,6 +23,7 @@
 #include "formats/gltf/edges.h"
 #include "formats/gltf/file.h"
 #include "formats/gltf/instancing.h"
+#include "formats/gltf/mask_uses.h"
 #include "formats/gltf/model.h"
 #include "formats/gltf/nodes.h"
 #include "formats/gltf/not_drawn.h"
@@ -70,6 +70,9 @@ public:
             data_.materials.push_back({material.name, material.doubleSided});
         if (settings_.paint) readPaints();
         const std::vector<DrawnNode> drawn = nodesOfScene(model_, nodes_, settings_.scene);
+        if (settings_.alphaMask == AlphaMask::Cut)
+            if (std::string warning = cutOuts_.coarsen(maskUses(model_, file_, drawn, elementsLeft_)); !warning.empty())
+                warn(std::move(warning));
         for (const auto& [number, shown] : drawn) {
             addNode(number);
             base::within(nodeLabel(model_, number), [&, node = number, visible = shown] {
@@ -191,7 +194,7 @@ private:
             if (!warnedAs.empty()) warn(warnedAs + ": has no positions and is not drawn");
             return part;
         }
-        const Material* const material = materialOf(primitive);
+        const Material* const material = materialOf(file_, primitive);
         if (material == nullptr && primitive.material != -1 && !warnedAs.empty())
             warn(fmt::format("{}: expected a material below {}, found {}", warnedAs, file_.materials.size(),
                              primitive.material));
@@ -207,7 +210,7 @@ private:
         part.normals.resize(count);
 
         const Mode mode{primitive.mode};
-        std::vector<std::uint32_t> corners = cornersOf(primitive, count);
+        std::vector<std::uint32_t> corners = cornersOf(model_, file_, primitive, count);
         if (mode == Mode::Triangles && corners.size() % 3 != 0 && !warnedAs.empty())
             warn(fmt::format("{}: expected a multiple of 3 corners, found {}: the last are not drawn", warnedAs,
                              corners.size()));
@@ -287,14 +290,6 @@ private:
         }
     }
 
-    // Null if the primitive has no material, or one that the file does not have: the shape does not depend on it.
-    const Material* materialOf(const tinygltf::Primitive& primitive) const {
-        if (primitive.material < -1)
-            base::refuse(fmt::format("expected a material of at least 0, found {}", primitive.material));
-        const auto number = static_cast<std::size_t>(primitive.material);
-        return primitive.material == -1 || number >= file_.materials.size() ? nullptr : &file_.materials[number];
-    }
-
     bool isCut(const Material* material) const {
         return settings_.alphaMask == AlphaMask::Cut && material != nullptr && material->alpha == Material::Alpha::Mask;
     }
@@ -317,15 +312,6 @@ private:
                              base::label("material", static_cast<std::size_t>(primitive.material), material.name),
                              error.what()));
         }
-    }
-
-    std::vector<std::uint32_t> cornersOf(const tinygltf::Primitive& primitive, std::size_t vertexCount) const {
-        const bool restarts = file_.primitiveRestart && isContinued(Mode{primitive.mode});
-        if (primitive.indices != -1)
-            return readIndices(model_, primitive.indices, vertexCount, restarts ? Restarts::Read : Restarts::Refused);
-        std::vector<std::uint32_t> corners(vertexCount);
-        std::iota(corners.begin(), corners.end(), 0U);
-        return corners;
     }
 
     void spend(std::size_t elements) {

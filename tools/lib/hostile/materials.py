@@ -1,10 +1,14 @@
 """Materials and pictures."""
 
+import random
 import zlib
 
 from lib.hostile.cases import PICTURE, case, changed, quad
-from lib.png import RGBA, png_file
+from lib.png import GREY_ALPHA, RGBA, png_file
 from lib.small_gltf import QUAD, Model
+
+
+BITS = bytes(255 * (value & 1) for value in range(256))
 
 
 def materials():
@@ -31,6 +35,15 @@ def materials():
     textured("texture_outside_the_folder", PICTURE, {"uri": "../../../../etc/passwd"})
     textured("texture_missing", PICTURE, {"uri": "missing.png"})
     textured("texture_of_nothing", PICTURE, {})
+    noise = random.Random(1)
+    side = 1500
+    rows = b"".join(b"\0" + noise.randbytes(2 * side).translate(BITS) for _ in range(side))
+    textured("mask_of_noise", PICTURE, {"content": png_file((side, side), GREY_ALPHA, zlib.compress(rows))})
+    side = 8000
+    rows = [b"\0" + bytes([255, 255, 255, 0] * (side // 2)), b"\0" + bytes([255, 0, 255, 255] * (side // 2))]
+    packer = zlib.compressobj()
+    checker = b"".join(packer.compress(rows[y % 2]) for y in range(side)) + packer.flush()
+    textured("mask_of_64_million_squares", PICTURE, {"content": png_file((side, side), GREY_ALPHA, checker)})
     case("material_out_of_range.gltf", PICTURE, quad(material=7).gltf())
     case("material_negative.gltf", "material", quad(material=-7).gltf())
     case("materials_100000_all_alike.gltf", PICTURE, changed(
