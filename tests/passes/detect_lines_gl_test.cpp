@@ -178,7 +178,7 @@ TEST_P(DetectLines, takeTheCreaseAngleTheyAreGiven) {
         Scene::Data data;
         data.meshes.push_back(roof);
         data.instances.push_back({"roof", 0, glm::dmat4{1.0}});
-        const Scene scene{std::move(data), LoadSettings{Normals::Auto, 180.0}};
+        const Scene scene{std::move(data), LoadSettings{Normals::Auto, Creases::Auto, 180.0}};
         const gl::UploadedScene upload{gpu().api, scene};
         camera.near = -20.0;
         const Frame frame = frameOf(gpu(), upload, scene, camera, size);

@@ -55,7 +55,7 @@ Mesh woundBack(Mesh mesh) {
 }
 
 Scene nodes(const Mesh& a, const Mesh& b, double creaseAngle = 30.0) {
-    return scenes::sceneOf({{a, identity()}, {b, identity()}}, LoadSettings{Normals::Auto, creaseAngle});
+    return scenes::sceneOf({{a, identity()}, {b, identity()}}, LoadSettings{Normals::Auto, Creases::Auto, creaseAngle});
 }
 
 TEST(Seams, joinNodesThatGoOnAtLessThanTheCreaseAngleOnly) {
