@@ -11,7 +11,9 @@ std::string fileKey(const std::filesystem::path& path) {
     if (::stat(path.c_str(), &about) == 0 && S_ISREG(about.st_mode))
         return fmt::format("{}:{}", about.st_dev, about.st_ino);
     std::error_code failure;
-    const std::filesystem::path whole = std::filesystem::weakly_canonical(std::filesystem::absolute(path), failure);
+    const std::filesystem::path absolute = std::filesystem::absolute(path, failure);
+    if (failure) return path.lexically_normal().string();
+    const std::filesystem::path whole = std::filesystem::weakly_canonical(absolute, failure);
     return failure ? path.lexically_normal().string() : whole.string();
 }
 

@@ -31,14 +31,14 @@ std::vector<std::vector<Share>> sharesOf(int size, int count) {
 
 // How many squares of four texels are opaque in part.
 double mixedSquares(const Image<std::uint8_t>& mask, double threshold) {
-    const auto least = static_cast<int>(std::ceil(threshold));
+    const auto limit = static_cast<int>(std::ceil(threshold));
     const auto [width, height] = mask.size();
     std::uint64_t count = 0;
     for (int y = 0; y + 1 < height; ++y) {
         const std::uint8_t* const row = &mask.pixels()[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)];
         const std::uint8_t* const next = row + width;
         for (int x = 0; x + 1 < width; ++x) {
-            const int opaque = (row[x] >= least) + (row[x + 1] >= least) + (next[x] >= least) + (next[x + 1] >= least);
+            const int opaque = (row[x] >= limit) + (row[x + 1] >= limit) + (next[x] >= limit) + (next[x + 1] >= limit);
             count += opaque != 0 && opaque != 4 ? 1 : 0;
         }
     }

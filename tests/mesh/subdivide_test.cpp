@@ -111,8 +111,8 @@ TEST(Subdivide, keepsCreasesThatOnlyNormalsMake) {
     const float rise = 0.1F;
     roof.positions = {{-1, 0, 0},   {0, 0, rise}, {0, 1, rise}, {-1, 1, 0},
                       {0, 0, rise}, {1, 0, 0},    {1, 1, 0},    {0, 1, rise}};
-    const glm::vec3 left = glm::normalize(glm::vec3{-1, 0, 1});
-    const glm::vec3 right = glm::normalize(glm::vec3{1, 0, 1});
+    const glm::vec3 left = glm::normalize(glm::vec3{-rise, 0, 1});
+    const glm::vec3 right = glm::normalize(glm::vec3{rise, 0, 1});
     roof.normals = {left, left, left, left, right, right, right, right};
     roof.indices = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
     EXPECT_EQ(creasesOf(refined(roof, levels(0))), 2U);

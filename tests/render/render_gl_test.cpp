@@ -185,8 +185,8 @@ TEST_P(RendererLines, ofASceneThatStandsWhereADeadOneStoodAreItsOwn) {
             }
             reach.push_back(largestX);
         }
-        // In image space a corner is found to a pixel, a hundredth of this picture.
-        EXPECT_NEAR(reach.at(1) / reach.at(0), 3.0, 0.15);
+        // In image space a corner is found to a pixel, of which half a side of the smaller cube has seven.
+        EXPECT_NEAR(reach.at(1) / reach.at(0), 3.0, 3.0 / 7.0);
     }
 }
 

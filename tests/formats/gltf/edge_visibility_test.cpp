@@ -151,7 +151,7 @@ TEST_F(EdgeVisibility, HiddenEdgesAreNoCreases) {
         model.root({{"mesh", model.mesh(primitive)}});
         const Scene scene{load(model)};
         EXPECT_EQ(scene::topologyOf(scene, 0).creases[1], visibility == 2) << int{visibility};
-        EXPECT_EQ(scene::topologyOf(scene, 0).patchCount(), visibility == 2 ? 2U : 1U);
+        EXPECT_EQ(scene::patchNumbersOf(scene).count, visibility == 2 ? 2U : 1U);
     }
 }
 

@@ -95,16 +95,16 @@ def plys():
     ply("without_end_header", "end_header", end="", data="")
     ply("without_format", "format", encoding="ebcdic")
     ply("vertices_2_to_32", "found", vertices="element vertex 4294967296")
-    ply("vertices_4_billion", "truncated", vertices="element vertex 4294967295")
+    ply("vertices_4_billion", "max-vertices", vertices="element vertex 4294967295")
     ply("vertices_negative", "found", vertices="element vertex -3")
     ply("vertices_too_many", "found", vertices="element vertex 4")
     ply("vertices_none", "found", vertices="element vertex 0")
     ply("vertices_twice", "twice", vertices="element vertex 3\nproperty float x\nelement vertex 3")
     ply("vertices_without_z", "property z", properties="xy")
-    ply("faces_4_billion", "truncated", faces="element face 4294967295")
+    ply("faces_4_billion", "max-vertices", faces="element face 4294967295")
     ply("faces_twice", "found it twice",
         vertices="element face 0\nproperty list uchar int vertex_indices\nelement vertex 3")
-    ply("list_of_4_billion", "truncated", data=binary + struct.pack("<I", 0xFFFFFFFF), list_type="uint int",
+    ply("list_of_4_billion", "max-vertices", data=binary + struct.pack("<I", 0xFFFFFFFF), list_type="uint int",
         encoding="binary_little_endian")
     ply("list_negative", "negative", data=binary + struct.pack("<i", -3), list_type="int int",
         encoding="binary_little_endian")
