@@ -1,8 +1,13 @@
 #include "gl/context.h"
 
+#include <algorithm>
+#include <thread>
+
 #include <fmt/format.h>
 
 #include <inkedge/error.h>
+
+#include "base/thread_trial.h"
 
 namespace inkedge {
 namespace gl {
@@ -29,6 +34,17 @@ std::vector<Candidate> candidates(const BackendSettings& settings, std::vector<s
     return all;
 }
 
+// Mesa's llvmpipe starts a thread for each core, and waits for ever for those that it does not get.
+void expectThreads() {
+    constexpr std::size_t most = 32;
+    const std::size_t wanted = std::min<std::size_t>(std::thread::hardware_concurrency(), most);
+    const std::size_t found = base::startableThreads(wanted);
+    if (found == wanted) return;
+    throw Error{Error::Kind::Context, fmt::format("expected {} threads for the graphics driver, found that {} can be "
+                                                  "started; raise the limit (ulimit -u) or end other processes",
+                                                  wanted, found)};
+}
+
 }  // namespace
 
 void Context::load(GLADapiproc (*loader)(const char* name)) {
@@ -52,6 +68,7 @@ std::unique_ptr<Context> createContext(const BackendSettings& settings) {
     if (settings.backend == Backend::Osmesa && settings.device) {
         throw Error{Error::Kind::Usage, "device: expected it with the egl backend only, found it with osmesa"};
     }
+    expectThreads();
     std::vector<std::string> failures;
     for (const Candidate& candidate : candidates(settings, failures)) {
         try {
@@ -97,6 +114,7 @@ BackendReport probeBackend(std::size_t number) {
     const gl::Candidate& candidate = all[number];
     if (candidate.create == nullptr) return {candidate.info, why};
     try {
+        gl::expectThreads();
         return {candidate.create(candidate)->info(), {}};
     } catch (const Error& error) {
         return {candidate.info, error.what()};

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <inkedge/error.h>
@@ -61,12 +62,16 @@ struct ImageFormats {
     Differences (*compare)(const Image<float>& a, const Image<float>& b, double level);
 };
 
+/// What OpenImageIO and the libraries that it loads start: some of their own, and a pool or two as large as the machine.
+inline std::size_t imageThreads() { return 8 + 2 * static_cast<std::size_t>(std::thread::hardware_concurrency()); }
+
 inline constexpr modules::ModuleOf<ImageFormats> imageModule{{.purpose = "image formats",
                                                               .file = "inkedge_image_formats.so",
                                                               .symbol = "inkedge_image_formats_5",
                                                               .library = "OpenImageIO",
                                                               .option = "",
-                                                              .remedy = "use .png, which needs no module"}};
+                                                              .remedy = "use .png, which needs no module",
+                                                              .threads = imageThreads}};
 
 /// The image formats' functions. The first call opens the module, which takes about half a second.
 /// @throws Error  (failure) as openModule()

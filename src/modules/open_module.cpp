@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "base/thread_trial.h"
+
 namespace fs = std::filesystem;
 
 namespace inkedge::modules {
@@ -38,7 +40,17 @@ std::array<fs::path, 3> moduleFolders() {
     };
 }
 
+void expectThreads(const Module& module, Error::Kind failure) {
+    const std::size_t wanted = module.threads == nullptr ? 0 : module.threads();
+    const std::size_t found = base::startableThreads(wanted);
+    if (found == wanted) return;
+    throw Error{failure, fmt::format("{}: expected {} threads for {}, found that {} can be started; raise the limit "
+                                     "(ulimit -u), end other processes, or {}",
+                                     module.purpose, wanted, module.library, found, module.remedy)};
+}
+
 void* open(const Module& module, const fs::path& file, Error::Kind failure) {
+    expectThreads(module, failure);
     void* const object = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     void* const symbol = object == nullptr ? nullptr : ::dlsym(object, module.symbol);
     if (symbol == nullptr) {

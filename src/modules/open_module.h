@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -19,6 +20,9 @@ struct Module {
     std::string_view library;  ///< the library that it wraps, for messages: "OpenImageIO"
     std::string_view option;   ///< the CMake option that it is built with; empty: it is always built
     std::string_view remedy;   ///< what to do without it, after "or"
+    /// How many threads its library starts for itself when it is loaded or first used; some libraries end the process
+    /// where they cannot. A function, as it may depend on the machine; none: it starts none, or copes.
+    std::size_t (*threads)() = nullptr;
 };
 
 /// The symbol of a module, which is opened and stays open.
