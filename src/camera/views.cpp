@@ -14,6 +14,8 @@
 #include <inkedge/error.h>
 #include <inkedge/setting_table.h>
 
+#include "base/message.h"
+
 namespace inkedge {
 namespace {
 
@@ -21,6 +23,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 constexpr int maxViews = 1'000'000;
+constexpr int maxDepth = 4;  // lists and objects in each other: a list of objects with lists is 3
 constexpr std::uintmax_t maxFileSize = std::uintmax_t{1} << 28U;  // bytes
 
 [[noreturn]] void refuse(Error::Kind kind, const std::string& message) { throw Error{kind, message}; }
@@ -84,7 +87,13 @@ Json parse(const fs::path& file) {
         refuse(Error::Kind::Input,
                fmt::format("{}: expected at most {} bytes, found {}", file.string(), maxFileSize, size));
     try {
-        return Json::parse(stream);
+        return Json::parse(stream, [&](int depth, Json::parse_event_t, const Json&) {
+            if (depth > maxDepth)
+                refuse(Error::Kind::Usage, fmt::format("{}: expected a JSON list of views, found lists or objects over "
+                                                       "{} deep",
+                                                       file.string(), maxDepth));
+            return true;
+        });
     } catch (const Json::exception&) {
         refuse(Error::Kind::Usage,
                fmt::format("{}: expected a JSON list of views, found something else", file.string()));
@@ -114,14 +123,15 @@ View viewFrom(const Json& source, std::string name, const CameraSettings& base, 
         if (key == "name") {
             name = value.is_string() ? value.get<std::string>() : std::string{};
             if (!isName(name))
-                refuse(Error::Kind::Usage,
-                       fmt::format("{}: name: expected letters, digits, -, _ and ., found {}", where, value.dump()));
+                refuse(Error::Kind::Usage, fmt::format("{}: name: expected letters, digits, -, _ and ., found {}",
+                                                       where, value.dump().substr(0, 80)));
             continue;
         }
         const auto& table = settingTable();
         const auto row = std::ranges::find(table, key, &SettingDescription::name);
         if (row == table.end() || row->group != "camera")
-            refuse(Error::Kind::Usage, fmt::format("{}: expected name or a camera setting, found '{}'", where, key));
+            refuse(Error::Kind::Usage,
+                   fmt::format("{}: expected name or a camera setting, found {}", where, base::quote(key)));
         set(settings, key, textOf(value), where + ": " + key);
     }
     return {std::move(name), settings.camera};

@@ -1,10 +1,14 @@
 #include "render/expect_usable.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <inkedge/error.h>
 
@@ -28,9 +32,29 @@ std::uint64_t bytesPerPixel(const RenderSettings& settings) {
     return bytes;
 }
 
+// What lies further off, or is looked at more closely, is beyond the numbers that pictures are drawn with.
+void expectWithinReach(const Camera& camera, const Sphere& bounds) {
+    constexpr double farthest = 1e7;  // radii
+    constexpr double lowest = 1e-9;   // of the radius
+    if (bounds.radius == 0.0) return;
+    const double distance = glm::distance(glm::dvec3{glm::inverse(camera.view)[3]}, bounds.centre) / bounds.radius;
+    if (!(distance <= farthest))
+        throw Error{Error::Kind::Usage, fmt::format("camera: expected an eye within {} radii of the model's middle, "
+                                                    "found one at {:.3g}; stand nearer",
+                                                    farthest, distance)};
+    const double height = camera.orthographic()
+                              ? camera.orthographicHeight / bounds.radius
+                              : 2.0 * std::tan(glm::radians(camera.viewAngle) / 2.0) * std::max(distance, 1.0);
+    if (!(height >= lowest))
+        throw Error{Error::Kind::Usage,
+                    fmt::format("camera: expected a view at least {} radii of the model tall, found "
+                                "{:.3g}; zoom out",
+                                lowest, height)};
+}
+
 }  // namespace
 
-void expectUsable(const Camera& camera) {
+void expectUsable(const Camera& camera, const Scene& scene) {
     const bool angleUsable = camera.orthographic() || (camera.viewAngle > 0.0 && camera.viewAngle < 180.0);
     const bool depthsUsable = camera.near < camera.far && (camera.orthographic() || camera.near > 0.0);
     const bool finite =
@@ -42,6 +66,7 @@ void expectUsable(const Camera& camera) {
                         "{} and {}, {}",
                         camera.viewAngle, camera.near, camera.far)};
     }
+    expectWithinReach(camera, scene.bounds());
 }
 
 void expectLoaded(const Scene& scene, const RenderSettings& settings) {

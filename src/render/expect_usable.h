@@ -6,8 +6,8 @@
 
 namespace inkedge::render {
 
-/// @throws Error  (Kind::Usage) if nothing can be drawn through the camera
-void expectUsable(const Camera&);
+/// @throws Error  (Kind::Usage) if nothing can be drawn through the camera, or too little of the scene is near it
+void expectUsable(const Camera&, const Scene&);
 /// Coordinates and colours of a scene made of data in memory are those that it was given.
 /// @throws Error  (Kind::Usage) if functions or isoparametric lines read what the scene was not loaded with
 void expectLoaded(const Scene&, const RenderSettings&);

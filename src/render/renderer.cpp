@@ -31,7 +31,7 @@ Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSett
     const base::StopScope scope{[&] { return stop.stop_requested(); }};
     validate(settings);
     render::expectLoaded(scene, settings);
-    render::expectUsable(camera);
+    render::expectUsable(camera, scene);
     base::stopIfAsked();
     Lines lines = settings.lines.from == LinesFrom::Image ? render::imageLines(scene, camera, settings, *state_)
                                                           : render::objectLines(scene, camera, settings, *state_);
@@ -44,7 +44,7 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const RenderSett
     const base::StopScope scope{[&] { return stop.stop_requested(); }};
     validate(settings);
     render::expectLoaded(scene, settings);
-    render::expectUsable(camera);
+    render::expectUsable(camera, scene);
     render::expectMemory(settings);
     base::stopIfAsked();
     Maps maps = render::drawPicture(scene, camera, settings, *state_);

@@ -41,7 +41,7 @@ std::string rangeOf(const Number& number) {
     if (std::isinf(min) && std::isinf(max)) return unit == degrees ? "any angle" : "any number";
     if (open && std::isinf(max)) return fmt::format("over {}", min);
     if (open) return fmt::format("over {}, under {}", min, max);
-    if (max >= farLimit) return fmt::format("{} or more", min);
+    if (max >= farLimit) return fmt::format("{} or more", zeroToo ? 0.0 : min);
     return fmt::format("{}{} to {}", zeroToo ? "0, or " : "", min, max);
 }
 

@@ -7,6 +7,7 @@
 
 #include <inkedge/error.h>
 
+#include "base/message.h"
 #include "settings/constraints.h"
 #include "settings/rows.h"
 
@@ -63,7 +64,7 @@ void SettingDescription::set(Settings& settings, std::string_view text) const {
     try {
         field.set(constraint, settings, text);
     } catch (const settings::Expected& expected) {
-        throw Error{Error::Kind::Usage, fmt::format("expected {}, found '{}'", expected.what, text)};
+        throw Error{Error::Kind::Usage, fmt::format("expected {}, found {}", expected.what, base::quote(text))};
     }
 }
 

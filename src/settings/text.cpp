@@ -13,8 +13,9 @@
 namespace inkedge::settings {
 namespace {
 
-constexpr Number anyNumber{};
+constexpr Number coordinate{.min = -1e38, .max = 1e38};  // as floats hold
 constexpr Number overZero{.min = 0.0, .open = true};
+constexpr Number millimetres{.min = 0.001, .max = 1000.0};
 
 // The number that k, M or G stands for; 0 for any other text, which is no suffix.
 std::uint64_t unitOf(std::string_view suffix) {
@@ -110,7 +111,7 @@ std::string nameOf(std::span<const std::string_view> names, int value) {
 glm::dvec3 parseVector(std::string_view text) {
     const auto parts = split(text, ',');
     if (parts.size() != 3) throw Expected{"three numbers x,y,z"};
-    return {parseNumber(anyNumber, parts[0]), parseNumber(anyNumber, parts[1]), parseNumber(anyNumber, parts[2])};
+    return {parseNumber(coordinate, parts[0]), parseNumber(coordinate, parts[1]), parseNumber(coordinate, parts[2])};
 }
 
 Size parseSize(std::string_view text) {
@@ -145,7 +146,7 @@ PictureLength parseLength(std::string_view text) {
     PictureLength length;
     length.millimetres = text.ends_with(millimetreSuffix);
     if (length.millimetres || text.ends_with(pixelSuffix)) text.remove_suffix(2);
-    length.value = length.millimetres ? parseNumber(overZero, text) : parseNumber(penWidth, text);
+    length.value = length.millimetres ? parseNumber(millimetres, text) : parseNumber(penWidth, text);
     return length;
 }
 

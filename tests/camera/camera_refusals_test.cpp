@@ -78,17 +78,17 @@ TEST(FrameCamera, refusesACameraInsideOut) {
 TEST(FrameCamera, refusesNumbersOutOfRange) {
     CameraSettings wanted;
     wanted.viewAngle = 0.0;
-    expectRefusal(wanted, "camera-view-angle: expected degrees over 0 and under 180, found '0'");
+    expectRefusal(wanted, "camera-view-angle: expected a number from 0.001 to 179, found '0'");
     wanted.viewAngle = 180.0;
-    expectRefusal(wanted, "camera-view-angle: expected degrees over 0 and under 180, found '180'");
+    expectRefusal(wanted, "camera-view-angle: expected a number from 0.001 to 179, found '180'");
     wanted = {};
     wanted.zoomFactor = 0.0;
-    expectRefusal(wanted, "camera-zoom-factor: expected a number over 0, found '0'");
+    expectRefusal(wanted, "camera-zoom-factor: expected a number from 0.001 to 1000000, found '0'");
     wanted.zoomFactor = -2.0;
-    expectRefusal(wanted, "camera-zoom-factor: expected a number over 0, found '-2'");
+    expectRefusal(wanted, "camera-zoom-factor: expected a number from 0.001 to 1000000, found '-2'");
     wanted = {};
     wanted.orthographicHeight = -1.0;
-    expectRefusal(wanted, "camera-orthographic: expected a number from 0 to 1.7976931348623157e+308, found '-1'");
+    expectRefusal(wanted, "camera-orthographic: expected 0 or a number from 1e-36 to 1e+36, found '-1'");
 }
 
 }  // namespace

@@ -74,6 +74,37 @@ TEST_F(BadInput, ViewAngleOutOfRange) {
     }
 }
 
+TEST_F(BadInput, ViewsThatNestDeeply) {
+    constexpr std::size_t deep = 300'000;  // more than a stack holds of calls
+    for (const std::string& before :
+         {std::string{}, std::string{"[{\"name\":"}, std::string{"[{\"camera-position\":"}}) {
+        const std::string views =
+            file("views.json", before + std::string(deep, '[') + std::string(deep, ']') + (before.empty() ? "" : "}]"));
+        expectFailure(run({"render", roof(), "-o", "{view}.png", "--views", views}), 2,
+                      HasSubstr(views + ": expected a JSON list of views, found lists or objects over 4 deep"));
+    }
+    const std::string views = file("views.json", "[{\"name\": \"" + std::string(100'000, '?') + "\"}]");
+    const Outcome outcome = run({"render", roof(), "-o", "{view}.png", "--views", views});
+    expectFailure(outcome, 2, HasSubstr("name: expected letters, digits, -, _ and ., found \""));
+    EXPECT_LT(outcome.error.size(), 500U);
+}
+
+TEST_F(BadInput, CamerasBeyondWhatCanBeDrawn) {
+    for (const std::string from : {"image", "object"}) {
+        for (const Arguments& camera :
+             {Arguments{"--eye", "1e30,0,0"}, Arguments{"--eye", "0,1e9,1"}, Arguments{"--eye", "1e300,0,0"},
+              Arguments{"--target", "1e30,0,0"}, Arguments{"--fov", "1e-300"}, Arguments{"--fov", "179.9999999999"},
+              Arguments{"--zoom", "1e300"}, Arguments{"--zoom", "1e-300"}, Arguments{"--azimuth", "1e300"},
+              Arguments{"--camera-orthographic", "1e-300"}, Arguments{"--camera-orthographic", "1e-30"},
+              Arguments{"--camera-orthographic", "1e300"}, Arguments{"--camera-direction", "1e300,1e300,0"},
+              Arguments{"--up", "1e300,1,0"}, Arguments{"--dpi", "1e300"}, Arguments{"--line-width", "1e300mm"}}) {
+            Arguments flags{"--lines-from", from};
+            flags.insert(flags.end(), camera.begin(), camera.end());
+            expectUsageFailure(flags, ": expected ");
+        }
+    }
+}
+
 TEST_F(BadInput, TwoWaysToSayOneThing) {
     expectUsageFailure({"--eye", "1,2,3", "--azimuth", "10"}, "camera-position: expected it without");
     expectUsageFailure({"--camera-index", "0", "--up", "0,0,1"}, "camera-index: expected it without");

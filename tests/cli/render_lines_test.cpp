@@ -435,4 +435,20 @@ TEST_F(RenderLines, NeedAFolder) {
     EXPECT_THAT(folder_.names(), ElementsAre("file"));
 }
 
+// The ends of what the settings allow: a picture, an empty one maybe, or a line that says what is too much.
+TEST_F(RenderLines, OfExtremeCamerasAreDrawnOrRefused) {
+    for (const std::string from : {"image", "object"}) {
+        for (const Arguments& camera :
+             {Arguments{"--eye", "1e6,1e6,0"}, Arguments{"--fov", "0.001"}, Arguments{"--fov", "179"},
+              Arguments{"--fov", "0.001", "--zoom", "1e6"}, Arguments{"--zoom", "1e6"}, Arguments{"--zoom", "0.001"},
+              Arguments{"--camera-orthographic", "1e-8"}, Arguments{"--camera-orthographic", "1e36"},
+              Arguments{"--eye", "1e6,0,0", "--target", "-1e30,0,0"}, Arguments{"--eye", "1e-30,0,0"}}) {
+            Arguments flags{"--lines-from", from, "--hidden", "dashed"};
+            flags.insert(flags.end(), camera.begin(), camera.end());
+            const Outcome outcome = draw("bracket.glb", "a.svg", flags);
+            if (outcome.exitCode != 0) expectFailure(outcome, 2, HasSubstr("expected "));
+        }
+    }
+}
+
 }  // namespace

@@ -189,10 +189,10 @@ TEST(Set, refusesBadNumbers) {
 
 TEST(Set, refusesNumbersOutOfRange) {
     for (const std::string text : {"0", "-1", "-0"}) {
-        expectRefusal("camera-zoom-factor", text, "--flag: expected a number over 0, found '" + text + "'");
+        expectRefusal("camera-zoom-factor", text, "--flag: expected a number from 0.001 to 1000000, found '" + text + "'");
     }
     for (const std::string text : {"0", "180", "-35", "200"}) {
-        expectRefusal("camera-view-angle", text, "--flag: expected degrees over 0 and under 180, found '" + text + "'");
+        expectRefusal("camera-view-angle", text, "--flag: expected a number from 0.001 to 179, found '" + text + "'");
     }
     for (const std::string text : {"-90.5", "91"}) {
         expectRefusal("camera-elevation-angle", text, "--flag: expected a number from -90 to 90, found '" + text + "'");
@@ -209,7 +209,7 @@ TEST(Set, refusesNumbersOutOfRange) {
         expectRefusal(name, "2e6", "--flag: expected a number from 0 to 1000000, found '2e6'");
     }
     Settings settings;
-    expectError(Error::Kind::Usage, testing::MatchesRegex("--flag: expected a number .*, found '-1'"),
+    expectError(Error::Kind::Usage, testing::MatchesRegex("--flag: expected (0 or )?a number .*, found '-1'"),
                 [&] { set(settings, "camera-orthographic", "-1", "--flag"); });
 }
 

@@ -35,7 +35,7 @@ TEST(Validate, refusesValuesWithTheWordsOfTheCommandLine) {
                   [](Settings& s) { s.style.sumiWidth = -5; });
     expectInvalid("line-width: expected a number from 0.5 to 32, found '-3'",
                   [](Settings& s) { s.picture.lineWidth.value = -3; });
-    expectInvalid("line-width: expected a number over 0, found '0mm'", [](Settings& s) {
+    expectInvalid("line-width: expected a number from 0.001 to 1000, found '0mm'", [](Settings& s) {
         s.picture.lineWidth = {0.0, true};
     });
     expectInvalid("isolines: expected a whole number from 0 to 1000, found 'u:-4,v:5000'", [](Settings& s) {
@@ -75,7 +75,7 @@ TEST(Validate, holdsEachPartToItsOwnRows) {
                 [&] { validate(load); });
     CameraSettings camera;
     camera.zoomFactor = 0.0;
-    expectError(Error::Kind::Usage, StrEq("camera-zoom-factor: expected a number over 0, found '0'"),
+    expectError(Error::Kind::Usage, StrEq("camera-zoom-factor: expected a number from 0.001 to 1000000, found '0'"),
                 [&] { validate(camera); });
     BackendSettings backend;
     backend.device = -1;

@@ -12,6 +12,14 @@ namespace {
 constexpr double fine = 0.25;     // pixels: the precision of a change; shorter pieces are not looked at
 constexpr double lookBack = 0.5;  // pixels from a change to where the chain is looked at again
 
+// The pixels of a segment that are looked at. No picture shows more than a share of one that is far longer than itself,
+// as in a view that is magnified a million times: the longer, the coarser.
+double lookedAt(double pixels) {
+    constexpr double longest = 1e5;
+    constexpr double least = 100.0;
+    return pixels <= longest ? pixels : std::max(least, longest * (longest / pixels));
+}
+
 class ChainDivider {
 public:
     ChainDivider(const Chain& chain, std::span<const ScreenSegment> segments, std::span<const Crossing> crossings,
@@ -24,7 +32,7 @@ public:
           lengths_{0.0} {
         for (const Chain::Link& link : chain.links) {
             const ScreenSegment& s = segments[link.segment];
-            lengths_.push_back(lengths_.back() + glm::length(s.ends[1].pixel - s.ends[0].pixel));
+            lengths_.push_back(lengths_.back() + lookedAt(glm::length(s.ends[1].pixel - s.ends[0].pixel)));
         }
     }
 

@@ -27,13 +27,12 @@ std::vector<SettingDescription> cameraRows() {
              [](auto& s) -> auto& { return s.camera.viewUp; }),
          row(
              {.name = "camera-view-angle", .shortName = "fov", .help = "vertical view angle, degrees"},
-             Number{.min = 0.0, .max = 180.0, .unit = "DEG", .open = true},
-             [](auto& s) -> auto& { return s.camera.viewAngle; }),
+             Number{.min = 0.001, .max = 179.0, .unit = "DEG"}, [](auto& s) -> auto& { return s.camera.viewAngle; }),
          row(
              {.name = "camera-orthographic",
               .help = "orthographic view, HEIGHT scene units tall; 0 frames the model",
               .defaultInWords = "perspective"},
-             Number{.min = 0.0, .max = std::numeric_limits<double>::max(), .unit = "HEIGHT"},
+             Number{.min = 1e-36, .max = 1e36, .unit = "HEIGHT", .zeroToo = true},
              [](auto& s) -> auto& { return s.camera.orthographicHeight; }),
          row<parseVector>(
              {.name = "camera-direction",
@@ -45,7 +44,8 @@ std::vector<SettingDescription> cameraRows() {
               .shortName = "azimuth",
               .help = "view from this angle about +Y, from the front (+Z) towards +X",
               .defaultInWords = "30"},
-             Number{.unit = "DEG"}, [](auto& s) -> auto& { return s.camera.azimuthAngle; }),
+             Number{.min = -36'000.0, .max = 36'000.0, .unit = "DEG"},
+             [](auto& s) -> auto& { return s.camera.azimuthAngle; }),
          row(
              {.name = "camera-elevation-angle",
               .shortName = "elevation",
@@ -58,7 +58,7 @@ std::vector<SettingDescription> cameraRows() {
              Count{.last = "the file's last camera"}, [](auto& s) -> auto& { return s.camera.index; }),
          row(
              {.name = "camera-zoom-factor", .shortName = "zoom", .help = "over 1 magnifies"},
-             Number{.min = 0.0, .unit = "FACTOR", .open = true},
+             Number{.min = 0.001, .max = 1e6, .unit = "FACTOR"},
              [](auto& s) -> auto& { return s.camera.zoomFactor; })});
 }
 

@@ -83,8 +83,8 @@ std::vector<SettingDescription> pictureRows() {
              {.name = "line-width", .help = "width of the lines in output pixels, or in mm at --dpi; planes detector"},
              {"PX", penWidths}, [](auto& s) -> auto& { return s.picture.lineWidth; }),
          row(
-             {.name = "dpi", .help = "pixels an inch, for widths in mm"}, Number{.min = 0.0, .unit = "N", .open = true},
-             [](auto& s) -> auto& { return s.picture.dpi; }),
+             {.name = "dpi", .help = "pixels an inch, for widths in mm"},
+             Number{.min = 1.0, .max = 100'000.0, .unit = "N"}, [](auto& s) -> auto& { return s.picture.dpi; }),
          row<parsePage>(
              {.name = "page-size",
               .help = "sheet that an SVG fills as far as its shape allows; widths in mm hold on it",
