@@ -162,4 +162,6 @@ def main(source):
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+    if len(sys.argv) != 2:
+        sys.exit(print("usage: tests/rooms_test.py SRC", file=sys.stderr) or 2)
+    sys.exit(main(sys.argv[1]))
