@@ -36,8 +36,8 @@ std::vector<Candidate> candidates(const BackendSettings& settings, std::vector<s
 
 // Mesa's llvmpipe starts a thread for each core, and waits for ever for those that it does not get.
 void expectThreads() {
-    constexpr std::size_t most = 32;
-    const std::size_t wanted = std::min<std::size_t>(std::thread::hardware_concurrency(), most);
+    constexpr std::size_t maxThreads = 32;
+    const std::size_t wanted = std::min<std::size_t>(std::thread::hardware_concurrency(), maxThreads);
     const std::size_t found = base::startableThreads(wanted);
     if (found == wanted) return;
     throw Error{Error::Kind::Context, fmt::format("expected {} threads for the graphics driver, found that {} can be "

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // What cannot be written fails before the work, and before another file is written.
-void expectPlaceFor(const fs::path& file) {
+void expectFolderFor(const fs::path& file) {
     const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
     std::error_code ignored;
     if (fs::is_directory(folder, ignored)) return static_cast<void>(base::destinationOf(file));
@@ -65,7 +65,7 @@ void check(const Job& job, std::size_t& viewsBefore, FilesApart& files) {
     for (const View& view : views) {
         const std::string who = fmt::format("view {} of {}", view.name, job.model.string());
         const auto add = [&](const fs::path& file, std::string_view flag) {
-            expectPlaceFor(file);
+            expectFolderFor(file);
             files.addOutput(file, {viewsBefore, who, flag});
         };
         for (const std::string& output : job.outputs)

@@ -37,9 +37,9 @@ enum class Evidence { Smooth, Doubt, Crease };
 // An edge that bends by more than an angle; near the angle it must carry on another.
 class Threshold {
 public:
-    // @param most  degrees to either side that are in doubt, at most
-    Threshold(double degrees, double most) {
-        const double margin = std::min(most, 0.1 * degrees);
+    // @param max  degrees to either side that are in doubt, at most
+    Threshold(double degrees, double max) {
+        const double margin = std::min(max, 0.1 * degrees);
         // No edge bends by more than 180 degrees: at that angle none is a crease.
         beyond_ = degrees + margin > 180.0 ? -2.0 : std::cos(glm::radians(degrees + margin));
         within_ = degrees >= 180.0 ? -2.0 : std::cos(glm::radians(degrees - margin));
@@ -180,12 +180,12 @@ private:
     void takeSplit() {
         const Facets facets{mesh_, topology_, {splitLess_, sharedLess_}};
         std::vector<std::uint32_t> chosen;
-        const auto takeAll = [&](const std::vector<std::uint32_t>& halfEdges, Evidence most) {
+        const auto takeAll = [&](const std::vector<std::uint32_t>& halfEdges, Evidence max) {
             for (const std::uint32_t h : halfEdges) {
                 const double bend = bendCosine(topology_, h, topology_.twins[h]);
                 const Evidence found = facets.contain(h / 3) ? byBend_.of(bend) : split_.of(bend);
-                if (std::min(found, most) == Evidence::Crease) chosen.push_back(h);
-                if (std::min(found, most) == Evidence::Doubt) doubtful_.push_back(h);
+                if (std::min(found, max) == Evidence::Crease) chosen.push_back(h);
+                if (std::min(found, max) == Evidence::Doubt) doubtful_.push_back(h);
             }
         };
         takeAll(splitLess_, Evidence::Crease);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -37,8 +38,10 @@ void expectWithinReach(const Camera& camera, const Sphere& bounds) {
     constexpr double farthest = 1e7;  // radii
     constexpr double lowest = 1e-9;   // of the radius
     if (bounds.radius == 0.0) return;
+    // A model far from the world's origin has no eye that is known to its own size.
+    const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * glm::length(bounds.centre) / bounds.radius;
     const double distance = glm::distance(glm::dvec3{glm::inverse(camera.view)[3]}, bounds.centre) / bounds.radius;
-    if (!(distance <= farthest))
+    if (!(distance <= farthest + rounding))
         throw Error{Error::Kind::Usage, fmt::format("camera: expected an eye within {} radii of the model's middle, "
                                                     "found one at {:.3g}; stand nearer",
                                                     farthest, distance)};

@@ -73,9 +73,9 @@ Call callOf(std::string text) {
 }
 
 // The folder that the command runs in.
-class Place {
+class Folder {
 public:
-    Place() {
+    Folder() {
         fs::current_path(folder_.path());
         ::setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent", 1);
         ::setenv("MESA_GL_VERSION_OVERRIDE", "3.3", 1);
@@ -95,7 +95,7 @@ public:
 
     void expectInputsKept() const {
         for (const auto& [name, content] : inputs_) expect(contents(name) == content, name + " as it was", "another");
-        expect(fs::is_symlink("link.svg") && fs::is_symlink("gone.svg"), "links that stay", "files in their place");
+        expect(fs::is_symlink("link.svg") && fs::is_symlink("gone.svg"), "links that stay", "files in their folder");
         for (const std::string& name : folder_.names()) expect(!name.starts_with(".inkedge-"), "no file by half", name);
     }
 
@@ -145,9 +145,9 @@ void expectLines(const std::string& said, int exitCode) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static Place place;
+    static Folder folder;
     Call call = callOf({reinterpret_cast<const char*>(data), size});
-    place.fill(call);
+    folder.fill(call);
     std::vector<char*> argv;
     for (std::string& argument : call.arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
@@ -158,7 +158,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const auto& [name, value] : call.environment) ::unsetenv(name.c_str());
     const bool compares = call.arguments.size() > 1 && call.arguments[1] == "compare";
     if (!compares || exitCode != 1) expectLines(said, exitCode);  // 1: the pictures differ
-    place.expectInputsKept();
-    place.clear();
+    folder.expectInputsKept();
+    folder.clear();
     return 0;
 }

@@ -10,7 +10,7 @@ namespace inkedge::gltf {
 namespace {
 
 // In corners that are cut, each of which takes about 20 microseconds until the picture is drawn.
-constexpr double mostWork = 100'000.0;
+constexpr double maxWork = 100'000.0;
 constexpr double corner = 1.0;
 constexpr double texel = 1.0 / 2000.0;           // looked at once
 constexpr double interpolated = 1.0 / 300.0;     // a texel where the vertices' opacity changes
@@ -57,10 +57,10 @@ std::map<std::uint64_t, Mask> coarserMasks(const std::vector<MaskUse>& uses, std
         work += levels[image].work;
     }
     std::map<std::uint64_t, Mask> coarser;
-    while (work > mostWork) {
-        const auto most = std::ranges::max_element(
+    while (work > maxWork) {
+        const auto largest = std::ranges::max_element(
             levels, {}, [](const auto& each) { return canBeHalved(each.second) ? each.second.work : 0.0; });
-        auto& [image, level] = *most;
+        auto& [image, level] = *largest;
         if (!canBeHalved(level)) break;
         work -= level.work;
         setMask(level, level.half, image, uses);

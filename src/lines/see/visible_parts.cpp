@@ -16,8 +16,8 @@ constexpr double lookBack = 0.5;  // pixels from a change to where the chain is 
 // as in a view that is magnified a million times: the longer, the coarser.
 double lookedAt(double pixels) {
     constexpr double longest = 1e5;
-    constexpr double least = 100.0;
-    return pixels <= longest ? pixels : std::max(least, longest * (longest / pixels));
+    constexpr double shortest = 100.0;
+    return pixels <= longest ? pixels : std::max(shortest, longest * (longest / pixels));
 }
 
 class ChainDivider {
