@@ -41,6 +41,7 @@ void printJson(const std::string& model, const ModelContents& contents, double m
     for (const MeshContents& mesh : contents.meshes) {
         meshes.push_back({{"name", mesh.name},
                           {"triangles", mesh.triangles},
+                          {"lines", mesh.lines},
                           {"vertices", mesh.vertices},
                           {"instances", mesh.instances}});
     }
@@ -62,6 +63,7 @@ void printJson(const std::string& model, const ModelContents& contents, double m
     const ordered_json all{{"model", model},
                            {"format", source.format},
                            {"triangles", contents.triangles},
+                           {"lines", contents.lines},
                            {"not_drawn", contents.undrawn},
                            {"instances", contents.instances},
                            {"bounds", bounds},
@@ -94,12 +96,14 @@ void printText(const std::string& model, const ModelContents& contents) {
     std::string lines = fmt::format("{}: {}\n", base::printable(model), source.format);
     lines += fmt::format("{:<11}{} in {} instances of {} meshes\n", "triangles", contents.triangles, contents.instances,
                          contents.meshes.size());
+    if (contents.lines > 0) lines += fmt::format("{:<11}{}, as straight pieces\n", "lines", contents.lines);
     if (!contents.undrawn.empty()) lines += fmt::format("{:<11}{}\n", "not drawn", fmt::join(contents.undrawn, ", "));
     if (!contents.box.empty())
         lines += fmt::format("{:<11}{} to {}\n", "bounds", text(contents.box.min), text(contents.box.max));
     lines += list("meshes", contents.meshes.size(), [&](std::size_t i) {
         const MeshContents& mesh = contents.meshes[i];
-        return fmt::format("{}: {} triangles, {} vertices, {} instances", named(mesh.name), mesh.triangles,
+        const std::string ofLines = mesh.lines > 0 ? fmt::format("{} lines, ", mesh.lines) : "";
+        return fmt::format("{}: {} triangles, {}{} vertices, {} instances", named(mesh.name), mesh.triangles, ofLines,
                            mesh.vertices, mesh.instances);
     });
     lines += list("cameras", contents.cameras.size(), [&](std::size_t i) {

@@ -11,16 +11,18 @@
 namespace inkedge {
 namespace {
 
-bool drawsTriangles(const Scene::Data& data) {
+bool drawsAnything(const Scene::Data& data) {
     return std::ranges::any_of(data.instances, [&](const Instance& instance) {
-        return instance.mesh >= data.meshes.size() || !data.meshes[instance.mesh].indices.empty();  // Scene checks it
+        if (instance.mesh >= data.meshes.size()) return true;  // Scene checks it
+        const Mesh& mesh = data.meshes[instance.mesh];
+        return !mesh.indices.empty() || !mesh.lines.empty();
     });
 }
 
 std::vector<MeshContents> meshesOf(const Scene& scene) {
     std::vector<MeshContents> all;
     for (const Mesh& mesh : scene.meshes())
-        all.push_back({mesh.name, mesh.indices.size() / 3, mesh.positions.size(), 0});
+        all.push_back({mesh.name, mesh.indices.size() / 3, mesh.lines.size() / 2, mesh.positions.size(), 0});
     for (const Instance& instance : scene.instances()) ++all[instance.mesh].instances;
     return all;
 }
@@ -31,7 +33,7 @@ ModelContents inspectModel(const std::filesystem::path& file, const LoadSettings
     validate(settings);
     const formats::ModelInput input{file};
     Scene::Data data = formats::readModel(input, settings);
-    if (!drawsTriangles(data))
+    if (!drawsAnything(data))
         return {.source = std::move(data.source),
                 .meshes = {},
                 .cameras = std::move(data.cameras),
@@ -40,16 +42,21 @@ ModelContents inspectModel(const std::filesystem::path& file, const LoadSettings
                 .undrawn = std::move(data.undrawn),
                 .instances = 0,
                 .triangles = 0,
+                .lines = 0,
                 .box = {}};
     const Scene scene = base::within(input.where(), [&] { return Scene{std::move(data), settings}; });
+    std::vector<MeshContents> meshes = meshesOf(scene);
+    std::uint64_t lines = 0;
+    for (const MeshContents& mesh : meshes) lines += mesh.instances * mesh.lines;
     return {.source = scene.source(),
-            .meshes = meshesOf(scene),
+            .meshes = std::move(meshes),
             .cameras = scene.cameras(),
             .materials = scene.materials(),
             .warnings = scene.warnings(),
             .undrawn = {},
             .instances = scene.instances().size(),
             .triangles = scene.triangleCount(),
+            .lines = lines,
             .box = scene.box()};
 }
 

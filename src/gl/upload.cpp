@@ -44,7 +44,8 @@ bool mirrors(const Instance& instance) { return glm::determinant(glm::dmat3{inst
 template <class T>
 Buffer createFilledBuffer(const Api& api, const std::vector<T>& data, GLbitfield flags = 0) {
     Buffer buffer = createBuffer(api);
-    api.NamedBufferStorage(buffer.id(), static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), flags);
+    const std::size_t size = std::max<std::size_t>(data.size(), 1) * sizeof(T);  // no buffer may be empty
+    api.NamedBufferStorage(buffer.id(), static_cast<GLsizeiptr>(size), data.empty() ? nullptr : data.data(), flags);
     return buffer;
 }
 

@@ -15,6 +15,7 @@ namespace inkedge {
 struct MeshContents {
     std::string name;             ///< may be empty
     std::uint64_t triangles = 0;  ///< of one instance
+    std::uint64_t lines = 0;      ///< straight pieces, of one instance
     std::uint64_t vertices = 0;
     std::uint64_t instances = 0;
 };
@@ -29,11 +30,12 @@ struct ModelContents {
     std::vector<std::string> undrawn;   ///< as Scene::Data::undrawn
     std::uint64_t instances = 0;
     std::uint64_t triangles = 0;  ///< of all instances; 0 is no error
-    Box box;                      ///< of all drawn vertices, in world space; empty without triangles
+    std::uint64_t lines = 0;      ///< straight pieces, of all instances
+    Box box;                      ///< of all drawn vertices, in world space; empty where nothing is drawn
 };
 
 /// Reads a model and says what it holds, whether or not loadScene() finds something to draw.
-/// @throws Error  as loadScene(), but not for want of triangles
+/// @throws Error  as loadScene(), but not for want of something to draw
 [[nodiscard]] INKEDGE_API ModelContents inspectModel(const std::filesystem::path& file,
                                                      const LoadSettings& settings = {});
 

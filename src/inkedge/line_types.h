@@ -21,7 +21,8 @@ enum class LineType : std::uint32_t {
     Intersection = 16,   ///< surfaces that run into each other, and borders of surfaces that touch
     Object = 32,         ///< between two nodes of the scene
     Isoparametric = 64,  ///< where a texture coordinate passes a step; only of lines from object space
-    /// Edges that the file marks, except those drawn as one of the first three types. Only of lines from object space.
+    /// Lines that the file has besides triangles, and edges that it marks, except those drawn as one of the first three
+    /// types. Maps::types has none of them.
     Marked = 128,
 };
 inline constexpr int lineTypeCount = 8;

@@ -22,7 +22,7 @@ struct ModelFormat {
 
 /// Reads a model of one of readableFormats(). Its extension says which, in whatever case; where it is none of theirs,
 /// the first bytes do. An OBJ, STL or PLY file becomes one mesh. Draco and meshopt compression of glTF are read.
-/// @throws Error  (Kind::Input) if it is missing, in another format, truncated or inconsistent, or draws no triangle;
+/// @throws Error  (Kind::Input) if it is missing, in another format, truncated or inconsistent, or draws nothing;
 ///                (Kind::Usage) if validate() refuses a setting, or the file has no scene or animation as set
 [[nodiscard]] INKEDGE_API Scene loadScene(const std::filesystem::path& file, const LoadSettings& settings = {});
 

@@ -21,7 +21,7 @@ struct VertexPaint {
     glm::vec2 uv{0.0F};     ///< in the material's picture: (0, 0) its top left corner, (1, 1) its bottom right one
 };
 
-/// Triangles in a coordinate system of their own: mesh space.
+/// Triangles and lines in a coordinate system of their own: mesh space.
 struct Mesh {
     std::string name;
     glm::dvec3 origin{0.0};  ///< added to every position, so that floats stay exact however far off the mesh lies
@@ -43,6 +43,9 @@ struct Mesh {
     /// Mean curvature, one per position, in 1 / unit of mesh space; over 0 where the surface bulges towards its front.
     /// The scene makes it if LoadSettings::curvature asks for it; else empty.
     std::vector<float> curvatures;
+    /// Lines that the file has besides triangles, as straight pieces of two positions each: mesh space, less origin.
+    /// Pieces that end at one position go on into each other. They are drawn as LineType::Marked.
+    std::vector<glm::vec3> lines;
 };
 
 }  // namespace inkedge

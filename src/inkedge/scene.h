@@ -83,13 +83,13 @@ public:
         std::vector<Material> materials;    ///< Mesh::materials counts them from 1; may be empty
         std::vector<std::string> warnings;  ///< one line each: what the file holds that is not drawn
         SceneSource source;
-        /// What a file holds in place of triangles, if it draws none: "24 points", "2 meshes that no node draws".
+        /// What a file holds if it draws nothing: "24 points", "2 meshes that no node draws".
         std::vector<std::string> undrawn;
     };
 
     /// Checks the data, and makes the normals that are missing, split at settings.creaseAngle.
-    /// @throws Error  (Kind::Input) if an index, a count or a coordinate is out of range or not finite, or if no
-    ///                triangle is drawn; the message names the mesh and the element
+    /// @throws Error  (Kind::Input) if an index, a count or a coordinate is out of range or not finite, or if nothing
+    ///                is drawn; the message names the mesh and the element
     explicit Scene(Data data, const LoadSettings& settings = {});
 
     [[nodiscard]] const std::vector<Mesh>& meshes() const noexcept;
@@ -100,7 +100,7 @@ public:
     [[nodiscard]] const std::vector<std::string>& warnings() const noexcept;
     [[nodiscard]] const SceneSource& source() const noexcept;
 
-    /// The box of mesh i's positions less its origin.
+    /// The box of mesh i's positions and lines less its origin.
     [[nodiscard]] const Box& meshBox(std::size_t i) const noexcept;
     /// The box of everything drawn, in world space.
     [[nodiscard]] const Box& box() const noexcept;

@@ -18,6 +18,7 @@
 #include "lines/coincident.h"
 #include "lines/find/contour_finders.h"
 #include "lines/find/contours.h"
+#include "lines/find/file_lines.h"
 #include "lines/find/intersections.h"
 #include "lines/find/isolines.h"
 #include "lines/find/mesh_edges.h"
@@ -83,7 +84,8 @@ struct ViewSegments {
         const Segment& segment = segments[s];
         if (segment.hidden) return Seen::Hidden;
         const glm::dvec3 point = pointAt(s, at);
-        if (rays.hides(screen, point, segment.faces, slackOf(segment, segment.slack, components))) return Seen::Hidden;
+        const Slack slack = slackOf(segment, screen.footprint(point), components);
+        if (rays.hides(screen, point, segment.faces, slack)) return Seen::Hidden;
         const bool isContour = segment.curve == Curve::Contour;
         const bool isBoundary = segment.curve == Curve::Boundary;
         const bool isCrease = segment.curve == Curve::Crease;
@@ -156,7 +158,7 @@ Line makeLine(const ViewSegments& view, const Chain& chain, const Part& part, Li
     line.type = typeOf(first, part.seen, drawn);
     line.visible = isSeen(part.seen);
     line.object = first.faces[0].instance + 1;
-    line.patch = scene::patchOf(view.scene, first.faces[0]);
+    line.patch = first.faces[0].triangle == noTriangle ? 0 : scene::patchOf(view.scene, first.faces[0]);
     const auto add = [&](std::size_t link, double at) {
         const Chain::Link l = chain.links[link % chain.links.size()];
         const double own = l.reversed ? 1.0 - at : at;
@@ -211,6 +213,10 @@ struct ObjectLines::Prepared {
                 std::make_unique<ContourSearch>(scene.meshes()[i], scene::topologyOf(scene, i), edges[i]));
         }
         borders = findBorderSegments(scene, edges);
+        for (const Mesh& mesh : scene.meshes()) {
+            base::stopIfAsked();
+            fileLines.push_back(findFileLines(mesh));
+        }
     }
 
     [[nodiscard]] std::span<const BorderSegment> bordersOf(std::uint32_t instance) const {
@@ -262,6 +268,7 @@ struct ObjectLines::Prepared {
         for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
             base::stopIfAsked();
             const std::uint32_t mesh = scene.instances()[i].mesh;
+            if (scene.meshes()[mesh].indices.empty()) continue;
             if (choice.refinement > 0) choice.control = &controlOf(mesh);
             ContourMemory memory = memories.recall(i, choice.finder);
             collectInstanceCurves(scene, i, {*searches[mesh], bordersOf(i), (*isolinesOfMeshes)[mesh]}, memory, screen,
@@ -276,6 +283,7 @@ struct ObjectLines::Prepared {
     std::vector<MeshEdges> edges;
     std::vector<std::unique_ptr<ContourSearch>> searches;  // one per mesh
     std::vector<BorderSegment> borders;
+    std::vector<FileLines> fileLines;  // one per mesh
 
 private:
     mutable std::timed_mutex mutex_;  // of what is made on first use
@@ -297,6 +305,16 @@ bool ObjectLines::holds(const Scene& scene) const noexcept {
 }
 
 Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings) const {
+    return find(camera, settings, MarkedCreases::AreMarked);
+}
+
+Lines ObjectLines::findMarked(const Camera& camera, const RenderSettings& settings) const {
+    Lines lines = find(camera, settings, MarkedCreases::AreCreasesIfDrawn);
+    std::erase_if(lines.lines, [](const Line& line) { return line.type != LineType::Marked; });
+    return lines;
+}
+
+Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings, MarkedCreases markedCreases) const {
     const Scene& scene = prepared_->scene;
     Lines result;
     result.size = settings.picture.size;
@@ -307,9 +325,10 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings) co
     std::vector<Segment> segments = prepared_->curves(
         screen,
         {settings.lines.contour, settings.lines.contourFinder, settings.lines.subdivideAdaptive, nullptr,
-         settings.lines.hidden, camera::standsOutside(camera, scene), settings.picture.lines},
+         settings.lines.hidden, camera::standsOutside(camera, scene), settings.picture.lines, markedCreases},
         drawnIsolines(settings), *memories_);
     clock.finish("curves");
+    if (settings.picture.lines.contains(LineType::Marked)) addFileLines(scene, prepared_->fileLines, segments);
     if (settings.picture.lines.contains(LineType::Intersection)) addIntersections(prepared_->intersections(), segments);
     clock.finish("intersections");
     std::vector<ScreenSegment> projected = project(segments, screen);

@@ -6,6 +6,8 @@
 #include <inkedge/scene.h>
 #include <inkedge/settings.h>
 
+#include "lines/find/contours.h"
+
 namespace inkedge::lines {
 
 /// The lines of a scene from object space. Edge tables and bounding volume hierarchies are made once for all views, and
@@ -22,10 +24,13 @@ public:
     /// The lines that a camera sees and, if settings.lines.hidden asks for them, those hidden from it: section 3 of
     /// Hertzmann 1999.
     [[nodiscard]] Lines find(const Camera&, const RenderSettings&) const;
+    /// Those of LineType::Marked, but for creases that are drawn: what image space lacks.
+    [[nodiscard]] Lines findMarked(const Camera&, const RenderSettings&) const;
 
 private:
     struct Prepared;
     struct Memories;
+    [[nodiscard]] Lines find(const Camera&, const RenderSettings&, MarkedCreases) const;
     std::shared_ptr<const Prepared> prepared_;
     std::unique_ptr<Memories> memories_;
 };

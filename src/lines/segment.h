@@ -10,6 +10,8 @@
 namespace inkedge::lines {
 
 inline constexpr scene::SceneFace noFace{~0U, 0};
+/// The triangle of an instance's face that is none: of lines that lie on no face.
+inline constexpr std::uint32_t noTriangle = ~0U;
 
 /// What a segment is by its shape alone. Whether a contour is an outline or an occlusion is decided later.
 enum class Curve : std::uint8_t { Contour, Boundary, Crease, Intersection, Isoparametric, Marked };
@@ -33,6 +35,11 @@ inline constexpr Key noKey = ~Key{0};
 /// An end of an IntersectionSegment.
 [[nodiscard]] constexpr Key intersectionKey(std::uint32_t node) noexcept { return (Key{1} << 63U) | node; }
 
+/// An end of a piece of Mesh::lines.
+[[nodiscard]] constexpr Key fileLineKey(std::uint32_t instance, std::uint32_t number) noexcept {
+    return (Key{1} << 62U) | (Key{instance} << 32U) | number;
+}
+
 /// An end of an IsolineSegment.
 [[nodiscard]] constexpr Key isolineKey(std::uint32_t instance, std::uint32_t node) noexcept {
     return (Key{3} << 62U) | (Key{instance} << 32U) | node;
@@ -46,11 +53,14 @@ struct Segment {
     bool occludes = true;  ///< whether the surface ends or turns away here, so that it may hide lines behind it
     bool hidden = false;   ///< whether the surface that the segment lies on hides it: no ray is needed
     bool edgeOn = false;   ///< of edges: whether one of their faces is seen edge-on, as the line itself
-    std::array<scene::SceneFace, 2> faces{noFace, noFace};  ///< the faces that the segment lies on: they do not hide it
+    /// The faces that the segment lies on: they do not hide it. The first one's instance is the line's.
+    std::array<scene::SceneFace, 2> faces{noFace, noFace};
     std::array<glm::dvec3, 2> ends{};
     std::array<Key, 2> keys{noKey, noKey};
     glm::dvec3 inner{0.0};  ///< of contours and boundaries: a point of the surface that ends here
-    double slack = 0.0;     ///< how far behind the faces the segment may lie: smooth contours are no edges of faces
+    /// How far behind the faces of its component the segment may lie: smooth contours are no edges of faces.
+    double slack = 0.0;
+    double pixelSlack = 0.0;  ///< how far behind any face it may lie, in footprints: of lines of the file
 };
 
 }  // namespace inkedge::lines

@@ -114,6 +114,7 @@ std::vector<double> countEdges(const std::vector<std::uint32_t>& fans) {
 }  // namespace
 
 std::vector<float> meanCurvatures(const Mesh& mesh, const MeshTopology& topology) {
+    if (mesh.indices.empty()) return std::vector<float>(mesh.positions.size(), 0.0F);
     const std::vector<std::uint32_t> fans = findFans(topology);
     std::vector<Share> shares = measure(mesh, topology, fans);
     const std::vector<double> edges = countEdges(fans);

@@ -36,7 +36,9 @@ Mesh distorted(const Mesh& mesh, const glm::dmat3& m) {
     Mesh result = mesh;
     result.origin = m * mesh.origin;
     for (glm::vec3& p : result.positions) p = glm::vec3{m * glm::dvec3{p}};
-    if (!std::ranges::all_of(result.positions, finite) || !finite(glm::vec3{result.origin}))
+    for (glm::vec3& p : result.lines) p = glm::vec3{m * glm::dvec3{p}};
+    if (!std::ranges::all_of(result.positions, finite) || !std::ranges::all_of(result.lines, finite) ||
+        !finite(glm::vec3{result.origin}))
         base::refuse("mesh " + base::quote(mesh.name) +
                      ": expected finite positions, found a transform that takes them out of range");
     // The inverse transpose but for its scale; it also exists where the distortion flattens the mesh.

@@ -112,6 +112,7 @@ Mesh subdivided(const Mesh& mesh, const ControlMesh& control, int levels) {
     Mesh result = trianglesOf(faces, control.scheme);
     result.name = mesh.name;
     result.origin = mesh.origin;
+    result.lines = mesh.lines;
     const std::size_t trianglesPerFace = cornersOf(control.scheme) - 2;
     const auto ofTriangles = [&](const std::vector<std::uint32_t>& before, std::vector<std::uint32_t>& after) {
         if (before.empty()) return;

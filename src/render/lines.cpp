@@ -1,12 +1,15 @@
 #include "render/lines.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <inkedge/error.h>
 
 #include "gl/stage_clock.h"
 #include "lines/describe.h"
+#include "lines/see/rays.h"
 #include "lines/specks.h"
+#include "modules/open_module.h"
 #include "render/plan.h"
 #include "render/tiles.h"
 #include "trace/join_pieces.h"
@@ -27,6 +30,23 @@ Lines objectLines(const Scene& scene, const Camera& camera, const RenderSettings
     return found;
 }
 
+bool hasMarked(const Scene& scene) {
+    return std::ranges::any_of(scene.meshes(), [](const Mesh& mesh) {
+        return !mesh.lines.empty() ||
+               std::ranges::any_of(mesh.edges, [](EdgeKinds kinds) { return kinds.has(EdgeKind::Marked); });
+    });
+}
+
+Lines markedLines(const Scene& scene, const Camera& camera, const RenderSettings& settings, Kept& kept) {
+    if (!settings.picture.lines.contains(LineType::Marked) || !hasMarked(scene)) return {};
+    if (!modules::failureToOpen(lines::embreeModule).empty()) return {};
+    RenderSettings seen = settings;
+    seen.lines = LineSettings{.coincident = settings.lines.coincident};
+    Lines found = kept.objectLines(scene).findMarked(camera, seen);
+    lines::leaveOutSpecks(found.lines);
+    return found;
+}
+
 Lines imageLines(const Scene& scene, const Camera& camera, const RenderSettings& settings, Kept& kept) {
     Lines found;
     Graphics& graphics = kept.graphics(found.times);
@@ -42,6 +62,9 @@ Lines imageLines(const Scene& scene, const Camera& camera, const RenderSettings&
     const Tiles tiles = drawTiles(frame, graphics.inputs(), settings, planOfImageLines(), clock);
     found.lines = trace::joinPieces(tiles.pieces, scene, {camera, scene.bounds().centre, settings.picture.size});
     clock.finish("join");
+    const Lines marked = markedLines(scene, camera, settings, kept);
+    found.lines.insert(found.lines.end(), marked.lines.begin(), marked.lines.end());
+    if (!marked.lines.empty()) clock.finish("marked lines");
     graphics.gpu().textures.trim();
     found.size = settings.picture.size;
     found.camera = camera;

@@ -13,7 +13,15 @@ namespace inkedge::render {
 /// @throws Error  as lines::ObjectLines
 [[nodiscard]] Lines objectLines(const Scene&, const Camera&, const RenderSettings&, Kept&);
 
-/// The lines that the planes detector finds between pixels, as polylines.
+/// Whether a scene has lines or edges that are drawn as LineType::Marked.
+[[nodiscard]] bool hasMarked(const Scene&);
+
+/// The lines of LineType::Marked that are seen: no pixels show them, so that image space has them from object space.
+/// None where that needs a module that is not there: renderWarnings() says so.
+/// @throws Error  as lines::ObjectLines
+[[nodiscard]] Lines markedLines(const Scene&, const Camera&, const RenderSettings&, Kept&);
+
+/// The lines that the planes detector finds between pixels, as polylines, and markedLines().
 /// @throws Error  (Kind::Usage) if another detector is asked for; (Kind::Context, Kind::Runtime) as Renderer
 [[nodiscard]] Lines imageLines(const Scene&, const Camera&, const RenderSettings&, Kept&);
 

@@ -39,7 +39,13 @@ Maps drawPicture(const Scene& scene, const Camera& camera, const RenderSettings&
         const passes::Frame frame = graphics->frame(scene, camera, settings.picture);
         clock.finish("upload");
         tiles = drawTiles(frame, graphics->inputs(), settings, plan, clock);
-        if (plan.lines == LineSource::Planes) strokes = ink::strokesOf(tiles.pieces);
+        if (plan.lines == LineSource::Planes) {
+            strokes = ink::strokesOf(tiles.pieces);
+            const Lines marked = markedLines(scene, camera, settings, kept);
+            const std::vector<ink::Stroke> ofMarked = ink::strokesOf(marked, settings.picture, {});
+            strokes.insert(strokes.end(), ofMarked.begin(), ofMarked.end());
+            if (!marked.lines.empty()) clock.finish("marked lines");
+        }
     }
 
     // The lines are painted as strokes, and the other ink over them. The classic detector's are pixels already.

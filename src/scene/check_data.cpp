@@ -44,6 +44,12 @@ void checkValues(const Mesh& mesh, const std::string& who) {
             refuse(
                 fmt::format("{}: expected finite positions, found vertex {} at ({}, {}, {})", who, i, p.x, p.y, p.z));
     }
+    for (std::size_t i = 0; i < mesh.lines.size(); ++i) {
+        const glm::vec3 p = mesh.lines[i];
+        if (!finite(p))
+            refuse(fmt::format("{}: expected finite positions of lines, found position {} at ({}, {}, {})", who, i, p.x,
+                               p.y, p.z));
+    }
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
         if (mesh.indices[i] >= mesh.positions.size())
             refuse(fmt::format("{}: expected indices below {}, found {} at {}", who, mesh.positions.size(),
@@ -56,6 +62,8 @@ void check(const Mesh& mesh, std::size_t number) {
     if (!finite(mesh.origin)) refuse(fmt::format("{}: expected a finite origin, found one that is not", who));
     if (mesh.indices.size() % 3 != 0)
         refuse(fmt::format("{}: expected three indices a triangle, found {} indices", who, mesh.indices.size()));
+    if (mesh.lines.size() % 2 != 0)
+        refuse(fmt::format("{}: expected two positions a piece of a line, found {} positions", who, mesh.lines.size()));
     checkSizes(mesh, who);
     checkValues(mesh, who);
 }

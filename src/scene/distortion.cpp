@@ -32,7 +32,8 @@ void bakeDistortedInstances(Scene::Data& data, std::uint64_t maxElements) {
     for (Instance& instance : data.instances) {
         const glm::dmat3 linear{instance.transform};
         if (mesh::keepsAngles(linear)) continue;
-        elements += data.meshes[instance.mesh].positions.size() + data.meshes[instance.mesh].indices.size();
+        const Mesh& source = data.meshes[instance.mesh];
+        elements += source.positions.size() + source.indices.size() + source.lines.size();
         if (elements > maxElements)
             base::refuse(
                 fmt::format("expected at most {} vertices and indices in meshes that their instances distort, "

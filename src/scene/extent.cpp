@@ -53,6 +53,7 @@ double maximum(const InstancedBoxes& instanced, Measure measure) {
         for (const glm::dvec3 corner : cornersOf(instanced.boxes[instance.mesh])) reach = std::max(reach, at(corner));
         if (reach <= largest) return;
         for (const glm::vec3 p : mesh.positions) largest = std::max(largest, at(p));
+        for (const glm::vec3 p : mesh.lines) largest = std::max(largest, at(p));
     });
     return largest;
 }
@@ -78,6 +79,7 @@ Box boxOfAll(const InstancedBoxes& instanced) {
         for (const glm::dvec3 corner : cornersOf(instanced.boxes[instance.mesh])) addTo(reach, corner);
         if (reach.min == all.min && reach.max == all.max) return;
         for (const glm::vec3 p : mesh.positions) addTo(all, p);
+        for (const glm::vec3 p : mesh.lines) addTo(all, p);
     });
     return all;
 }

@@ -28,10 +28,23 @@ namespace {
 [[noreturn]] void refuse(const std::string& message) { throw Error{Error::Kind::Input, message}; }
 
 void dropEmptyInstances(Scene::Data& data) {
-    std::erase_if(data.instances, [&](const Instance& i) { return data.meshes[i.mesh].indices.empty(); });
+    std::erase_if(data.instances, [&](const Instance& i) {
+        return data.meshes[i.mesh].indices.empty() && data.meshes[i.mesh].lines.empty();
+    });
     if (!data.instances.empty()) return;
     const std::string there = data.undrawn.empty() ? "" : fmt::format(": {}", fmt::join(data.undrawn, ", "));
-    refuse("expected at least one triangle to draw, found none" + there);
+    refuse("expected at least one triangle or line to draw, found none" + there);
+}
+
+// Unlike triangles, lines are copied for each instance when they are drawn.
+void checkLineCount(const Scene::Data& data, std::uint64_t limit) {
+    std::uint64_t ends = 0;
+    for (const Instance& instance : data.instances) {
+        ends += data.meshes[instance.mesh].lines.size();
+        if (ends > limit)
+            refuse(fmt::format("expected at most {} ends of lines in all instances, found more; raise max-vertices",
+                               limit));
+    }
 }
 
 bool isDoubleSided(const std::vector<Material>& materials, std::uint32_t material) {
@@ -52,13 +65,15 @@ std::uint32_t sortBySides(Mesh& mesh, const std::vector<Material>& materials) {
     return static_cast<std::uint32_t>(std::ranges::count(single, true));
 }
 
-Box boxOf(const std::vector<glm::vec3>& positions) {
-    if (positions.empty()) return {};
-    glm::vec3 low = positions.front();
+Box boxOf(const Mesh& mesh) {
+    if (mesh.positions.empty() && mesh.lines.empty()) return {};
+    glm::vec3 low = mesh.positions.empty() ? mesh.lines.front() : mesh.positions.front();
     glm::vec3 high = low;
-    for (const glm::vec3 p : positions) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
+    for (const std::vector<glm::vec3>* const list : {&mesh.positions, &mesh.lines}) {
+        for (const glm::vec3 p : *list) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
     }
     return {low, high};
 }
@@ -83,7 +98,7 @@ PreparedMesh prepareMesh(Mesh& mesh, const Scene::Data& data, const LoadSettings
     mesh::MeshTopology topology = mesh::connect(mesh, settings);
     mesh.curvatures = settings.curvature ? mesh::meanCurvatures(mesh, topology) : std::vector<float>{};
     const bool hidesItsBacks = isSingleSided(mesh, data) && mesh::isClosedOutward(mesh, topology);
-    return {std::move(topology), boxOf(mesh.positions), oneSided, hidesItsBacks};
+    return {std::move(topology), boxOf(mesh), oneSided, hidesItsBacks};
 }
 
 double minCreaseBend(const std::vector<mesh::MeshTopology>& topologies, double creaseAngle) {
@@ -106,6 +121,7 @@ PreparedScene prepare(Scene::Data data, const LoadSettings& settings) {
     validate(settings);
     checkData(data);
     dropEmptyInstances(data);
+    checkLineCount(data, settings.limits.vertices);
     bakeDistortedInstances(data, settings.limits.vertices);
     if (settings.subdivide > 0) mesh::subdivideMeshes(data.meshes, settings);
 

@@ -40,8 +40,7 @@ TEST_F(Inspect, SaysWhichCamerasThereAreAndWhatIsNotDrawn) {
     EXPECT_EQ(found.at("cameras").at(0).at("name"), "front");
     EXPECT_NEAR(found.at("cameras").at(0).at("height").get<double>(), 5.4, 1e-6);
     ASSERT_EQ(found.at("warnings").size(), 1U);
-    EXPECT_THAT(found.at("warnings").at(0).get<std::string>(),
-                HasSubstr("primitives of points or lines are not drawn"));
+    EXPECT_THAT(found.at("warnings").at(0).get<std::string>(), HasSubstr("primitives of points are not drawn"));
 }
 
 TEST_F(Inspect, TakesTheSettingsOfTheModel) {
@@ -59,6 +58,21 @@ TEST_F(Inspect, SaysItInLinesForPeople) {
         EXPECT_THAT(outcome.out, HasSubstr(line));
 }
 
+TEST_F(Inspect, CountsLines) {
+    const std::string wire = file("wire.obj", "v 0 0 0\nv 1 0 0\nv 1 2 0\nl 1 2 3\n");
+    const json found = inspected(wire);
+    EXPECT_EQ(found.at("triangles"), 0);
+    EXPECT_EQ(found.at("lines"), 2);
+    EXPECT_EQ(found.at("meshes").at(0).at("lines"), 2);
+    EXPECT_EQ(found.at("not_drawn"), json::array());
+    EXPECT_EQ(found.at("bounds").at("max"), json({1.0, 2.0, 0.0}));
+    EXPECT_THAT(run({"inspect", wire}).out,
+                AllOf(HasSubstr("triangles  0 in 1 instances of 1 meshes\nlines      2, as straight pieces\n"),
+                      HasSubstr("wire: 0 triangles, 2 lines, ")));
+    EXPECT_EQ(inspected(asset("gear.glb")).at("lines"), 0);
+    EXPECT_THAT(run({"inspect", asset("gear.glb")}).out, Not(HasSubstr("lines")));
+}
+
 TEST_F(Inspect, SaysWhatThereIsInsteadOfTriangles) {
     const std::string cloud = file("cloud.ply",
                                    "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
@@ -73,7 +87,8 @@ TEST_F(Inspect, SaysWhatThereIsInsteadOfTriangles) {
                 StartsWith(cloud + ": PLY\ntriangles  0 in 0 instances of 0 meshes\nnot drawn  2 points\nwarning"));
     const Outcome refused = run({"render", cloud, "-o", "cloud.png"});
     EXPECT_EQ(refused.exitCode, 3);
-    EXPECT_THAT(refused.error, HasSubstr("cloud.ply: expected at least one triangle to draw, found none: 2 points\n"));
+    EXPECT_THAT(refused.error,
+                HasSubstr("cloud.ply: expected at least one triangle or line to draw, found none: 2 points\n"));
     EXPECT_EQ(inspected(emptyModel()).at("not_drawn"), json({"no mesh"}));
     EXPECT_EQ(inspected(asset("primitives.glb")).at("not_drawn"), json::array());
 }

@@ -400,6 +400,10 @@ TEST_F(RenderLines, NameEmbreeWhereItIsDamagedOrAnotherLibrary) {
               HasSubstr(library + ": file too short; install Embree or reinstall inkedge, or use "
                                   "--lines-from image")));
     expectSuccess(draw("cube.glb", "cube.svg", {"--lines-from", "image"}, here));
+    const Outcome without = draw("primitives.glb", "p.png", {}, here);
+    EXPECT_EQ(without.exitCode, 0);
+    EXPECT_THAT(without.error, HasSubstr("primitives.glb: marked lines are not drawn: lines from object space: "));
+    EXPECT_THAT(draw("cube.glb", "cube.png", {}, here).error, testing::IsEmpty());
     std::filesystem::remove(folder_ / library);
     if (someLibrary().empty()) GTEST_SKIP() << "SKIPPED: no /proc";
     std::filesystem::create_symlink(someLibrary(), folder_ / library);

@@ -72,6 +72,7 @@ void expectSame(const Mesh& a, const Mesh& b) {
     EXPECT_EQ(a.materials, b.materials);
     EXPECT_EQ(a.edges, b.edges);
     EXPECT_EQ(a.faces, b.faces);
+    EXPECT_EQ(a.lines, b.lines);
     EXPECT_EQ(a.textureCoordinates, b.textureCoordinates);
     EXPECT_EQ(a.curvatures, b.curvatures);
     ASSERT_EQ(a.paint.size(), b.paint.size());
@@ -296,8 +297,8 @@ TEST_F(LoadScene, gltfInMemoryIsDrawnWithoutAPictureInAFile) {
 }
 
 TEST_F(LoadScene, bytesThatDrawNothingAreRefusedByTheirName) {
-    EXPECT_EQ(refusalOf("v 0 0 0\nv 1 0 0\nl 1 2\n", "a.obj"),
-              "a.obj: expected at least one triangle to draw, found none: 1 line");
+    EXPECT_EQ(refusalOf("v 0 0 0\nv 1 0 0\np 1\n", "a.obj"),
+              "a.obj: expected at least one triangle or line to draw, found none: 1 point");
 }
 
 }  // namespace

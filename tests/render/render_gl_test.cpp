@@ -73,6 +73,93 @@ TEST_P(RendererLines, warnOfIsolinesWithoutTextureCoordinates) {
     }
 }
 
+TEST_P(RendererLines, haveThoseOfTheFileInBothSources) {
+    Mesh mesh;
+    mesh.lines = {{-1, 0, 0}, {1, 0.5F, 0}};
+    for (const bool alone : {true, false}) {
+        std::vector<std::pair<Mesh, glm::dmat4>> instances{{mesh, glm::dmat4{1.0}}};
+        if (!alone) instances.emplace_back(scenes::cube(0.5), glm::dmat4{1.0});
+        const Scene scene = scenes::sceneOf(instances);
+        std::vector<double> lengths;
+        for (const LinesFrom from : {LinesFrom::Object, LinesFrom::Image}) {
+            Settings settings = settingsOf(from);
+            settings.lines.hidden = HiddenLines::None;
+            double sum = 0.0;
+            for (const Line& line : linesOf(renderer(), scene, settings).lines)
+                if (line.type == LineType::Marked) sum += glm::distance(line.points[0].pixel, line.points[1].pixel);
+            EXPECT_GT(sum, 20.0);
+            lengths.push_back(sum);
+            const auto picture = [&](LineTypes types) {
+                settings.picture.lines = types;
+                return renderer().render(scene, frameCamera(scene, {}, size), settings).picture.pixels();
+            };
+            EXPECT_NE(picture(allLineTypes), picture(allLineTypes - LineType::Marked));
+        }
+        EXPECT_EQ(lengths[0], lengths[1]);
+    }
+}
+
+// World length of the lines of a type.
+double lengthOf(const Lines& lines, LineType type) {
+    double sum = 0.0;
+    for (const Line& line : lines.lines)
+        for (std::size_t i = 0; line.type == type && i + 1 < line.points.size(); ++i)
+            sum += glm::distance(line.points[i].position, line.points[i + 1].position);
+    return sum;
+}
+
+TEST_P(RendererLines, haveMarkedEdgesInBothSourcesAndEachOnce) {
+    // A flat square whose diagonal is marked, and a roof whose ridge is: from image space the ridge is a crease.
+    Mesh flat = scenes::quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
+    flat.edges.resize(flat.indices.size());
+    flat.edges[2] = EdgeKind::Marked;
+    Mesh roof;
+    roof.positions = {{2, -1, 0}, {4, -1, 0}, {4, 0, 1}, {2, 0, 1}, {4, 1, 0}, {2, 1, 0}};
+    roof.indices = {0, 1, 2, 0, 2, 3, 3, 2, 4, 3, 4, 5};
+    roof.edges.resize(roof.indices.size());
+    roof.edges[4] = EdgeKind::Marked;
+    const Scene scene = scenes::sceneOf({{flat, glm::dmat4{1.0}}, {roof, glm::dmat4{1.0}}});
+    const double diagonal = std::sqrt(8.0);
+    constexpr double ridge = 2.0;
+    constexpr double pixel = 0.1;  // lines between pixels begin and end at whole pixels
+    Settings settings = settingsOf(LinesFrom::Image);
+    settings.camera.direction = glm::dvec3{0.0, 0.0, -1.0};
+    settings.camera.orthographicHeight = 0.0;
+    const Camera camera = frameCamera(scene, settings.camera, size);
+    const auto found = [&](LinesFrom from, LineTypes types) {
+        settings.lines.from = from;
+        settings.picture.lines = types;
+        return renderer().lines(scene, camera, settings);
+    };
+    EXPECT_NEAR(lengthOf(found(LinesFrom::Object, allLineTypes), LineType::Marked), diagonal + ridge, 1e-4);
+    const Lines all = found(LinesFrom::Image, allLineTypes);
+    EXPECT_NEAR(lengthOf(all, LineType::Marked), diagonal, 1e-4);
+    EXPECT_NEAR(lengthOf(all, LineType::Crease), ridge, pixel);
+    EXPECT_NEAR(lengthOf(found(LinesFrom::Image, LineType::Marked), LineType::Marked), diagonal + ridge, 1e-4);
+}
+
+TEST_P(RendererLines, warnOfPicturesWithoutTheLinesOfTheFile) {
+    Mesh mesh = scenes::cube();
+    const Scene without = scenes::sceneOf(mesh);
+    mesh.lines = {{-1, 0, 0}, {1, 0.5F, 0}};
+    const Scene with = scenes::sceneOf(mesh);
+    Settings settings;
+    settings.detector.detector = Detector::Classic;
+    EXPECT_EQ(renderWarnings(with, settings),
+              std::vector<std::string>{"pictures of --detector classic have none of its lines besides triangles: use "
+                                       "--detector planes, or --lines-from object"});
+    EXPECT_TRUE(renderWarnings(without, settings).empty());
+    settings.style.style = Style::Sumi;  // draws no lines
+    EXPECT_TRUE(renderWarnings(with, settings).empty());
+    settings.style.style = Style::Ink;
+    settings.lines.from = LinesFrom::Object;
+    EXPECT_TRUE(renderWarnings(with, settings).empty());
+    settings.lines.from = LinesFrom::Auto;
+    settings.picture.lines = allLineTypes - LineType::Marked;
+    EXPECT_TRUE(renderWarnings(with, settings).empty());
+    EXPECT_TRUE(renderWarnings(with, Settings{}).empty());
+}
+
 TEST_P(RendererLines, sayWhatFoundThem) {
     const Scene scene = scenes::sceneOf(scenes::cube());
     for (const Settings& settings : everyWay()) {

@@ -119,19 +119,19 @@ TEST(Scene, refusesTransformsThatAreNotFinite) {
 }
 
 TEST(Scene, refusesToDrawNothing) {
-    expectRefusal({}, "expected at least one triangle to draw, found none");
+    expectRefusal({}, "expected at least one triangle or line to draw, found none");
     auto data = cubeData();
     data.instances.clear();
-    expectRefusal(data, "expected at least one triangle to draw, found none");
+    expectRefusal(data, "expected at least one triangle or line to draw, found none");
     data = cubeData();
     data.meshes[0].indices.clear();
-    expectRefusal(data, "expected at least one triangle to draw, found none");
+    expectRefusal(data, "expected at least one triangle or line to draw, found none");
 }
 
-TEST(Scene, saysWhatThereIsInsteadOfTriangles) {
+TEST(Scene, saysWhatThereIsInstead) {
     Scene::Data data;
-    data.undrawn = {"8 points", "1 line"};
-    expectRefusal(data, "expected at least one triangle to draw, found none: 8 points, 1 line");
+    data.undrawn = {"8 points", "1 mesh in hidden nodes"};
+    expectRefusal(data, "expected at least one triangle or line to draw, found none: 8 points, 1 mesh in hidden nodes");
 }
 
 TEST(Scene, isBoundedWithoutInstancesOfNoExtent) {
@@ -261,6 +261,32 @@ TEST(SceneBounds, takeInEveryInstance) {
     const Scene scene{data};
     expectNear(scene.bounds().centre, {5, 0, 0});
     EXPECT_NEAR(scene.bounds().radius, std::sqrt(38.0), exact);
+}
+
+TEST(SceneOfLines, RefusesHalvesOfPiecesAndPositionsThatAreNotFinite) {
+    Scene::Data data;
+    data.meshes.resize(1);
+    data.instances.push_back({"wire", 0, glm::dmat4{1.0}});
+    data.meshes[0].lines = {{0, 0, 0}};
+    expectError(Error::Kind::Input, "expected two positions a piece of a line, found 1 positions",
+                [&] { Scene{data}; });
+    data.meshes[0].lines = {{0, 0, 0}, {0, std::numeric_limits<float>::infinity(), 0}};
+    expectError(Error::Kind::Input, "expected finite positions of lines, found position 1", [&] { Scene{data}; });
+}
+
+TEST(SceneOfLines, CountsTheLinesOfAllInstancesForItsLimit) {
+    Scene::Data data;
+    data.meshes.resize(1);
+    data.meshes[0].lines = {{0, 0, 0}, {1, 0, 0}};
+    for (int i = 0; i < 3; ++i) data.instances.push_back({"wire", 0, glm::dmat4{1.0}});
+    LoadSettings settings;
+    settings.limits.vertices = 6;
+    EXPECT_EQ((Scene{data, settings}.box().max), (glm::dvec3{1, 0, 0}));
+    settings.limits.vertices = 5;
+    expectError(Error::Kind::Input, "expected at most 5 ends of lines in all instances, found more; raise max-vertices",
+                [&] {
+                    Scene{data, settings};
+                });
 }
 
 // glTF primitives often share one vertex array and use a part of it each.

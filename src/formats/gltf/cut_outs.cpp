@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
@@ -79,6 +80,26 @@ void CutOuts::apply(const Material& material, const tinygltf::Primitive& primiti
             add(part, t, piece, rest);
     }
     part = std::move(rest);
+}
+
+std::vector<glm::dvec3> CutOuts::opaqueLines(const Material& material, const tinygltf::Primitive& primitive,
+                                             const std::vector<glm::dvec3>& positions,
+                                             const std::vector<std::uint32_t>& ends) const {
+    std::vector<double> opacities = vertexOpacities(model_, primitive, positions.size());
+    opacities.resize(positions.size(), 1.0);
+    std::vector<glm::dvec3> opaque;
+    for (std::size_t i = 0; i < ends.size(); i += 2) {
+        std::array<glm::dvec3, 2> piece{positions[ends[i]], positions[ends[i + 1]]};
+        const std::array<double, 2> over{material.opacity * opacities[ends[i]] - material.cutoff,
+                                         material.opacity * opacities[ends[i + 1]] - material.cutoff};
+        if (over[0] < 0.0 && over[1] < 0.0) continue;
+        if (over[0] < 0.0 || over[1] < 0.0) {
+            const glm::dvec3 rim = glm::mix(piece[0], piece[1], over[0] / (over[0] - over[1]));
+            piece[over[0] < 0.0 ? 0 : 1] = rim;
+        }
+        opaque.insert(opaque.end(), piece.begin(), piece.end());
+    }
+    return opaque;
 }
 
 std::vector<mesh::TrianglePiece> CutOuts::cutEven(const Material& material, const std::vector<glm::dvec2>& uvs,

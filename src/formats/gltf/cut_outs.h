@@ -30,6 +30,13 @@ public:
     /// @throws Error  (Kind::Input) if the mask's picture cannot be read
     void apply(const Material&, const tinygltf::Primitive&, Shape& part);
 
+    /// The opaque parts of straight pieces of lines, two positions each. Only the opacities of the material and the
+    /// vertices count: pictures are for surfaces.
+    /// @param ends  into positions, two a piece
+    [[nodiscard]] std::vector<glm::dvec3> opaqueLines(const Material&, const tinygltf::Primitive&,
+                                                      const std::vector<glm::dvec3>& positions,
+                                                      const std::vector<std::uint32_t>& ends) const;
+
 private:
     // Where an opacity of the vertices changes within a triangle.
     [[nodiscard]] std::vector<mesh::TrianglePiece> cutVarying(const Material&, const std::vector<glm::dvec2>& uvs,

@@ -1,7 +1,6 @@
 #include "formats/gltf/edges.h"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -111,8 +110,7 @@ void mark(const std::vector<std::uint8_t>& visibility, std::span<const std::uint
     }
 }
 
-// @param whose  what the file calls the edges, for the warning of those that are on no triangle
-void mark(std::vector<Edge> lines, std::span<const std::uint32_t> triangles, std::string_view whose, FileEdges& edges) {
+void mark(std::vector<Edge> lines, std::span<const std::uint32_t> triangles, FileEdges& edges) {
     for (std::size_t c = 0; c < triangles.size(); ++c) {
         const std::uint64_t key = keyOf(triangles[c], triangles[c % 3 == 2 ? c - 2 : c + 1]);
         const auto line = std::ranges::lower_bound(lines, key, {}, &Edge::vertices);
@@ -120,10 +118,11 @@ void mark(std::vector<Edge> lines, std::span<const std::uint32_t> triangles, std
         line->found = true;
         edges.kinds[c] = EdgeKind::Marked;
     }
-    const auto lost = std::ranges::count(lines, false, &Edge::found);
-    if (lost > 0)
-        edges.warnings.push_back(
-            fmt::format("{} edges of its {} belong to no triangle and are not drawn", lost, whose));
+    for (const Edge& line : lines) {
+        if (line.found) continue;
+        edges.lines.push_back(static_cast<std::uint32_t>(line.vertices >> 32U));
+        edges.lines.push_back(static_cast<std::uint32_t>(line.vertices));
+    }
 }
 
 // Calls read(extension) if the primitive has it.
@@ -148,10 +147,10 @@ FileEdges readEdges(const tinygltf::Model& model, const tinygltf::Primitive& pri
         if (extension.Has("visibility"))
             mark(readVisibility(model, extension, triangleCount(mode, corners)), triangleNumbers(mode, corners), edges);
         if (extension.Has("lineStrings"))
-            mark(readLineStrings(model, extension.Get("lineStrings"), vertexCount), triangles, "line strings", edges);
+            mark(readLineStrings(model, extension.Get("lineStrings"), vertexCount), triangles, edges);
     });
     withExtension(primitive, outlineExtension, [&](const tinygltf::Value& extension) {
-        mark(readPairs(model, extension, vertexCount), triangles, "outline", edges);
+        mark(readPairs(model, extension, vertexCount), triangles, edges);
     });
     return edges;
 }

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include <inkedge/edge_kinds.h>
@@ -19,7 +18,7 @@ struct FileEdges {
     /// EdgeKind::Marked: always drawn. EdgeKind::Inner: never drawn, or only as a silhouette, for the surface is smooth
     /// there. Empty: the primitive has neither extension.
     std::vector<EdgeKinds> kinds;
-    std::vector<std::string> warnings;  ///< of edges that belong to no drawn triangle
+    std::vector<std::uint32_t> lines;  ///< edges of no drawn triangle: two vertices each
 };
 
 /// Reads the extensions, without the materials and the normals for silhouettes of the first.

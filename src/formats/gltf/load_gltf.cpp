@@ -23,6 +23,7 @@
 #include "formats/gltf/edges.h"
 #include "formats/gltf/file.h"
 #include "formats/gltf/instancing.h"
+#include "formats/gltf/line_pieces.h"
 #include "formats/gltf/mask_uses.h"
 #include "formats/gltf/model.h"
 #include "formats/gltf/nodes.h"
@@ -30,6 +31,7 @@
 #include "formats/gltf/paint.h"
 #include "formats/gltf/shape.h"
 #include "formats/gltf/triangles.h"
+#include "formats/text.h"
 #include "images/decode_picture.h"
 
 namespace inkedge::gltf {
@@ -80,9 +82,8 @@ public:
                 if (model_.nodes[node].mesh != -1 && visible) addInstances(node);
             });
         }
-        warnOfModes();
-        if (data_.instances.empty())
-            data_.undrawn = insteadOfTriangles(model_, nodes_, drawn, settings_.scene, notDrawn_);
+        warnOfPoints();
+        if (data_.instances.empty()) data_.undrawn = whatIsThere(model_, nodes_, drawn, settings_.scene, notDrawn_);
         return std::move(data_);
     }
 
@@ -151,7 +152,7 @@ private:
         });
     }
 
-    // The index of a mesh in the scene's list; none if it draws no triangle. Nodes in one pose share the mesh.
+    // The index of a mesh in the scene's list; none if it draws nothing. Nodes in one pose share the mesh.
     std::optional<std::uint32_t> meshInPose(int index, const Pose& pose) {
         if (!pose.joints.empty()) return makeMesh(index, pose);
         const std::pair key{index, pose.weights};
@@ -169,25 +170,29 @@ private:
             const std::string where = base::label("mesh", number, source.name) + ", " + base::label("primitive", i);
             base::within(where, [&] {
                 const Mode mode{source.primitives[i].mode};
-                const std::string_view modeName = name(mode);
+                static_cast<void>(name(mode));  // refuses a mode that glTF has not
+                const std::string warnedAs = isNew ? where : std::string{};
                 if (drawsTriangles(mode))
-                    append(shape, readPrimitive(source.primitives[i], pose, isNew ? where : std::string{}));
+                    append(shape, readTriangles(source.primitives[i], pose, warnedAs));
+                else if (drawsLines(mode))
+                    append(shape, readLines(source.primitives[i], pose, warnedAs));
                 else if (isNew)
-                    leaveOut(source.primitives[i], modeName);
+                    leaveOut(source.primitives[i]);
             });
         }
-        if (shape.indices.empty()) return {};
+        if (shape.indices.empty() && shape.lines.empty()) return {};
         data_.meshes.push_back(meshOf(std::move(shape), source.name));
         return static_cast<std::uint32_t>(data_.meshes.size() - 1);
     }
 
-    void leaveOut(const tinygltf::Primitive& primitive, std::string_view modeName) {
-        ++ignored_[modeName];
-        notDrawn_.add(model_, primitive);
+    void leaveOut(const tinygltf::Primitive& primitive) {
+        ++pointPrimitives_;
+        notDrawn_.addPoints(model_, primitive);
     }
 
-    // Warnings start with warnedAs. If that is empty the primitive's warnings have been given before.
-    Shape readPrimitive(const tinygltf::Primitive& primitive, const Pose& pose, const std::string& warnedAs) {
+    // The vertices of a primitive, not yet in their pose; none if it is not drawn. Warnings start with warnedAs. If it
+    // is empty the primitive's warnings have been given before.
+    Shape readVertices(const tinygltf::Primitive& primitive, const std::string& warnedAs) {
         Shape part;
         const auto position = primitive.attributes.find("POSITION");
         if (position == primitive.attributes.end()) {
@@ -208,32 +213,65 @@ private:
         part.normals = readAttribute<glm::dvec3>(model_, primitive.attributes, "NORMAL", anyNormal, count);
         part.authored = !part.normals.empty();
         part.normals.resize(count);
-
-        const Mode mode{primitive.mode};
-        std::vector<std::uint32_t> corners = cornersOf(model_, file_, primitive, count);
-        if (mode == Mode::Triangles && corners.size() % 3 != 0 && !warnedAs.empty())
-            warn(fmt::format("{}: expected a multiple of 3 corners, found {}: the last are not drawn", warnedAs,
-                             corners.size()));
-        readEdges(primitive, corners, part, warnedAs);
-        part.indices = triangleList(mode, std::move(corners));
-        spend(part.indices.size());
-        if (settings_.textureCoordinates) readCoordinates(primitive, part);
-        if (settings_.paint) readPaint(material, primitive, part);
-        part.materials.assign(part.indices.size() / 3, static_cast<std::uint32_t>(primitive.material) + 1U);
-        morph(model_, primitive, pose.weights, part);
-        if (!pose.joints.empty()) skin(model_, primitive, pose.joints, part);
-        checkPositions(part.positions);
-        if (isCut(material)) cutOut(*material, primitive, part);
-        normalize(part.normals);
         return part;
     }
 
-    void readEdges(const tinygltf::Primitive& primitive, const std::vector<std::uint32_t>& corners, Shape& part,
-                   const std::string& warnedAs) {
-        FileEdges edges = gltf::readEdges(model_, primitive, Mode{primitive.mode}, corners, part.positions.size());
+    void posePart(const tinygltf::Primitive& primitive, const Pose& pose, Shape& part) {
+        morph(model_, primitive, pose.weights, part);
+        if (!pose.joints.empty()) skin(model_, primitive, pose.joints, part);
+        checkPositions(part.positions);
+    }
+
+    Shape readLines(const tinygltf::Primitive& primitive, const Pose& pose, const std::string& warnedAs) {
+        Shape vertices = readVertices(primitive, warnedAs);
+        if (vertices.positions.empty()) return {};
+        const std::vector<std::uint32_t> corners = cornersOf(model_, file_, primitive, vertices.positions.size());
+        if (Mode{primitive.mode} == Mode::Lines && corners.size() % 2 != 0 && !warnedAs.empty())
+            warn(fmt::format("{}: expected a multiple of 2 corners, found {}: the last is not drawn", warnedAs,
+                             corners.size()));
+        const std::vector<std::uint32_t> ends = linePieces(Mode{primitive.mode}, corners);
+        spend(ends.size());
+        posePart(primitive, pose, vertices);
+        Shape part;
+        part.lines = linesBetween(primitive, vertices.positions, ends);
+        if (part.lines.empty()) notDrawn_.maskedLines += ends.size() / 2;
+        return part;
+    }
+
+    // @param ends  into the positions, which are in their pose: two for each straight piece
+    std::vector<glm::dvec3> linesBetween(const tinygltf::Primitive& primitive, const std::vector<glm::dvec3>& positions,
+                                         const std::vector<std::uint32_t>& ends) {
+        std::vector<glm::dvec3> lines;
+        for (const std::uint32_t end : ends) lines.push_back(positions[end]);
+        const Material* const material = materialOf(file_, primitive);
+        if (isCut(material))
+            cutOrWarn(*material, primitive,
+                      [&] { lines = cutOuts_.opaqueLines(*material, primitive, positions, ends); });
+        return lines;
+    }
+
+    Shape readTriangles(const tinygltf::Primitive& primitive, const Pose& pose, const std::string& warnedAs) {
+        Shape part = readVertices(primitive, warnedAs);
+        if (part.positions.empty()) return part;
+        const Material* const material = materialOf(file_, primitive);
+        const Mode mode{primitive.mode};
+        std::vector<std::uint32_t> corners = cornersOf(model_, file_, primitive, part.positions.size());
+        if (mode == Mode::Triangles && corners.size() % 3 != 0 && !warnedAs.empty())
+            warn(fmt::format("{}: expected a multiple of 3 corners, found {}: the last are not drawn", warnedAs,
+                             corners.size()));
+        FileEdges edges = readEdges(model_, primitive, mode, corners, part.positions.size());
         part.edges = std::move(edges.kinds);
-        if (warnedAs.empty()) return;
-        for (const std::string& warning : edges.warnings) warn(warnedAs + ": " + warning);
+        part.indices = triangleList(mode, std::move(corners));
+        spend(part.indices.size() + edges.lines.size());
+        if (settings_.textureCoordinates) readCoordinates(primitive, part);
+        if (settings_.paint) readPaint(material, primitive, part);
+        part.materials.assign(part.indices.size() / 3, static_cast<std::uint32_t>(primitive.material) + 1U);
+        posePart(primitive, pose, part);
+        std::vector<glm::dvec3> lines = linesBetween(primitive, part.positions, edges.lines);
+        if (isCut(material)) cutOut(*material, primitive, part);
+        part.lines = std::move(lines);
+        normalize(part.normals);
+        return part;
     }
 
     void readCoordinates(const tinygltf::Primitive& primitive, Shape& part) {
@@ -299,13 +337,20 @@ private:
                material->alpha == Material::Alpha::Blend;
     }
 
-    // A cut-out whose picture cannot be read is drawn whole, with a warning.
     void cutOut(const Material& material, const tinygltf::Primitive& primitive, Shape& part) {
-        try {
+        cutOrWarn(material, primitive, [&] {
             const std::size_t before = part.indices.size() / 3;
             cutOuts_.apply(material, primitive, part);
             if (part.indices.empty()) notDrawn_.maskedAway += before;
             spend(part.indices.size());
+        });
+    }
+
+    // A cut-out whose picture or opacity cannot be read is drawn whole, with a warning.
+    template <class Cut>
+    void cutOrWarn(const Material& material, const tinygltf::Primitive& primitive, Cut&& cut) {
+        try {
+            cut();
         } catch (const Error& error) {
             if (!unread_.insert(primitive.material).second) return;
             warn(fmt::format("{} is drawn without its cut-out: {}",
@@ -325,15 +370,10 @@ private:
         elementsLeft_ -= elements;
     }
 
-    void warnOfModes() {
-        std::size_t count = 0;
-        std::string modes;
-        for (const auto& [mode, number] : ignored_) {
-            count += number;
-            modes += fmt::format("{}{} {}", modes.empty() ? "" : ", ", number, mode);
-        }
-        if (count == 1) warn(fmt::format("1 primitive of points or lines is not drawn: {}", modes));
-        if (count > 1) warn(fmt::format("{} primitives of points or lines are not drawn: {}", count, modes));
+    void warnOfPoints() {
+        if (pointPrimitives_ > 0)
+            warn(formats::counted(pointPrimitives_, "primitive") + " of points " +
+                 (pointPrimitives_ == 1 ? "is not drawn" : "are not drawn"));
     }
 
     void warn(std::string line) { data_.warnings.push_back(std::move(line)); }
@@ -351,8 +391,8 @@ private:
     CutOuts cutOuts_;
     Scene::Data data_;
     std::map<std::pair<int, std::vector<double>>, std::optional<std::uint32_t>> meshes_;  // by mesh and morph weights
-    std::set<int> seen_;                               // meshes whose ignored primitives have been counted
-    std::map<std::string_view, std::size_t> ignored_;  // primitives by mode
+    std::set<int> seen_;               // meshes whose primitives of points have been counted
+    std::size_t pointPrimitives_ = 0;  // left out
     NotDrawn notDrawn_;
     std::set<int> unread_;  // materials whose pictures a warning names
     std::uint64_t elementsLeft_;

@@ -13,8 +13,9 @@ namespace inkedge::gltf {
 /// EXT_meshopt_compression are read if the build has the libraries for it. Nodes hidden by KHR_node_visibility are left
 /// out.
 ///
-/// Normals are the file's, unit length, (0, 0, 0) where it has none; a mesh without any has no normals at all. Points
-/// and lines are left out with one warning. A file without triangles gives no meshes and no instances.
+/// Normals are the file's, unit length, (0, 0, 0) where it has none; a mesh without any has no normals at all. Lines
+/// are those of primitives of lines, and edges that an extension marks without a triangle. Points are left out with one
+/// warning. A file without triangles and lines gives no meshes and no instances.
 ///
 /// @throws Error  (Kind::Input) if the file is missing, unreadable, over the limits, no glTF 2.0, truncated or
 ///                inconsistent, or needs an extension that is not read; (Kind::Usage) if it has no scene or animation

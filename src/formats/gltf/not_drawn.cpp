@@ -7,7 +7,6 @@
 
 #include <inkedge/error.h>
 
-#include "formats/gltf/triangles.h"
 #include "formats/text.h"
 
 namespace inkedge::gltf {
@@ -52,33 +51,16 @@ std::vector<std::string> withoutMesh(const tinygltf::Model& model, const Nodes& 
 
 }  // namespace
 
-void NotDrawn::add(const tinygltf::Model& model, const tinygltf::Primitive& primitive) {
+void NotDrawn::addPoints(const tinygltf::Model& model, const tinygltf::Primitive& primitive) {
     const auto position = primitive.attributes.find("POSITION");
     const int accessor =
         primitive.indices != -1 || position == primitive.attributes.end() ? primitive.indices : position->second;
     if (accessor < 0 || static_cast<std::size_t>(accessor) >= model.accessors.size()) return;
-    const std::uint64_t corners = model.accessors[static_cast<std::size_t>(accessor)].count;
-    switch (Mode{primitive.mode}) {
-        case Mode::Points:
-            points += corners;
-            break;
-        case Mode::Lines:
-            lines += corners / 2;
-            break;
-        case Mode::LineLoop:
-            lines += corners;
-            break;
-        case Mode::LineStrip:
-            lines += corners > 0 ? corners - 1 : 0;
-            break;
-        default:
-            break;
-    }
+    points += model.accessors[static_cast<std::size_t>(accessor)].count;
 }
 
-std::vector<std::string> insteadOfTriangles(const tinygltf::Model& model, const Nodes& nodes,
-                                            std::span<const DrawnNode> drawn, std::optional<int> scene,
-                                            const NotDrawn& notDrawn) {
+std::vector<std::string> whatIsThere(const tinygltf::Model& model, const Nodes& nodes, std::span<const DrawnNode> drawn,
+                                     std::optional<int> scene, const NotDrawn& notDrawn) {
     const std::set<int> meshes = meshesOf(model, drawn);
     if (meshes.empty()) return withoutMesh(model, nodes, scene);
     std::vector<std::string> found;
@@ -86,10 +68,10 @@ std::vector<std::string> insteadOfTriangles(const tinygltf::Model& model, const 
         drawn, [&](const DrawnNode& each) { return each.visible && model.nodes[each.node].mesh != -1; });
     if (allHidden) found.push_back(counted(meshes.size(), "mesh", "meshes") + " in hidden nodes");
     if (notDrawn.points > 0) found.push_back(counted(notDrawn.points, "point"));
-    if (notDrawn.lines > 0) found.push_back(counted(notDrawn.lines, "line"));
     if (notDrawn.maskedAway > 0) found.emplace_back("all triangles are masked away");
+    if (notDrawn.maskedLines > 0) found.emplace_back("all lines are masked away");
     if (notDrawn.transparent > 0) found.emplace_back("all triangles are transparent, which are not wanted");
-    if (found.empty()) found.push_back(counted(meshes.size(), "mesh", "meshes") + " without triangles");
+    if (found.empty()) found.push_back(counted(meshes.size(), "mesh", "meshes") + " without triangles or lines");
     return found;
 }
 

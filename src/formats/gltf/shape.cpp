@@ -109,7 +109,9 @@ void normalize(std::vector<glm::dvec3>& normals) {
 }
 
 void append(Shape& shape, Shape part) {
+    shape.lines.insert(shape.lines.end(), part.lines.begin(), part.lines.end());
     if (shape.positions.empty()) {
+        part.lines = std::move(shape.lines);
         shape = std::move(part);
         return;
     }
@@ -127,10 +129,12 @@ void append(Shape& shape, Shape part) {
 Mesh meshOf(Shape shape, const std::string& name) {
     Mesh mesh;
     mesh.name = name;
-    mesh.origin = centreOf(shape.positions);
+    mesh.origin = centreOf(shape.positions.empty() ? shape.lines : shape.positions);
     mesh.indices = std::move(shape.indices);
     mesh.positions.reserve(shape.positions.size());
     for (const glm::dvec3& position : shape.positions) mesh.positions.emplace_back(position - mesh.origin);
+    mesh.lines.reserve(shape.lines.size());
+    for (const glm::dvec3& position : shape.lines) mesh.lines.emplace_back(position - mesh.origin);
     if (shape.authored) mesh.normals.assign(shape.normals.begin(), shape.normals.end());
     if (std::ranges::any_of(shape.materials, [](std::uint32_t material) { return material != 0; }))
         mesh.materials = std::move(shape.materials);

@@ -10,7 +10,7 @@
 
 namespace inkedge::gltf {
 
-/// Triangles as the file has them, before Mesh::origin is subtracted.
+/// Triangles and lines as the file has them, before Mesh::origin is subtracted.
 struct Shape {
     std::vector<glm::dvec3> positions;
     std::vector<glm::dvec3> normals;  ///< as many; (0, 0, 0) where the file has none
@@ -19,6 +19,7 @@ struct Shape {
     std::vector<glm::vec2> coordinates;    ///< one per position, or none
     std::vector<VertexPaint> paint;        ///< likewise
     std::vector<EdgeKinds> edges;          ///< one per index, or none: Mesh::edges
+    std::vector<glm::dvec3> lines;         ///< Mesh::lines
     bool authored = false;                 ///< whether any normal is the file's
 };
 
@@ -42,7 +43,7 @@ void checkPositions(const std::vector<glm::dvec3>&);
 /// Scales normals to length 1; those without a direction become (0, 0, 0).
 void normalize(std::vector<glm::dvec3>& normals);
 
-/// Adds the triangles of a primitive to those of its mesh.
+/// Adds the triangles and lines of a primitive to those of its mesh.
 void append(Shape&, Shape part);
 
 [[nodiscard]] Mesh meshOf(Shape, const std::string& name);

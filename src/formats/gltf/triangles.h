@@ -16,6 +16,7 @@ enum class Mode : int { Points, Lines, LineLoop, LineStrip, Triangles, TriangleS
 [[nodiscard]] std::string_view name(Mode);
 
 [[nodiscard]] constexpr bool drawsTriangles(Mode mode) noexcept { return mode >= Mode::Triangles; }
+[[nodiscard]] constexpr bool drawsLines(Mode mode) noexcept { return mode > Mode::Points && mode < Mode::Triangles; }
 
 /// Whether each corner of a mode goes on from those before it, so that a restart means something.
 [[nodiscard]] constexpr bool isContinued(Mode mode) noexcept {

@@ -68,20 +68,22 @@ public:
     Builder(PolygonFile file, PolygonFormat format) : file_{std::move(file)}, format_{format} {}
 
     Scene::Data build(const std::string& name, std::uint64_t maxElements) {
-        if (vertexCount() + file_.corners.size() > maxElements)
+        if (vertexCount() + file_.corners.size() + file_.lines.size() > maxElements)
             base::refuse(
-                fmt::format("expected at most {} vertices and corners, found more; raise max-vertices", maxElements));
+                fmt::format("expected at most {} vertices, corners and ends of lines, found more; raise max-vertices",
+                            maxElements));
         measure();
-        checkFaces();
+        checkIndices();
         checkCoordinates();
         file_.faceSizes.empty() ? takeTriangles() : cutPolygons();
         convertPositions();
+        takeLines();
         takeNormals();
         mesh_.textureCoordinates = std::move(file_.textureCoordinates);
         mesh_.name = name;
         warn();
-        if (mesh_.indices.empty()) {
-            data_.undrawn = insteadOfTriangles();
+        if (mesh_.indices.empty() && mesh_.lines.empty()) {
+            data_.undrawn = whatIsThere();
         } else {
             data_.meshes.push_back(std::move(mesh_));
             data_.instances.push_back({name, 0, glm::dmat4{1.0}});
@@ -140,7 +142,7 @@ private:
         return file_.faceSizes.empty() ? 3 : file_.faceSizes[face];
     }
 
-    void checkFaces() const {
+    void checkIndices() const {
         const std::size_t count = vertexCount();
         std::size_t corner = 0;
         for (std::size_t face = 0; face < file_.faceCount; ++face)
@@ -148,6 +150,10 @@ private:
                 if (file_.corners[corner] >= count)
                     base::refuse(fmt::format("expected vertices below {}, found {} in face {}", count,
                                              file_.corners[corner], face));
+        for (std::size_t end = 0; end < file_.lines.size(); ++end)
+            if (file_.lines[end] >= count)
+                base::refuse(
+                    fmt::format("expected vertices below {}, found {} in line {}", count, file_.lines[end], end / 2));
     }
 
     void checkCoordinates() const {
@@ -225,6 +231,12 @@ private:
         file_.finePositions = {};
     }
 
+    void takeLines() {
+        mesh_.lines.reserve(file_.lines.size());
+        for (const std::uint32_t end : file_.lines) mesh_.lines.push_back(mesh_.positions[end]);
+        file_.lines = {};
+    }
+
     void takeNormals() {
         if (format_ == PolygonFormat::Stl) return;
         mesh_.normals = std::move(file_.normals);
@@ -235,18 +247,18 @@ private:
 
     // ---- after it
 
-    [[nodiscard]] std::vector<std::string> insteadOfTriangles() const {
+    [[nodiscard]] std::vector<std::string> whatIsThere() const {
         std::vector<std::string> found;
         if (file_.points > 0) found.push_back(formats::counted(file_.points, "point"));
-        if (file_.lines > 0) found.push_back(formats::counted(file_.lines, "line"));
         if (file_.faceCount > 0) found.push_back(formats::counted(file_.faceCount, "face") + " of repeated vertices");
         return found;
     }
 
     void warn() {
         data_.warnings = std::move(file_.warnings);
-        if (file_.points + file_.lines > 0)
-            data_.warnings.push_back(fmt::format("{} points and {} lines are not drawn", file_.points, file_.lines));
+        if (file_.points > 0)
+            data_.warnings.push_back(formats::counted(file_.points, "point") +
+                                     (file_.points == 1 ? " is not drawn" : " are not drawn"));
         if (!warnsOfFloats_) return;
         data_.warnings.push_back(fmt::format(
             "coordinates are kept to {:.2g}, as {} files are read as floats: much for a model {:.3g} across "

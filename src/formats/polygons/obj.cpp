@@ -43,7 +43,7 @@ public:
                      [&] { checkIndex(position_, positions_.size(), "a vertex"); });
         base::within(base::label("line", normal_.line), [&] { checkIndex(normal_, normals_.size(), "a normal"); });
         base::within(base::label("line", texture_.line), [&] { checkIndex(texture_, textures_.size(), "a vt"); });
-        if (file_.faceCount + file_.points + file_.lines == 0) {
+        if (file_.faceCount + file_.points + file_.lines.size() == 0) {
             if (positions_.empty()) base::refuse("expected faces, found none");
             file_.points = positions_.size();
         }
@@ -102,7 +102,7 @@ private:
         if (keyword == "f" || keyword == "fo") return readFace(line);
         if (keyword == "usemtl") return useMaterial(line);
         if (keyword == "p") file_.points += countWords(line);
-        if (keyword == "l") file_.lines += std::max<std::uint64_t>(countWords(line), 1) - 1;
+        if (keyword == "l") return readLineElement(line);
     }
 
     static std::uint64_t countWords(std::string_view line) {
@@ -151,17 +151,23 @@ private:
             allNormals = allNormals && corners_.back().normal != 0;
             allTextures = allTextures && corners_.back().texture != 0;
         }
-        if (corners_.size() < 3) {
-            ++(corners_.size() == 2 ? file_.lines : file_.points);
-            return;
-        }
+        const bool isFace = corners_.size() >= 3;
         for (Vertex& corner : corners_) {
-            if (!allNormals) corner.normal = 0;
-            if (!allTextures) corner.texture = 0;
+            if (!allNormals || !isFace) corner.normal = 0;
+            if (!allTextures || !isFace) corner.texture = 0;
             file_.corners.push_back(vertexOf(corner));
         }
         file_.endFace(corners_.size(), material_);
         expectWithin(vertices_.size() + file_.corners.size(), limit_);
+    }
+
+    void readLineElement(std::string_view line) {
+        std::optional<std::uint32_t> before;
+        for (std::string_view word = formats::takeWord(line); !word.empty(); word = formats::takeWord(line)) {
+            const std::uint32_t vertex = vertexOf({corner(word).position});
+            if (before) file_.lines.insert(file_.lines.end(), {*before, vertex});
+            before = vertex;
+        }
     }
 
     // The index of the vertex that a corner names; a new vertex if no earlier corner named it. Of a position with very

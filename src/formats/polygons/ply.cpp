@@ -138,11 +138,20 @@ bool hasNumber(const Element& element, std::string_view name) {
     return std::ranges::any_of(element.properties, [&](const Property& p) { return p.name == name && !p.length; });
 }
 
+bool hasInteger(const Element& element, std::string_view name) {
+    return std::ranges::any_of(element.properties,
+                               [&](const Property& p) { return p.name == name && !p.length && p.type.isInteger; });
+}
+
 bool isIndexList(const Property& property) {
     return isOneOf(property.name, {"vertex_indices", "vertex_index"}) && property.length && property.type.isInteger;
 }
 
 bool isStrips(const Element& element) { return element.name == "tristrips"; }
+
+bool isEdges(const Element& element) {
+    return element.name == "edge" && hasInteger(element, "vertex1") && hasInteger(element, "vertex2");
+}
 
 bool isFaces(const Element& element) { return element.name == "face" || isStrips(element); }
 
@@ -299,7 +308,7 @@ public:
                 }
             }
         }
-        if (file_.faceCount == 0 && file_.lines == 0) file_.points += vertexCount_;
+        if (file_.faceCount == 0 && file_.lines.empty()) file_.points += vertexCount_;
         return std::move(file_);
     }
 
@@ -316,6 +325,7 @@ private:
 
     void readElement(const Element& element) {
         if (element.name == "vertex") return readVertex(element);
+        if (isEdges(element)) return readEdge(element);
         for (const Property& property : element.properties) {
             if (isFaces(element) && isIndexList(property))
                 isStrips(element) ? readStrip(property) : readFace(property);
@@ -350,6 +360,17 @@ private:
         expectRoomFor(length);
         for (std::uint64_t i = 0; i < length; ++i) file_.corners.push_back(toIndex(data_.takeInteger(property.type)));
         file_.endFace(length);
+    }
+
+    void readEdge(const Element& element) {
+        std::array<std::uint32_t, 2> ends{};
+        for (const Property& property : element.properties) {
+            if (!property.length && isOneOf(property.name, {"vertex1", "vertex2"}))
+                ends[property.name == "vertex1" ? 0 : 1] = toIndex(data_.takeInteger(property.type));
+            else
+                skip(property);
+        }
+        file_.lines.insert(file_.lines.end(), ends.begin(), ends.end());
     }
 
     // Every index from the third on makes a triangle with the two before it. -1 ends a strip and starts a new one.

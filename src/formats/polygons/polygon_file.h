@@ -11,7 +11,7 @@
 
 namespace inkedge::polygons {
 
-/// What an OBJ, STL or PLY file says of its surface. Indices are not yet checked.
+/// What an OBJ, STL or PLY file says of its surface and lines. Indices are not yet checked.
 struct PolygonFile {
     std::vector<glm::vec3> positions;           ///< of a file of floats
     std::vector<glm::dvec3> finePositions;      ///< of a file of text or doubles: instead of positions
@@ -22,14 +22,15 @@ struct PolygonFile {
     std::vector<std::uint32_t>
         faceMaterials;  ///< one per face: from 1 in the order of first use, 0: none; empty: all 0
     std::uint64_t faceCount = 0;
-    std::uint64_t points = 0;  ///< left out
-    std::uint64_t lines = 0;   ///< left out
+    std::vector<std::uint32_t> lines;  ///< as straight pieces: into positions, two each
+    std::uint64_t points = 0;          ///< left out
     std::vector<std::string> warnings;
 
-    /// Makes the last corners a face; fewer than three are a line or a point, which is left out.
+    /// Makes the last corners a face; two are a line, and one is a point, which is left out.
     void endFace(std::uint64_t size, std::uint32_t material = 0) {
         if (size < 3) {
-            ++(size == 2 ? lines : points);
+            if (size == 2) lines.insert(lines.end(), corners.end() - 2, corners.end());
+            if (size == 1) ++points;
             corners.resize(corners.size() - size);
             return;
         }

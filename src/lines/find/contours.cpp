@@ -128,6 +128,12 @@ private:
     [[nodiscard]] bool isMarked(std::uint32_t halfEdge) const {
         return draws(LineType::Marked) && lines::isMarked(mesh_, topology_, halfEdge);
     }
+    // What an edge is that is no contour.
+    // @param crease  whether it would be drawn without a mark
+    [[nodiscard]] Curve curveOf(bool marked, bool crease) const {
+        const bool staysCrease = crease && choice_.markedCreases == MarkedCreases::AreCreasesIfDrawn;
+        return marked && !(staysCrease && draws(LineType::Crease)) ? Curve::Marked : Curve::Crease;
+    }
     // Whether a contour or boundary may become a marked line; if all their types are drawn none does, and chains need
     // not be divided.
     [[nodiscard]] bool marksOutlines() const {
@@ -172,11 +178,13 @@ private:
     }
 
     void addCreases() {
-        addUnlessContours(edges_.creases);
-        if (draws(LineType::Marked)) addUnlessContours(edges_.marked);
+        addUnlessContours(edges_.creases, [&](std::uint32_t h) { return curveOf(isMarked(h), true); });
+        if (draws(LineType::Marked)) addUnlessContours(edges_.marked, [](std::uint32_t) { return Curve::Marked; });
     }
 
-    void addUnlessContours(const std::vector<std::uint32_t>& edges) {
+    // @param curveOf  of a half-edge
+    template <class CurveOf>
+    void addUnlessContours(const std::vector<std::uint32_t>& edges, CurveOf&& curveOf) {
         std::size_t nextContour = 0;
         for (const std::uint32_t e : edges) {  // both lists are in order
             while (nextContour < contours_.edges.size() && contours_.edges[nextContour] < e) ++nextContour;
@@ -186,7 +194,7 @@ private:
             const std::uint32_t h = edges_.shared.halfEdges[e];
             const bool hidden = (isBack(other) && isBack(first)) || covers(first, h) || covers(other, h);
             if (hidden && !keepsHidden()) continue;
-            Segment& segment = add(isMarked(h) ? Curve::Marked : Curve::Crease, h, face(other));
+            Segment& segment = add(curveOf(h), h, face(other));
             segment.hidden = hidden;
             segment.edgeOn = isEdgeOn(first) || isEdgeOn(other);
         }
@@ -200,10 +208,8 @@ private:
             if (part.other != noFace) {
                 if (own.side * other.side >= 0 && own.side + other.side != 0) {
                     curve = Curve::Contour;
-                } else if (marked) {
-                    curve = Curve::Marked;
-                } else if (part.bends) {
-                    curve = Curve::Crease;
+                } else if (marked || part.bends) {
+                    curve = curveOf(marked, part.bends);
                 } else {
                     continue;  // a seam
                 }
@@ -265,8 +271,8 @@ private:
                 if (isEdgeOn(inner / 3)) inner = h;
             }
             if (hidden && !keepsHidden()) continue;
-            const Curve inside = marked ? Curve::Marked : Curve::Crease;
-            Segment& segment = add(left != right ? Curve::Contour : inside, first, face(edges_.many[begin + 1] / 3));
+            const Curve curve = left != right ? Curve::Contour : curveOf(marked, true);
+            Segment& segment = add(curve, first, face(edges_.many[begin + 1] / 3));
             segment.marked = segment.occludes && marked && marksOutlines();
             segment.hidden = hidden;
             segment.occludes = segment.occludes && !hidden;

@@ -16,6 +16,9 @@
 
 namespace inkedge::lines {
 
+/// What marked edges are that are creases, too.
+enum class MarkedCreases { AreMarked, AreCreasesIfDrawn };
+
 /// Which lines of instances to find.
 struct CurveChoice {
     Contour contour = Contour::Auto;
@@ -26,6 +29,7 @@ struct CurveChoice {
     HiddenLines hidden = HiddenLines::None;
     bool eyeOutside = true;  ///< the eye and the near plane are outside the scene: closed components hide their backs
     LineTypes lines = allLineTypes;  ///< PictureSettings::lines: whether marked edges are drawn, and as what
+    MarkedCreases markedCreases = MarkedCreases::AreMarked;
 };
 
 /// The edges of one instance that do not depend on the view.

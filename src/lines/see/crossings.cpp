@@ -23,10 +23,6 @@ bool meet(const Segment& a, const Segment& b) {
     return false;
 }
 
-double footprints(double length, const ScreenSegment& s, const Screen& screen) {
-    return length == 0.0 ? 0.0 : length / screen.footprint(s.world[0]);
-}
-
 }  // namespace
 
 std::vector<Crossing> findCrossings(std::span<const Segment> segments, std::span<const ScreenSegment> screenSegments,
@@ -43,7 +39,8 @@ std::vector<Crossing> findCrossings(std::span<const Segment> segments, std::span
         if (!segments[s].drawn) continue;
         const ScreenSegment& own = screenSegments[s];
         const glm::dvec2 along = own.ends[1].pixel - own.ends[0].pixel;
-        const Slack slack = slackOf(segments[s], footprints(segments[s].slack, own, screen), components);
+        const double footprint = screen.footprint(own.world[0]);
+        const Slack slack = slackOf(segments[s], footprint, components);
         const std::size_t before = crossings.size();
         grid.forEachCell(own.ends[0].pixel, own.ends[1].pixel, 0.0, [&](std::size_t cell) {
             for (const std::uint32_t occluder : occluders.in(cell)) {
@@ -60,7 +57,7 @@ std::vector<Crossing> findCrossings(std::span<const Segment> segments, std::span
                 const double otherInverseDepth =
                     other.ends[0].inverseDepth + v * (other.ends[1].inverseDepth - other.ends[0].inverseDepth);
                 if (screen.footprintsBefore(otherInverseDepth, ownInverseDepth) <=
-                    minStep + slack.of(segments[occluder].faces[0]))
+                    minStep + slack.of(segments[occluder].faces[0]) / footprint)
                     continue;
                 if (!meet(segments[s], segments[occluder])) crossings.push_back({s, u});
             }

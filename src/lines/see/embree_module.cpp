@@ -79,6 +79,11 @@ Device makeDevice() {
 }
 
 SceneHandle makeMeshScene(const Device& device, const RayMesh& mesh) {
+    if (mesh.indices.empty()) {  // a mesh of lines
+        SceneHandle empty{rtcNewScene(device.get())};
+        rtcCommitScene(empty.get());
+        return empty;
+    }
     const Geometry geometry{rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE)};
     void* const positions = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                     sizeof(glm::vec3), mesh.positions.size());

@@ -47,20 +47,22 @@ private:
     bool areOne_;
 };
 
-/// How far faces of a point's own component may be nearer than the point without hiding it.
+/// How far faces may be nearer than a point without hiding it.
 struct Slack {
-    double length = 0.0;                            ///< world units or pixel footprints, as the user of it says
-    const SurfaceComponents* components = nullptr;  ///< null: the slack is for every face
+    double length = 0.0;                            ///< world units
+    const SurfaceComponents* components = nullptr;  ///< null: the slack is for every face; else for a component's
     std::uint32_t component = 0;
     [[nodiscard]] double of(scene::SceneFace face) const noexcept {
         return components == nullptr || components->of(face) == component ? length : 0.0;
     }
 };
 
-[[nodiscard]] inline Slack slackOf(const Segment& segment, double length,
+/// @param footprint  of a pixel at the segment
+[[nodiscard]] inline Slack slackOf(const Segment& segment, double footprint,
                                    const SurfaceComponents* components) noexcept {
-    if (length == 0.0 || components == nullptr) return {length};
-    return {length, components, components->of(segment.faces[0])};
+    if (segment.pixelSlack > 0.0) return {segment.pixelSlack * footprint};
+    if (segment.slack == 0.0 || components == nullptr) return {segment.slack};
+    return {segment.slack, components, components->of(segment.faces[0])};
 }
 
 }  // namespace inkedge::lines

@@ -75,8 +75,11 @@ TEST_F(EdgeVisibility, MarksLineStringsWhicheverWayTheyRun) {
     EXPECT_THAT(inner(data.meshes.at(0)), testing::Each(false));
 }
 
-TEST_F(EdgeVisibility, SaysWhichLineStringsLieOnNoTriangle) {
-    EXPECT_THAT(load(squareWithLines({0, 3, 1})).warnings, ElementsAre(HasSubstr("1 edges of its line strings")));
+TEST_F(EdgeVisibility, DrawsLineStringsOnNoTriangleAsLines) {
+    const Scene::Data data = load(squareWithLines({0, 3, 1}));
+    EXPECT_THAT(data.warnings, IsEmpty());
+    expectNear(lineEnds(data.meshes.at(0)), {{0, 0, 0}, {1, 1, 0}});
+    EXPECT_THAT(load(squareWithLines({0, 1})).meshes.at(0).lines, IsEmpty());
 }
 
 class PrimitiveOutline : public GltfFileTest {
@@ -101,8 +104,10 @@ TEST_F(PrimitiveOutline, MarksItsEdgesAndSaysNothingOfOthers) {
     EXPECT_THAT(inner(data.meshes.at(0)), testing::Each(false));
 }
 
-TEST_F(PrimitiveOutline, SaysWhichEdgesLieOnNoTriangle) {
-    EXPECT_THAT(load(squareWithOutline({0, 3, 0, 1})).warnings, ElementsAre(HasSubstr("1 edges of its outline")));
+TEST_F(PrimitiveOutline, DrawsEdgesOnNoTriangleAsLines) {
+    const Scene::Data data = load(squareWithOutline({0, 3, 0, 1}));
+    EXPECT_THAT(data.warnings, IsEmpty());
+    expectNear(lineEnds(data.meshes.at(0)), {{0, 0, 0}, {1, 1, 0}});
 }
 
 TEST_F(PrimitiveOutline, RefusesWhatIsDamaged) {

@@ -194,6 +194,13 @@ inline glm::dvec3 position(const Mesh& mesh, std::size_t vertex) {
     return mesh.origin + glm::dvec3{mesh.positions.at(vertex)};
 }
 
+// The ends of the pieces of a mesh's lines.
+inline std::vector<glm::dvec3> lineEnds(const Mesh& mesh) {
+    std::vector<glm::dvec3> ends;
+    for (const glm::vec3 p : mesh.lines) ends.push_back(mesh.origin + glm::dvec3{p});
+    return ends;
+}
+
 // Every corner of every triangle in world space, in the order drawn.
 inline std::vector<glm::dvec3> worldCorners(const Scene::Data& data) {
     std::vector<glm::dvec3> corners;

@@ -11,12 +11,12 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-class InsteadOfTriangles : public GltfFileTest {
+class WhatIsThere : public GltfFileTest {
 protected:
     [[nodiscard]] std::vector<std::string> of(const Model& model, const LoadSettings& settings = {}) const {
         return load(model, settings).undrawn;
     }
-    // Twelve vertices as a mode that is not triangles, drawn twice.
+    // Twelve vertices, drawn twice.
     [[nodiscard]] Model twelve(Mode mode) const {
         Model model;
         const std::vector<float> numbers(36, 0.5F);
@@ -29,28 +29,24 @@ protected:
     }
 };
 
-TEST_F(InsteadOfTriangles, areCountedPointsAndLines) {
+TEST_F(WhatIsThere, areCountedPoints) {
     EXPECT_THAT(of(twelve(Mode::Points)), ElementsAre("12 points"));
-    EXPECT_THAT(of(twelve(Mode::Lines)), ElementsAre("6 lines"));
-    EXPECT_THAT(of(twelve(Mode::LineStrip)), ElementsAre("11 lines"));
-    EXPECT_THAT(of(twelve(Mode::LineLoop)), ElementsAre("12 lines"));
-    Model both = twelve(Mode::Points);
-    Json line = positions(0);
-    line["mode"] = 1;
-    line["indices"] = both.accessor<std::uint16_t>({0, 1}, "SCALAR");
-    both.json["meshes"][0]["primitives"].push_back(line);
-    EXPECT_THAT(of(both), ElementsAre("12 points", "1 line"));
+    Model indexed = twelve(Mode::Points);
+    indexed.json["meshes"][0]["primitives"][0]["indices"] = indexed.accessor<std::uint16_t>({3}, "SCALAR");
+    EXPECT_THAT(of(indexed), ElementsAre("1 point"));
 }
 
-TEST_F(InsteadOfTriangles, areNothingWhereThereIsATriangle) {
-    Model model = triangle();
-    Json point = positions(0);
-    point["mode"] = 0;
-    model.json["meshes"][0]["primitives"].push_back(point);
-    EXPECT_THAT(of(model), IsEmpty());
+TEST_F(WhatIsThere, isNotSaidWhereThereIsATriangleOrLine) {
+    for (const bool line : {false, true}) {
+        Model model = line ? twelve(Mode::LineStrip) : triangle();
+        Json point = positions(0);
+        point["mode"] = 0;
+        model.json["meshes"][0]["primitives"].push_back(point);
+        EXPECT_THAT(of(model), IsEmpty());
+    }
 }
 
-TEST_F(InsteadOfTriangles, areOtherScenesWithMeshes) {
+TEST_F(WhatIsThere, areOtherScenesWithMeshes) {
     Model model = triangle();
     model.json["scenes"].push_back({{"nodes", Json::array()}});
     model.json["scene"] = 1;
@@ -60,7 +56,7 @@ TEST_F(InsteadOfTriangles, areOtherScenesWithMeshes) {
     EXPECT_THAT(of(model, settings), IsEmpty());
 }
 
-TEST_F(InsteadOfTriangles, areMeshesThatNoNodeDraws) {
+TEST_F(WhatIsThere, areMeshesThatNoNodeDraws) {
     Model model = triangle();
     model.mesh(positions(0));
     model.json["nodes"][0].erase("mesh");
@@ -70,7 +66,7 @@ TEST_F(InsteadOfTriangles, areMeshesThatNoNodeDraws) {
     EXPECT_THAT(of(model), ElementsAre("2 meshes that no node draws"));
 }
 
-TEST_F(InsteadOfTriangles, areNodesAndCamerasWithoutAMesh) {
+TEST_F(WhatIsThere, areNodesAndCamerasWithoutAMesh) {
     Model model;
     EXPECT_THAT(of(model), ElementsAre("no mesh"));
     model.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}});
@@ -79,7 +75,7 @@ TEST_F(InsteadOfTriangles, areNodesAndCamerasWithoutAMesh) {
     EXPECT_THAT(of(model), ElementsAre("no mesh", "2 nodes", "1 camera"));
 }
 
-TEST_F(InsteadOfTriangles, areMeshesThatAreHiddenMaskedOrLeftOut) {
+TEST_F(WhatIsThere, areMeshesThatAreHiddenMaskedOrLeftOut) {
     Model hidden = triangle();
     hidden.json["nodes"][0]["extensions"] = {{"KHR_node_visibility", {{"visible", false}}}};
     EXPECT_THAT(of(hidden), ElementsAre("1 mesh in hidden nodes"));
@@ -88,6 +84,9 @@ TEST_F(InsteadOfTriangles, areMeshesThatAreHiddenMaskedOrLeftOut) {
     masked.json["meshes"][0]["primitives"][0]["material"] =
         masked.add("materials", {{"alphaMode", "MASK"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0}}}}});
     EXPECT_THAT(of(masked), ElementsAre("all triangles are masked away"));
+
+    masked.json["meshes"][0]["primitives"][0]["mode"] = 3;
+    EXPECT_THAT(of(masked), ElementsAre("all lines are masked away"));
 
     Model glass = triangle();
     glass.json["meshes"][0]["primitives"][0]["material"] = glass.add("materials", {{"alphaMode", "BLEND"}});
@@ -98,7 +97,7 @@ TEST_F(InsteadOfTriangles, areMeshesThatAreHiddenMaskedOrLeftOut) {
 
     Model bare = triangle();
     bare.json["meshes"][0]["primitives"][0]["attributes"] = {{"NORMAL", 0}};
-    EXPECT_THAT(of(bare), ElementsAre("1 mesh without triangles"));
+    EXPECT_THAT(of(bare), ElementsAre("1 mesh without triangles or lines"));
 }
 
 }  // namespace

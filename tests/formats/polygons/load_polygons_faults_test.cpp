@@ -42,6 +42,19 @@ TEST_F(LoadPolygons, refusesWhatIsNotOfTheFormat) {
     }
 }
 
+TEST_F(LoadPolygons, refusesLinesOfVerticesThatAreNotThere) {
+    const std::string points = "v 0 0 0\nv 1 0 0\n";
+    EXPECT_EQ(refusal(PolygonFormat::Obj, points + "l 1 2 3\n"), "line 3: expected a vertex from 1 to 2, found 3");
+    EXPECT_EQ(refusal(PolygonFormat::Obj, points + "l 1 x\n"), "line 3: expected the number of a vertex, found 'x'");
+    const std::string edge = "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+    const std::string header =
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty "
+        "float z\n" +
+        edge + "0 0 0\n";
+    EXPECT_EQ(refusal(PolygonFormat::Ply, header + "0 1\n"), "expected vertices below 1, found 1 in line 0");
+    EXPECT_THAT(refusal(PolygonFormat::Ply, header + "0\n"), HasSubstr("data for 0: the file is truncated"));
+}
+
 TEST_F(LoadPolygons, refusesTruncatedStl) {
     const std::string binary = binaryStl(9);
     for (const std::size_t size : {std::size_t{1}, std::size_t{83}, std::size_t{84}, binary.size() - 1})

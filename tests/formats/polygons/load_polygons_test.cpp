@@ -134,20 +134,61 @@ TEST_F(LoadPolygons, opensNoFileThatTheFileNames) {
     EXPECT_EQ(corners(data), triangleCorners);
 }
 
-TEST_F(LoadPolygons, ignoresPointsAndLinesWithOneWarning) {
-    const Scene::Data data = obj(triangleObj + "p 1\nl 1 2\nl 2 3\n");
+std::vector<glm::dvec3> lineEnds(const Scene::Data& data) {
+    EXPECT_THAT(data.warnings, IsEmpty());
+    const Mesh& mesh = data.meshes.at(0);
+    std::vector<glm::dvec3> positions;
+    for (const glm::vec3 p : mesh.lines) positions.push_back(mesh.origin + glm::dvec3{p});
+    return positions;
+}
+
+const glm::dvec3 corner0{0, 0, 0};
+const glm::dvec3 corner1{4, 0, 0};
+const glm::dvec3 corner2{4, 2, 0};
+const std::string obtuse = "v 0 0 0\nv 4 0 0\nv 4 2 0\nvt 0 0\nvn 0 0 1\n";  // corner0 to corner2
+
+TEST_F(LoadPolygons, readsTheLinesOfObj) {
+    const Scene::Data alone = obj("l 1 2\n" + obtuse + "l 2/1 3/1 -3\nl 1\n");
+    EXPECT_THAT(alone.meshes.at(0).indices, IsEmpty());
+    EXPECT_THAT(lineEnds(alone), ElementsAre(corner0, corner1, corner1, corner2, corner2, corner0));
+    const Scene::Data beside = obj(obtuse + "l 1 3\nf 1/1/1 2/1/1 3/1/1\nl -3 -2\n");
+    EXPECT_EQ(corners(beside), (std::vector<glm::dvec3>{corner0, corner1, corner2}));
+    EXPECT_THAT(lineEnds(beside), ElementsAre(corner0, corner2, corner0, corner1));
+    EXPECT_EQ(Scene{beside}.meshes()[0].positions.size(), 3U);
+}
+
+TEST_F(LoadPolygons, readsTheEdgesOfPly) {
+    const std::string vertices = "element vertex 3\n" + floatXyz;
+    const std::string edges = "element edge 2\nproperty int vertex1\nproperty int vertex2\nproperty uchar red\n";
+    const std::string coordinates = "0 0 0\n4 0 0\n4 2 0\n";
+    const std::string text = "ply\nformat ascii 1.0\n";
+    EXPECT_THAT(lineEnds(plyFile(text + vertices + edges + "end_header\n" + coordinates + "0 1 255\n2 1 0\n")),
+                ElementsAre(corner0, corner1, corner2, corner1));
+    EXPECT_THAT(lineEnds(plyFile(text + edges + vertices + "end_header\n0 1 255\n2 1 0\n" + coordinates)),
+                ElementsAre(corner0, corner1, corner2, corner1));
+}
+
+TEST_F(LoadPolygons, readsFacesOfTwoCornersAsLines) {
+    EXPECT_THAT(lineEnds(obj(obtuse + "f 1//1 3//1\n")), ElementsAre(corner0, corner2));
+    EXPECT_THAT(lineEnds(plyFile(ply("ascii", floatXyz, "0 0 0\n4 0 0\n4 2 0\n2 1 2\n", 3))),
+                ElementsAre(corner1, corner2));
+}
+
+TEST_F(LoadPolygons, ignoresPointsWithOneWarning) {
+    const Scene::Data data = obj(triangleObj + "p 1\n");
     EXPECT_EQ(corners(data), triangleCorners);
-    EXPECT_THAT(data.warnings, ElementsAre("1 points and 2 lines are not drawn"));
+    EXPECT_THAT(data.warnings, ElementsAre("1 point is not drawn"));
     const Scene::Data points =
         plyFile("ply\nformat ascii 1.0\nelement vertex 2\n" + floatXyz + "end_header\n0 0 0\n1 0 0\n");
     EXPECT_THAT(points.meshes, IsEmpty());
-    EXPECT_THAT(points.warnings, ElementsAre("2 points and 0 lines are not drawn"));
+    EXPECT_THAT(points.warnings, ElementsAre("2 points are not drawn"));
 }
 
 TEST_F(LoadPolygons, sayWhatThereIsInsteadOfTriangles) {
     const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     EXPECT_THAT(obj(points).undrawn, ElementsAre("3 points"));
-    EXPECT_THAT(obj(points + "p 1 2\np 3\nl 1 2\n").undrawn, ElementsAre("3 points", "1 line"));
+    EXPECT_THAT(obj(points + "p 1 2\np 3\n").undrawn, ElementsAre("3 points"));
+    EXPECT_THAT(obj(points + "p 1\nl 1 2\n").undrawn, IsEmpty());
     EXPECT_THAT(plyFile(ply("ascii", floatXyz, "0 0 0\n1 0 0\n", 2, 0)).undrawn, ElementsAre("2 points"));
     EXPECT_THAT(plyFile(ply("ascii", floatXyz, "0 0 0\n1 0 0\n3 0 1 1\n", 2)).undrawn,
                 ElementsAre("1 face of repeated vertices"));
