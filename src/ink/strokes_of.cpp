@@ -91,8 +91,11 @@ std::vector<Stroke> strokesOf(const Lines& lines, const PictureSettings& picture
 std::vector<Stroke> strokesOf(std::span<const trace::TracedPiece> pieces) {
     std::vector<Stroke> strokes;
     strokes.reserve(pieces.size());
-    for (const trace::TracedPiece& piece : pieces)
-        strokes.push_back({piece.ends[0], piece.ends[1], static_cast<std::uint8_t>(bitIndex(piece.type))});
+    for (const trace::TracedPiece& piece : pieces) {
+        const std::uint8_t width = levelOf(static_cast<double>(piece.width));
+        strokes.push_back(
+            {piece.ends[0], piece.ends[1], static_cast<std::uint8_t>(bitIndex(piece.type)), width, width, 0.0F});
+    }
     return strokes;
 }
 

@@ -14,6 +14,8 @@
 #include "scene/prepared.h"
 #include "trace/scraps.h"
 #include "trace/screen_triangles.h"
+#include "trace/thin_lines.h"
+#include "trace/thin_parts.h"
 
 namespace inkedge::render {
 namespace {
@@ -25,6 +27,9 @@ public:
         : inputs_{inputs}, settings_{settings}, plan_{plan}, clock_{clock} {
         if (plan.tracesLines) {
             triangles_.emplace(picture.scene, picture.upload.firstTriangles(), picture.camera, picture.tile.whole);
+            thinParts_ =
+                trace::findThinParts(picture.scene, *triangles_, picture.tile.whole, settings.picture.supersampling);
+            clock.finish("thin parts");
         }
         if (plan.style->tileInk != nullptr) {
             styleInk_ = plan.style->tileInk(picture.scene, settings);
@@ -70,14 +75,15 @@ private:
         lines.tile = frame.tile;
         lines.marks = passes::detectLines(frame, buffers.planes, scene::minCreaseBend(frame.scene));
         clock_.finish("lines");
-        const std::vector<raster::Rectangle> regions = plan_.ids == trace::TraceIds::Keep
-                                                           ? std::vector<raster::Rectangle>{{0, 0, lines.marks.size()}}
-                                                           : passes::regionsAround(lines.marks);
+        const std::vector<raster::Rectangle> regions =
+            plan_.ids == trace::TraceIds::Keep ? std::vector<raster::Rectangle>{{0, 0, lines.marks.size()}}
+                                               : passes::regionsAround(trace::withThinParts(
+                                                     lines.marks, thinParts_, lines.tile, picture.supersampling));
         lines.planes = gl::readFloats(api, buffers.planes, 4, regions);
         lines.triangles = gl::readIntegers(api, buffers.triangles, regions);
         clock_.finish("read-back");
         trace::TracedLines traced =
-            trace::traceLines(std::move(lines), frame.scene, *triangles_, frame.camera, frame.unit,
+            trace::traceLines(std::move(lines), frame.scene, *triangles_, thinParts_, frame.camera, frame.unit,
                               trace::drawnTypes(picture), picture.supersampling, plan_.ids);
         pieces.insert(pieces.end(), traced.pieces.begin(), traced.pieces.end());
         if (plan_.lineMask) maps.edges = passes::mask(traced.types, picture.lines);
@@ -128,6 +134,7 @@ private:
     const Plan& plan_;
     gl::StageClock& clock_;
     std::optional<trace::ScreenTriangles> triangles_;
+    std::vector<trace::ThinStretch> thinParts_;
     TileInk styleInk_;
 };
 

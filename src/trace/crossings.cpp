@@ -113,16 +113,16 @@ double CrossingTracer::positionAlong(const Step& step) const {
         return way.exit ? way.exit->t : way.arrivedAt ? 1.0 : 0.5;
     }
     const bool forward = near.x <= far.x && near.y <= far.y;
-    const Walk other = walk(far, near);
     if (const std::optional<double> meet = forward ? planesMeet(near, far) : planesMeet(far, near)) {
         const double t = forward ? *meet : 1.0 - *meet;
         if (isBend(step)) return t;
         // A surface that ends before its plane meets the other one's lies in front of it, by little.
+        const Walk other = walk(far, near);
         const double begin = other.exit ? 1.0 - other.exit->t : 0.0;
         return way.exit ? std::min(std::max(t, begin), way.exit->t) : std::max(t, begin);
     }
     if (way.exit) return way.exit->t;
-    if (other.exit) return 1.0 - other.exit->t;
+    if (const Walk other = walk(far, near); other.exit) return 1.0 - other.exit->t;
     const auto border = layerBorder(near, far);
     return border ? border->t : 0.5;
 }
@@ -133,10 +133,10 @@ StepCrossing CrossingTracer::crossing(Sample p, Sample q, unsigned marks) {
     const auto& [near, far] = std::pair{step.near, step.far};
     step.way = walk(near, far);
     if ((marks & ~(raster::PairMark::bend | raster::PairMark::jump)) == 0 && goesOnSmoothly(step)) return {};
-    // A slight bend is marked for creases that end within their patch; it is none by itself.
     const bool atCrease = step.way.exit && step.way.exit->end == End::Crease;
+    // A slight bend is marked for creases that end within their patch; it is none by itself.
     if (marks == raster::PairMark::bend && !atCrease && !bendsByCreaseAngle(near, far)) return {};
-    step.whole = walk(near, far, Over::Surface);
+    step.whole = atCrease ? walk(near, far, Over::Surface) : step.way;
     if (!step.jumps()) step.back = walk(far, near, Over::Surface);
 
     const LineTypes types = classify(step);

@@ -15,6 +15,12 @@ DrawnTypes drawnTypes(const PictureSettings& settings) {
     return types;
 }
 
+LineType drawnType(LineTypes types, DrawnTypes which) {
+    const LineTypes drawn = types & which.drawn;
+    const LineTypes withPens = drawn & which.withPens;
+    return (withPens.empty() ? drawn : withPens).first();
+}
+
 CellJoiner::CellJoiner(DrawnTypes types, int samplesPerPixel, const raster::Tile& tile,
                        std::vector<TracedPiece>& pieces)
     : types_{types}, scale_{1.0F / static_cast<float>(samplesPerPixel)}, tile_{tile}, pieces_{pieces} {}
@@ -45,15 +51,9 @@ void CellJoiner::findCells(const std::vector<int>& above, const std::vector<int>
     std::ranges::set_union(upper_, below, std::back_inserter(cells_));
 }
 
-LineType CellJoiner::typeOf(const StepCrossing& c) const {
-    const LineTypes drawn = c.types & types_.drawn;
-    const LineTypes withPens = drawn & types_.withPens;
-    return (withPens.empty() ? drawn : withPens).first();
-}
-
 void CellJoiner::add(glm::vec2 from, glm::vec2 to, const StepCrossing& crossing, float inverseDepthTo) {
     pieces_.push_back(
-        {{from * scale_, to * scale_}, {crossing.inverseDepth, inverseDepthTo}, typeOf(crossing), crossing.face});
+        {{from * scale_, to * scale_}, {crossing.inverseDepth, inverseDepthTo}, typeOf(crossing), crossing.face, 1.0F});
 }
 
 void CellJoiner::joinCell(std::span<const StepCrossing*> crossings, int x, int y) {

@@ -20,6 +20,9 @@ struct DrawnTypes {
 };
 [[nodiscard]] DrawnTypes drawnTypes(const PictureSettings&);
 
+/// The type that a piece of these types, of which one is drawn, has.
+[[nodiscard]] LineType drawnType(LineTypes, DrawnTypes);
+
 /// Joins the crossings around each cell of 2 x 2 samples by pieces.
 class CellJoiner {
 public:
@@ -37,7 +40,7 @@ public:
 
 private:
     void findCells(const std::vector<int>& above, const std::vector<int>& below);
-    [[nodiscard]] LineType typeOf(const StepCrossing&) const;
+    [[nodiscard]] LineType typeOf(const StepCrossing& c) const { return drawnType(c.types, types_); }
     void add(glm::vec2 from, glm::vec2 to, const StepCrossing&, float inverseDepthTo);
     void joinCell(std::span<const StepCrossing*>, int x, int y);
     [[nodiscard]] glm::vec2 toBorder(const StepCrossing& end, const StepCrossing& other, int x, int y) const;

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
 
 #include "mesh/topology.h"
 #include "scene/prepared.h"
@@ -12,6 +13,8 @@
 namespace inkedge::trace {
 namespace {
 
+constexpr std::size_t maxProjected = std::size_t{1} << 22U;  // 96 MiB
+constexpr double edgeOn = 1e-4;  // pixels: faces of less height in the picture are seen edge-on
 constexpr int longestWalk = 64;  // triangles: more are far below a pixel, so that their ends cannot be seen
 
 // Clip space -> homogeneous pixels (x w, y w, w).
@@ -41,6 +44,7 @@ ScreenTriangles::ScreenTriangles(const Scene& scene, const std::vector<std::uint
             toW_.push_back(glm::transpose(camera.view * (instance.transform * fromOrigin))[2]);
         }
     }
+    projectAll();
     collectLayerBorders();
 }
 
@@ -95,9 +99,24 @@ scene::SceneFace ScreenTriangles::locate(std::uint32_t number) const {
     return {instance, number - firstTriangles_[instance]};
 }
 
-glm::dvec3 ScreenTriangles::corner(std::uint32_t instance, std::uint32_t c) const {
+glm::dvec3 ScreenTriangles::project(std::uint32_t instance, std::uint32_t position) const {
     const Mesh& mesh = scene_.meshes()[scene_.instances()[instance].mesh];
-    return toPixels_[instance] * glm::dvec4{glm::dvec3{mesh.positions[mesh.indices[c]]}, 1.0};
+    return toPixels_[instance] * glm::dvec4{glm::dvec3{mesh.positions[position]}, 1.0};
+}
+
+// Every position is asked for several times.
+void ScreenTriangles::projectAll() {
+    std::size_t count = 0;
+    for (const Instance& instance : scene_.instances()) {
+        firstProjected_.push_back(count);
+        count += scene_.meshes()[instance.mesh].positions.size();
+    }
+    if (count > maxProjected) return;
+    projected_.reserve(count);
+    for (std::uint32_t i = 0; i < scene_.instances().size(); ++i) {
+        const std::size_t end = projected_.size() + scene_.meshes()[scene_.instances()[i].mesh].positions.size();
+        for (std::uint32_t p = 0; projected_.size() < end; ++p) projected_.push_back(project(i, p));
+    }
 }
 
 ScreenTriangles::EdgeLines ScreenTriangles::edgeLines(scene::SceneFace t) const {
@@ -154,9 +173,11 @@ ScreenTriangles::Walk ScreenTriangles::walk(scene::SceneFace from, glm::dvec2 st
         if (twin == mesh::noHalfEdge) return {Exit{End::Border, t}, {}, at.triangle};
         const bool ends = over == Over::Patch && topology.creases[exit];
         if (twin == mesh::manyHalfEdges || ends) return {Exit{End::Crease, t}, {}, at.triangle};
-        const std::uint32_t third = mesh::nextHalfEdge(mesh::nextHalfEdge(twin));
-        if (glm::dot(lines.line[exit % 3], corner(at.instance, third)) > 0.0)
-            return {Exit{End::Fold, t}, {}, at.triangle};
+        const glm::dvec3 third = corner(at.instance, mesh::nextHalfEdge(mesh::nextHalfEdge(twin)));
+        const glm::dvec3& line = lines.line[exit % 3];
+        // A surface ends at faces seen edge-on: rounding alone would say whether they are seen.
+        const double seen = over == Over::Surface ? edgeOn * glm::length(glm::dvec2{line}) * third.z : 0.0;
+        if (glm::dot(line, third) > -seen) return {Exit{End::Fold, t}, {}, at.triangle};
         at.triangle = twin / 3;
         entry = twin;
         reached = t;

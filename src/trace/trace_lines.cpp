@@ -1,22 +1,35 @@
 #include "trace/trace_lines.h"
 
+#include <cmath>
 #include <utility>
+
+#include <glm/trigonometric.hpp>
 
 #include "base/stop.h"
 #include "trace/crossings.h"
 #include "trace/pinholes.h"
 #include "trace/slivers.h"
+#include "trace/thin_lines.h"
 #include "trace/trace_maps.h"
 
 namespace inkedge::trace {
 
-TracedLines traceLines(LineBuffers buffers, const Scene& scene, const ScreenTriangles& triangles, const Camera& camera,
-                       double unit, DrawnTypes types, int samplesPerPixel, TraceIds ids) {
+TracedLines traceLines(LineBuffers buffers, const Scene& scene, const ScreenTriangles& triangles,
+                       std::span<const ThinStretch> thin, const Camera& camera, double unit, DrawnTypes types,
+                       int samplesPerPixel, TraceIds ids) {
     TracedLines traced;
+    const raster::Tile tile = buffers.tile;
+    const double focal = camera.focalLength(tile.whole) * (camera.orthographic() ? unit : 1.0);
+    const raster::PlaneView view{focal, camera.orthographic(), std::cos(glm::radians(scene.creaseAngle()))};
     removePinholes(buffers, camera, unit);
-    removeSlivers(buffers, triangles, camera, unit, scene.creaseAngle());
+    if (ids == TraceIds::Keep) traced.ids = raster::cropped(traceIds(buffers, scene, triangles), tile.keptInDrawn());
+    const std::vector<ThinLine> thinLines = seeThinParts(buffers, thin, triangles, camera, samplesPerPixel);
+    std::vector<Replacement> replaced = findSlivers(buffers, triangles);
+    const std::vector<Replacement> onThin = samplesOn(thinLines, buffers, triangles, camera, samplesPerPixel);
+    replaced.insert(replaced.end(), onThin.begin(), onThin.end());
+    replaceSamples(buffers, view, replaced);
+
     CrossingTracer tracer{buffers, triangles, camera};
-    const raster::Tile& tile = buffers.tile;
     const raster::Rectangle rows = aroundKept(tile);
     CellJoiner joiner{types, samplesPerPixel, tile, traced.pieces};
     CrossingRow above{tile.drawn.size.width};
@@ -28,8 +41,9 @@ TracedLines traceLines(LineBuffers buffers, const Scene& scene, const ScreenTria
         if (const int cells = y - 1 + tile.drawn.y; cells >= tile.kept.y) joiner.join(cells, above, below);
         std::swap(above, below);
     }
-    traced.types = raster::cropped(tracer.takeTypes(), tile.keptInDrawn());
-    if (ids == TraceIds::Keep) traced.ids = raster::cropped(traceIds(buffers, scene, triangles), tile.keptInDrawn());
+    Image<std::uint16_t> typesOfSamples = tracer.takeTypes();
+    addThinLines(thinLines, tile, types, samplesPerPixel, typesOfSamples, traced.pieces);
+    traced.types = raster::cropped(std::move(typesOfSamples), tile.keptInDrawn());
     if (samplesPerPixel > 1) {
         if (ids == TraceIds::Keep) traced.ids = idsOfPixels(traced.ids, traced.types, samplesPerPixel);
         traced.types = typesOfPixels(traced.types, samplesPerPixel);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <inkedge/camera.h>
@@ -10,6 +11,7 @@
 #include "trace/join_cells.h"
 #include "trace/line_buffers.h"
 #include "trace/screen_triangles.h"
+#include "trace/thin_parts.h"
 #include "trace/traced_piece.h"
 
 namespace inkedge::trace {
@@ -27,9 +29,11 @@ enum class TraceIds { Drop, Keep };
 /// what it is, and joins the crossings around each cell of 2 x 2 samples. joinPieces() makes lines of the pieces of all
 /// tiles.
 /// @param triangles       as the camera projects them onto the whole picture's samples
+/// @param thin            as findThinParts() finds them; drawn as wide as they are
 /// @param unit            scene units in a unit length of the planes
 /// @param types           what becomes pieces; the maps hold all
-[[nodiscard]] TracedLines traceLines(LineBuffers, const Scene&, const ScreenTriangles& triangles, const Camera&,
-                                     double unit, DrawnTypes types, int samplesPerPixel, TraceIds);
+[[nodiscard]] TracedLines traceLines(LineBuffers, const Scene&, const ScreenTriangles& triangles,
+                                     std::span<const ThinStretch> thin, const Camera&, double unit, DrawnTypes types,
+                                     int samplesPerPixel, TraceIds);
 
 }  // namespace inkedge::trace

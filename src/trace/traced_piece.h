@@ -18,6 +18,7 @@ struct TracedPiece {
     std::array<float, 2> inverseDepths;
     LineType type = LineType::Outline;
     scene::SceneFace face;  ///< that it lies on: the nearer one
+    float width = 1.0F;     ///< share of its pen's: under 1 for parts thinner than a pixel
 };
 
 }  // namespace inkedge::trace

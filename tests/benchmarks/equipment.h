@@ -137,7 +137,7 @@ public:
     TracedLines trace(LineBuffers lines, Size size) {
         const Frame shown = frame(usualModel, size);
         const ScreenTriangles triangles{shown.scene, shown.upload.firstTriangles(), shown.camera, size};
-        return traceLines(std::move(lines), shown.scene, triangles, shown.camera, shown.unit,
+        return traceLines(std::move(lines), shown.scene, triangles, {}, shown.camera, shown.unit,
                           drawnTypes(pictureSettings(size)), 1, TraceIds::Drop);
     }
 

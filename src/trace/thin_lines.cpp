@@ -1,0 +1,191 @@
+#include "trace/thin_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace inkedge::trace {
+namespace {
+
+constexpr double besidePixels = 0.75;  // from a thin part to where it is looked at what lies beside it
+
+glm::dvec2 middleOf(const ThinStretch& s) { return 0.5 * (s.ends[0] + s.ends[1]); }
+
+SamplePosition sampleAt(glm::dvec2 p, const raster::Tile& tile) {
+    return {static_cast<int>(std::floor(p.x)) - tile.drawn.x, static_cast<int>(std::floor(p.y)) - tile.drawn.y};
+}
+
+glm::dvec2 centreOf(SamplePosition s, const raster::Tile& tile) {
+    return {s.x + tile.drawn.x + 0.5, s.y + tile.drawn.y + 0.5};
+}
+
+bool isIn(SamplePosition s, const raster::Tile& tile) {
+    return s.x >= 0 && s.y >= 0 && s.x < tile.drawn.size.width && s.y < tile.drawn.size.height;
+}
+
+// Points beside a stretch, on both sides.
+std::array<glm::dvec2, 2> pointsBeside(const ThinStretch& s, int samplesPerPixel) {
+    const glm::dvec2 step = (0.5 * s.thickness + besidePixels * samplesPerPixel) * s.across;
+    return {middleOf(s) - step, middleOf(s) + step};
+}
+
+class ThinLineFinder {
+public:
+    ThinLineFinder(const LineBuffers& buffers, const ScreenTriangles& triangles, const Camera& camera,
+                   int samplesPerPixel)
+        : buffers_{buffers},
+          triangles_{triangles},
+          orthographic_{camera.orthographic()},
+          focalLength_{camera.focalLength(buffers.tile.whole)},
+          samplesPerPixel_{samplesPerPixel} {}
+
+    [[nodiscard]] std::optional<ThinLine> see(const ThinStretch& stretch) const {
+        const SamplePosition at = sampleAt(middleOf(stretch), buffers_.tile);
+        if (!isIn(at, buffers_.tile)) return {};
+        const glm::dvec2 atContour = middleOf(stretch) - 0.5 * stretch.thickness * stretch.across;
+        const ScreenTriangles::Plane own = triangles_.plane(stretch.face, atContour);
+        if (!std::isfinite(own.w)) return {};
+        const auto seen = face(at);
+        if (seen && isFarther(own, triangles_.plane(*seen, centre(at)))) return {};
+        bool outline = false;
+        bool object = false;
+        for (const glm::dvec2 beside : pointsBeside(stretch, samplesPerPixel_)) {
+            const SamplePosition s = sampleAt(beside, buffers_.tile);
+            const auto other = isIn(s, buffers_.tile) ? face(s) : std::nullopt;
+            if (!other) {
+                outline = true;
+                continue;
+            }
+            if (!isFarther(triangles_.plane(*other, beside), own) && !isThin(s, stretch)) return {};
+            object = object || other->instance != stretch.face.instance;
+        }
+        LineTypes types = outline ? LineType::Outline : LineType::Occlusion;
+        if (stretch.atBorder) types |= LineType::Boundary;
+        if (object && !outline) types |= LineType::Object;
+        const auto w = static_cast<float>(own.w);
+        return ThinLine{stretch, types, {w, w}};
+    }
+
+    // Whether the surface that a sample sees ends within a thin part's thickness to both sides.
+    [[nodiscard]] bool isThin(SamplePosition s, const ThinStretch& stretch) const {
+        const auto seen = face(s);
+        if (!seen) return false;
+        double width = 0.0;
+        for (const double sign : {-1.0, 1.0}) {
+            const glm::dvec2 goal = centre(s) + sign * samplesPerPixel_ * stretch.across;
+            const auto exit = triangles_.walk(*seen, centre(s), goal, ScreenTriangles::Over::Surface).exit;
+            if (!exit || exit->end == ScreenTriangles::End::Crease) return false;
+            width += exit->t;
+        }
+        return width <= 1.0 + snapping;
+    }
+
+private:
+    static constexpr double snapping = 1.0 / 128;  // vertices snap to a grid of 1/256
+
+    [[nodiscard]] glm::dvec2 centre(SamplePosition s) const { return centreOf(s, buffers_.tile); }
+
+    [[nodiscard]] std::optional<scene::SceneFace> face(SamplePosition s) const {
+        const std::uint32_t number = buffers_.triangles(s.x, s.y);
+        return number == 0 ? std::nullopt : std::optional{triangles_.locate(number - 1)};
+    }
+
+    // As surfaces jump between samples: reference::detectLines().
+    [[nodiscard]] bool isFarther(const ScreenTriangles::Plane& one, const ScreenTriangles::Plane& other) const {
+        const auto slope = [](const ScreenTriangles::Plane& p) { return std::hypot(p.dx, p.dy); };
+        const double perUnit = orthographic_ ? focalLength_ : focalLength_ / std::max(one.w, other.w);
+        return (other.w - one.w) * perUnit > 1.0 + std::min(slope(one), slope(other)) * perUnit;
+    }
+
+    const LineBuffers& buffers_;
+    const ScreenTriangles& triangles_;
+    bool orthographic_;
+    double focalLength_;
+    int samplesPerPixel_;
+};
+
+// Calls visit for the samples whose centres lie on a stretch.
+template <class Visit>
+void forEachSampleOn(const ThinStretch& s, const raster::Tile& tile, Visit visit) {
+    constexpr double margin = 0.1;  // samples: vertices snap to a grid, and stretches of a bent part leave gaps
+    const glm::dvec2 along{-s.across.y, s.across.x};
+    const double halfLength = 0.5 * std::abs(glm::dot(s.ends[1] - s.ends[0], along)) + margin;
+    const double halfWidth = 0.5 * s.thickness + margin;
+    const double reach = halfLength + halfWidth;
+    const SamplePosition low = sampleAt(middleOf(s) - reach, tile);
+    const SamplePosition high = sampleAt(middleOf(s) + reach, tile);
+    for (int y = std::max(low.y, 0); y <= std::min(high.y, tile.drawn.size.height - 1); ++y) {
+        for (int x = std::max(low.x, 0); x <= std::min(high.x, tile.drawn.size.width - 1); ++x) {
+            const glm::dvec2 from = centreOf({x, y}, tile) - middleOf(s);
+            if (std::abs(glm::dot(from, along)) <= halfLength && std::abs(glm::dot(from, s.across)) <= halfWidth)
+                visit(SamplePosition{x, y});
+        }
+    }
+}
+
+}  // namespace
+
+Image<std::uint8_t> withThinParts(Image<std::uint8_t> marks, std::span<const ThinStretch> stretches,
+                                  const raster::Tile& tile, int samplesPerPixel) {
+    for (const ThinStretch& stretch : stretches) {
+        const auto mark = [&](glm::dvec2 p) {
+            const SamplePosition s = sampleAt(p, tile);
+            if (isIn(s, tile)) marks(s.x, s.y) |= 1;
+        };
+        mark(middleOf(stretch));
+        for (const glm::dvec2 beside : pointsBeside(stretch, samplesPerPixel)) mark(beside);
+    }
+    return marks;
+}
+
+std::vector<ThinLine> seeThinParts(const LineBuffers& buffers, std::span<const ThinStretch> stretches,
+                                   const ScreenTriangles& triangles, const Camera& camera, int samplesPerPixel) {
+    const ThinLineFinder finder{buffers, triangles, camera, samplesPerPixel};
+    std::vector<ThinLine> lines;
+    for (const ThinStretch& stretch : stretches)
+        if (const std::optional<ThinLine> line = finder.see(stretch)) lines.push_back(*line);
+    return lines;
+}
+
+std::vector<Replacement> samplesOn(std::span<const ThinLine> lines, const LineBuffers& buffers,
+                                   const ScreenTriangles& triangles, const Camera& camera, int samplesPerPixel) {
+    const ThinLineFinder finder{buffers, triangles, camera, samplesPerPixel};
+    const raster::Tile& tile = buffers.tile;
+    std::vector<Replacement> found;
+    for (const ThinLine& line : lines) {
+        const ThinStretch& stretch = line.stretch;
+        forEachSampleOn(stretch, tile, [&](SamplePosition s) {
+            if (!finder.isThin(s, stretch)) return;
+            const glm::dvec2 centre = centreOf(s, tile);
+            const double offset = glm::dot(centre - middleOf(stretch), stretch.across);
+            const double away = 0.5 * stretch.thickness + besidePixels * samplesPerPixel;
+            const double step = offset < 0.0 ? -away - offset : away - offset;
+            const SamplePosition beside = sampleAt(centre + step * stretch.across, tile);
+            if (isIn(beside, tile)) found.push_back({s, beside});
+        });
+    }
+    return found;
+}
+
+void addThinLines(std::span<const ThinLine> lines, const raster::Tile& tile, DrawnTypes drawn, int samplesPerPixel,
+                  Image<std::uint16_t>& types, std::vector<TracedPiece>& pieces) {
+    const double scale = 1.0 / samplesPerPixel;
+    const raster::Rectangle kept = tile.keptInDrawn();
+    for (const auto& [stretch, itsTypes, inverseDepths] : lines) {
+        const SamplePosition s = sampleAt(middleOf(stretch), tile);
+        types(s.x, s.y) |= static_cast<std::uint16_t>(itsTypes.bits());
+        const bool isKept =
+            s.x >= kept.x && s.y >= kept.y && s.x < kept.x + kept.size.width && s.y < kept.y + kept.size.height;
+        if (!isKept || (itsTypes & drawn.drawn).empty()) continue;
+        pieces.push_back({{glm::vec2{scale * stretch.ends[0]}, glm::vec2{scale * stretch.ends[1]}},
+                          inverseDepths,
+                          drawnType(itsTypes, drawn),
+                          stretch.face,
+                          static_cast<float>(scale * stretch.thickness)});
+    }
+}
+
+}  // namespace inkedge::trace

@@ -1,0 +1,261 @@
+#include "trace/thin_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/stop.h"
+#include "mesh/topology.h"
+#include "scene/prepared.h"
+
+namespace inkedge::trace {
+namespace {
+
+constexpr double coarseStep = 4.0;  // pixels of contour between two looks for thin parts
+
+double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+
+// The stretches found so far, by the pixels that their middles lie in.
+class StretchGrid {
+public:
+    explicit StretchGrid(double pixel) : pixel_{pixel} {}
+
+    // Adds a stretch unless it was found before, from the opposite contour or from one behind it or before it: of two
+    // contours that fall on each other the nearer one stays.
+    void add(const ThinStretch& stretch) {
+        const glm::dvec2 at = middle(stretch);
+        for (int y = -1; y <= 1; ++y) {
+            for (int x = -1; x <= 1; ++x) {
+                const auto cell = cells_.find(cellOf(at, x, y));
+                if (cell == cells_.end()) continue;
+                for (const std::size_t i : cell->second) {
+                    ThinStretch& other = found_[i];
+                    const double cosine = glm::dot(other.across, stretch.across);
+                    if (cosine < -0.5 && distance(at, other) < 0.5 * pixel_) return;
+                    if (cosine < 0.5 || glm::distance(at, middle(other)) > sameSpot * pixel_) continue;
+                    if (stretch.w > other.w) other = stretch;
+                    return;
+                }
+            }
+        }
+        cells_[cellOf(at, 0, 0)].push_back(found_.size());
+        found_.push_back(stretch);
+    }
+
+    std::vector<ThinStretch> take() { return std::move(found_); }
+
+private:
+    static constexpr double sameSpot = 0.05;  // pixels
+
+    static glm::dvec2 middle(const ThinStretch& s) { return 0.5 * (s.ends[0] + s.ends[1]); }
+
+    static double distance(glm::dvec2 p, const ThinStretch& s) {
+        const glm::dvec2 along = s.ends[1] - s.ends[0];
+        const double squared = glm::dot(along, along);
+        const double t = squared > 0.0 ? std::clamp(glm::dot(p - s.ends[0], along) / squared, 0.0, 1.0) : 0.0;
+        return glm::distance(p, s.ends[0] + t * along);
+    }
+
+    [[nodiscard]] std::uint64_t cellOf(glm::dvec2 p, int right, int down) const {
+        const auto index = [&](double v, int step) {
+            return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(v / pixel_)) + step);
+        };
+        return (std::uint64_t{index(p.x, right)} << 32U) | index(p.y, down);
+    }
+
+    double pixel_;
+    std::vector<ThinStretch> found_;
+    std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
+};
+
+class ThinPartFinder {
+public:
+    ThinPartFinder(const Scene& scene, const ScreenTriangles& triangles, Size samples, int samplesPerPixel)
+        : scene_{scene},
+          triangles_{triangles},
+          samples_{samples},
+          pixel_{static_cast<double>(samplesPerPixel)},
+          grid_{pixel_} {}
+
+    std::vector<ThinStretch> find() {
+        for (std::uint32_t i = 0; i < scene_.instances().size(); ++i) {
+            base::stopIfAsked();
+            findIn(i);
+        }
+        return grid_.take();
+    }
+
+private:
+    struct Contour {
+        glm::dvec2 ends[2];
+        glm::dvec2 across;  // unit, towards the surface
+        scene::SceneFace face;
+        bool isBorder;
+    };
+    // The surface's far side, seen from a point of a contour.
+    struct Opposite {
+        double thickness;
+        bool isBorder;
+    };
+
+    void findIn(std::uint32_t instance) {
+        const std::uint32_t meshIndex = scene_.instances()[instance].mesh;
+        const mesh::MeshTopology& topology = scene::topologyOf(scene_, meshIndex);
+        const Mesh& mesh = scene_.meshes()[meshIndex];
+        std::vector<glm::dvec2> pixels(mesh.positions.size());
+        for (std::uint32_t p = 0; p < pixels.size(); ++p) {
+            const glm::dvec3 point = triangles_.projected(instance, p);
+            pixels[p] = point.z > 0.0 ? glm::dvec2{point} / point.z : glm::dvec2{behindEye};
+        }
+        const auto at = [&](std::uint32_t corner) { return pixels[mesh.indices[corner]]; };
+        const auto isBehindEye = [&](std::uint32_t corner) { return std::isnan(at(corner).x); };
+        std::vector<std::int8_t> turns(topology.originals.size());
+        for (std::uint32_t t = 0; t < turns.size(); ++t) turns[t] = turnOf(at(3 * t), at(3 * t + 1), at(3 * t + 2));
+        for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
+            const std::uint32_t twin = topology.twins[h];
+            const bool isBorder = twin == mesh::noHalfEdge && topology.originals[h / 3] == h / 3;
+            if (!isBorder && (!mesh::isHalfEdge(twin) || twin < h)) continue;
+            if (!isBorder && !isFold(turns[h / 3], turns[twin / 3], topology.points[h] == topology.points[twin]))
+                continue;
+            const std::uint32_t end = mesh::nextHalfEdge(h);
+            if (isBehindEye(h) || isBehindEye(end)) continue;
+            Faces faces;
+            for (const std::uint32_t half : {h, twin}) {
+                if (!mesh::isHalfEdge(half) || turns[half / 3] == edgeOn) continue;
+                const std::uint32_t third = mesh::nextHalfEdge(mesh::nextHalfEdge(half));
+                if (!isBehindEye(third)) faces.add({{instance, half / 3}, at(third)});
+            }
+            if (const auto contour = contourOf({at(h), at(end)}, faces, isBorder)) follow(*contour);
+        }
+    }
+
+    static constexpr std::int8_t edgeOn = 0;
+    static constexpr double behindEye = std::numeric_limits<double>::quiet_NaN();
+
+    // Which way a triangle is turned in the picture.
+    [[nodiscard]] std::int8_t turnOf(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) const {
+        constexpr double minHeight = 1e-3;  // pixels: coordinates are not known better
+        const double area = cross(b - a, c - a);
+        const double longest = std::max({glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c)});
+        if (!(area * area > minHeight * minHeight * pixel_ * pixel_ * longest)) return edgeOn;
+        return area > 0.0 ? 1 : -1;
+    }
+
+    // Whether the surface turns back at the edge between two triangles.
+    [[nodiscard]] static bool isFold(std::int8_t a, std::int8_t b, bool woundAgainst) {
+        if (a == edgeOn || b == edgeOn) return a != b;
+        return (a == b) == woundAgainst;
+    }
+
+    // A face at an edge.
+    struct Beside {
+        scene::SceneFace face;
+        glm::dvec2 third;  // corner
+    };
+    struct Faces {
+        Beside all[2];
+        int count = 0;
+        void add(const Beside& face) { all[count++] = face; }
+    };
+
+    // The contour along an edge, with the nearer of its faces.
+    [[nodiscard]] std::optional<Contour> contourOf(std::array<glm::dvec2, 2> ends, const Faces& faces,
+                                                   bool isBorder) const {
+        const auto [low, high] = std::pair{glm::min(ends[0], ends[1]), glm::max(ends[0], ends[1])};
+        if (faces.count == 0 || high.x < 0.0 || high.y < 0.0 || low.x > samples_.width || low.y > samples_.height)
+            return {};
+        const glm::dvec2 along = ends[1] - ends[0];
+        const double length = glm::length(along);
+        if (!(length > 0.0)) return {};
+        glm::dvec2 across = glm::dvec2{-along.y, along.x} / length;
+        if (glm::dot(faces.all[0].third - ends[0], across) < 0.0) across = -across;
+        const glm::dvec2 inside = 0.5 * (ends[0] + ends[1]) + 0.01 * across;
+        const auto w = [&](const Beside& b) { return triangles_.plane(b.face, inside).w; };
+        const Beside& nearer = faces.count == 2 && w(faces.all[1]) > w(faces.all[0]) ? faces.all[1] : faces.all[0];
+        return Contour{{ends[0], ends[1]}, across, nearer.face, isBorder};
+    }
+
+    void follow(const Contour& contour) {
+        const double length = glm::distance(contour.ends[0], contour.ends[1]);
+        // What lies off the picture is not looked at.
+        const auto [from, to] = shownPart(contour);
+        const int looks = std::max(1, static_cast<int>(std::ceil((to - from) * length / (coarseStep * pixel_))));
+        const double step = (to - from) / looks;
+        for (int i = 0; i < looks; ++i) {
+            const double begin = from + i * step;
+            if (opposite(contour, begin + 0.5 * step)) addStretches(contour, begin, begin + step, step * length);
+        }
+    }
+
+    // The shares of a contour's length between which the picture shows it.
+    [[nodiscard]] std::pair<double, double> shownPart(const Contour& contour) const {
+        double from = 0.0;
+        double to = 1.0;
+        const double sizes[2]{static_cast<double>(samples_.width), static_cast<double>(samples_.height)};
+        for (int axis = 0; axis < 2; ++axis) {
+            const double a = contour.ends[0][axis];
+            const double step = contour.ends[1][axis] - a;
+            if (step == 0.0) continue;
+            const double low = -a / step;
+            const double high = (sizes[axis] - a) / step;
+            from = std::max(from, std::min(low, high));
+            to = std::min(to, std::max(low, high));
+        }
+        return {from, std::max(from, to)};
+    }
+
+    [[nodiscard]] std::optional<Opposite> opposite(const Contour& contour, double share) const {
+        constexpr double inset = 1e-3;  // corners belong to two edges
+        const glm::dvec2 start = glm::mix(contour.ends[0], contour.ends[1], std::clamp(share, inset, 1.0 - inset));
+        const auto exit =
+            triangles_.walk(contour.face, start, start + pixel_ * contour.across, ScreenTriangles::Over::Surface).exit;
+        if (!exit || exit->end == ScreenTriangles::End::Crease || !(exit->t > 0.0)) return {};
+        return Opposite{exit->t * pixel_, exit->end == ScreenTriangles::End::Border};
+    }
+
+    void addStretches(const Contour& contour, double from, double to, double length) {
+        const int count = std::max(1, static_cast<int>(std::ceil(length / pixel_)));
+        std::optional<Opposite> before = opposite(contour, from);
+        for (int i = 0; i < count; ++i) {
+            const double begin = from + i * (to - from) / count;
+            const double end = from + (i + 1) * (to - from) / count;
+            const std::optional<Opposite> after = opposite(contour, end);
+            if (before && after) {
+                const auto at = [&](double share) { return glm::mix(contour.ends[0], contour.ends[1], share); };
+                const auto middle = [&](double share, const Opposite& side) {
+                    return at(share) + 0.5 * side.thickness * contour.across;
+                };
+                const ThinStretch stretch{{middle(begin, *before), middle(end, *after)},
+                                          contour.across,
+                                          0.5 * (before->thickness + after->thickness),
+                                          contour.face,
+                                          triangles_.plane(contour.face, at(0.5 * (begin + end))).w,
+                                          contour.isBorder || before->isBorder};
+                grid_.add(stretch);
+            }
+            before = after;
+        }
+    }
+
+    const Scene& scene_;
+    const ScreenTriangles& triangles_;
+    Size samples_;
+    double pixel_;  // samples
+    StretchGrid grid_;
+};
+
+}  // namespace
+
+std::vector<ThinStretch> findThinParts(const Scene& scene, const ScreenTriangles& triangles, Size samples,
+                                       int samplesPerPixel) {
+    return ThinPartFinder{scene, triangles, samples, samplesPerPixel}.find();
+}
+
+}  // namespace inkedge::trace

@@ -1,0 +1,173 @@
+// Parts thinner than a pixel: whole, and as dark as they are thick.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <glm/common.hpp>
+
+#include "gl/gl_test.h"
+#include "scenes.h"
+
+namespace inkedge::trace {
+namespace {
+
+INKEDGE_ON_EACH_BACKEND(ThinParts);
+
+constexpr Size square{200, 200};
+constexpr double pixel = 0.02;  // in the world: the camera shows 4 units
+constexpr double half = 1.2;    // a bar's length
+
+Camera camera() {
+    Camera camera;
+    camera.view = scenes::translation({0, 0, -10});
+    camera.orthographicHeight = pixel * square.height;
+    camera.near = 5.0;
+    camera.far = 15.0;
+    return camera;
+}
+
+// An open tube of eight sides along the x axis.
+Mesh tube(double thickness) {
+    constexpr std::uint32_t sides = 8;
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const double angle = 2.0 * std::numbers::pi * (i + 0.3) / sides;
+        for (const double x : {-half, half})
+            mesh.positions.emplace_back(x, 0.5 * thickness * std::cos(angle), 0.5 * thickness * std::sin(angle));
+        const std::uint32_t a = 2 * i;
+        const std::uint32_t b = 2 * ((i + 1) % sides);
+        mesh.indices.insert(mesh.indices.end(), {a, a + 1, b + 1, a, b + 1, b});
+    }
+    return mesh;
+}
+
+struct Bar {
+    const char* name;
+    Mesh mesh;
+    double thickness;  // pixels, as it is seen
+};
+
+std::vector<Bar> bars(double thickness) {
+    const double t = thickness * pixel;
+    // The silhouette of eight sides, of which the first is turned by 0.3 of a side.
+    const double seen = std::cos(2.0 * std::numbers::pi * 0.3 / 8.0);
+    return {{"box", scenes::box({2.0 * half, t, t}), thickness},
+            {"plate seen from its edge", scenes::box({2.0 * half, t, 0.5}), thickness},
+            {"sheet", scenes::quad({-half, -0.5 * t, 0}, {half, -0.5 * t, 0}, {half, 0.5 * t, 0}, {-half, 0.5 * t, 0}),
+             thickness},
+            {"tube", tube(t), thickness * seen}};
+}
+
+// Ink along the middle of a bar through the picture's middle.
+struct Ink {
+    double mean;  // pixels of full ink a pixel of length
+    double min;   // of windows three pixels long
+    double max;
+};
+
+Ink inkAlong(const Image<std::uint8_t>& picture, double degrees) {
+    constexpr int window = 3;
+    constexpr int windows = 26;
+    std::vector<double> ink(windows, 0.0);
+    const double angle = glm::radians(degrees);
+    for (int y = 0; y < picture.size().height; ++y) {
+        for (int x = 0; x < picture.size().width; ++x) {
+            const glm::dvec2 p{x + 0.5 - 0.5 * picture.size().width, y + 0.5 - 0.5 * picture.size().height};
+            const double along = std::cos(angle) * p.x - std::sin(angle) * p.y;
+            const double across = std::sin(angle) * p.x + std::cos(angle) * p.y;
+            const int at = static_cast<int>(std::floor(along / window)) + windows / 2;
+            if (at < 0 || at >= windows || std::abs(across) > 6.0) continue;
+            ink[static_cast<std::size_t>(at)] += (255 - picture(x, y)) / (255.0 * window);
+        }
+    }
+    const auto [min, max] = std::ranges::minmax(ink);
+    double sum = 0.0;
+    for (const double i : ink) sum += i;
+    return {sum / windows, min, max};
+}
+
+glm::dmat4 turned(double degrees) {
+    // Between pixels, so that no sample lies on an edge.
+    return scenes::translation({0.0013, 0.0027, 0.0}) * scenes::rotation(degrees, {0, 0, 1});
+}
+
+Settings drawn(int supersampling) {
+    Settings settings;
+    settings.picture.size = square;
+    settings.picture.lineWidth = {1.0, false};
+    settings.picture.supersampling = supersampling;
+    return settings;
+}
+
+TEST_P(ThinParts, areWholeAndAsDarkAsTheyAreThick) {
+    const Mesh wall = scenes::quad({-1.9, -1.9, -2}, {1.9, -1.9, -2}, {1.9, 1.9, -2}, {-1.9, 1.9, -2});
+    for (const double thickness : {0.1, 0.3, 0.6, 0.9}) {
+        for (const Bar& bar : bars(thickness)) {
+            for (const double degrees : {0.0, 17.0, 45.0, 71.0, 90.0}) {
+                for (const bool beforeWall : {false, true}) {
+                    for (const int supersampling : {1, 2}) {
+                        SCOPED_TRACE(testing::Message() << bar.name << ' ' << thickness << ", " << degrees
+                                                        << (beforeWall ? ", before a wall, " : ", ") << supersampling);
+                        std::vector<std::pair<Mesh, glm::dmat4>> parts{{bar.mesh, turned(degrees)}};
+                        if (beforeWall) parts.emplace_back(wall, glm::dmat4{1.0});
+                        const Maps maps = renderer().render(scenes::sceneOf(parts), camera(), drawn(supersampling));
+                        const Ink ink = inkAlong(maps.picture, degrees);
+                        // Coverage is rounded to steps of 1/255, widths to steps of 1/128.
+                        EXPECT_NEAR(ink.mean, bar.thickness, 0.02 + 0.04 * bar.thickness);
+                        EXPECT_GT(ink.min, 0.6 * ink.mean);
+                        EXPECT_LT(ink.max, 1.5 * ink.mean);
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST_P(ThinParts, areOneLineEach) {
+    Settings settings = drawn(1);
+    settings.lines.from = LinesFrom::Image;
+    for (const double thickness : {0.05, 0.4, 0.9}) {
+        for (const Bar& bar : bars(thickness)) {
+            for (const double degrees : {0.0, 17.0, 71.0}) {
+                SCOPED_TRACE(testing::Message() << bar.name << ' ' << thickness << ", " << degrees);
+                const Scene scene = scenes::sceneOf(bar.mesh, turned(degrees));
+                const Lines lines = renderer().lines(scene, camera(), settings);
+                ASSERT_EQ(lines.lines.size(), 1U);
+                const Line& line = lines.lines[0];
+                EXPECT_EQ(line.type, LineType::Outline);
+                EXPECT_NEAR(glm::distance(line.points.front().pixel, line.points.back().pixel), 2.0 * half / pixel,
+                            1.0);
+            }
+        }
+    }
+}
+
+TEST_P(ThinParts, areHiddenByWhatLiesBeforeThem) {
+    const Mesh screen = scenes::quad({-0.5, -0.8, 1}, {0.5, -0.8, 1}, {0.5, 0.8, 1}, {-0.5, 0.8, 1});
+    const Scene scene = scenes::sceneOf({{bars(0.5)[0].mesh, turned(10.0)}, {screen, glm::dmat4{1.0}}});
+    const Image<std::uint8_t> picture = renderer().render(scene, camera(), drawn(1)).picture;
+    for (int y = 70; y < 130; ++y)
+        for (int x = 78; x < 122; ++x) ASSERT_EQ(picture(x, y), 255) << x << ", " << y;
+    double beside = 0.0;
+    for (int y = 60; y < 140; ++y)
+        for (int x = 50; x < 70; ++x) beside += (255 - picture(x, y)) / 255.0;
+    EXPECT_NEAR(beside, 0.5 * 20 / std::cos(glm::radians(10.0)), 1.0);
+}
+
+TEST_P(ThinParts, leaveTheLinesBehindThemWhole) {
+    // The edge of a sheet runs across behind a wire.
+    const Mesh sheet = scenes::quad({-0.4, -1.5, -1}, {0.4, -1.5, -1}, {0.4, 1.5, -1}, {-0.4, 1.5, -1});
+    const Scene scene = scenes::sceneOf({{bars(0.3)[0].mesh, turned(23.0)}, {sheet, glm::dmat4{1.0}}});
+    const Image<std::uint8_t> picture = renderer().render(scene, camera(), drawn(1)).picture;
+    for (int y = 60; y < 140; ++y) {
+        double ink = 0.0;
+        for (int x = 76; x < 84; ++x) ink += (255 - picture(x, y)) / 255.0;
+        EXPECT_GT(ink, 0.9) << y;
+    }
+}
+
+}  // namespace
+}  // namespace inkedge::trace
