@@ -75,6 +75,55 @@ private:
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
 };
 
+// Which ways the contours of one instance face, pixel by pixel: a part is thin only where two contours that do not face
+// the same way are near each other, and a look here costs far less than a walk.
+class ContourMap {
+public:
+    ContourMap(Size samples, double pixel)
+        : pixel_{pixel},
+          facing_{{static_cast<int>(samples.width / pixel) + 1, static_cast<int>(samples.height / pixel) + 1}, 1} {}
+
+    void clear() {
+        for (std::uint8_t* const at : marked_) *at = 0;
+        marked_.clear();
+    }
+
+    void mark(glm::dvec2 p, glm::dvec2 across) {
+        const int x = static_cast<int>(std::floor(p.x / pixel_));
+        const int y = static_cast<int>(std::floor(p.y / pixel_));
+        if (x < 0 || y < 0 || x >= facing_.size().width || y >= facing_.size().height) return;
+        facing_(x, y) |= static_cast<std::uint8_t>(1U << octantOf(across));
+        marked_.push_back(&facing_(x, y));
+    }
+
+    // Whether a contour within a pixel of a point may be the opposite one.
+    [[nodiscard]] bool mayHaveOpposite(glm::dvec2 p, glm::dvec2 across) const {
+        constexpr int reach = 2;                  // contours are marked at steps of half a pixel
+        constexpr unsigned others = 0b0111'1100;  // octants two or more away, counted from the own one
+        const unsigned octant = octantOf(across);
+        const unsigned mask = ((others << octant) | (others >> (8U - octant))) & 0xFFU;
+        const int x = static_cast<int>(std::floor(p.x / pixel_));
+        const int y = static_cast<int>(std::floor(p.y / pixel_));
+        const auto [width, height] = facing_.size();
+        for (int v = std::max(y - reach, 0); v <= std::min(y + reach, height - 1); ++v)
+            for (int u = std::max(x - reach, 0); u <= std::min(x + reach, width - 1); ++u)
+                if ((facing_(u, v) & mask) != 0) return true;
+        return false;
+    }
+
+private:
+    // 0 to 7, around.
+    static unsigned octantOf(glm::dvec2 d) {
+        const bool flat = std::abs(d.x) > std::abs(d.y);
+        if (d.y >= 0.0) return d.x >= 0.0 ? (flat ? 0 : 1) : (flat ? 3 : 2);
+        return d.x < 0.0 ? (flat ? 4 : 5) : (flat ? 7 : 6);
+    }
+
+    double pixel_;
+    Image<std::uint8_t> facing_;
+    std::vector<std::uint8_t*> marked_;
+};
+
 class ThinPartFinder {
 public:
     ThinPartFinder(const Scene& scene, const ScreenTriangles& triangles, Size samples, int samplesPerPixel)
@@ -82,7 +131,8 @@ public:
           triangles_{triangles},
           samples_{samples},
           pixel_{static_cast<double>(samplesPerPixel)},
-          grid_{pixel_} {}
+          grid_{pixel_},
+          map_{samples, pixel_} {}
 
     std::vector<ThinStretch> find() {
         for (std::uint32_t i = 0; i < scene_.instances().size(); ++i) {
@@ -93,10 +143,21 @@ public:
     }
 
 private:
+    // A face at an edge.
+    struct Beside {
+        scene::SceneFace face;
+        glm::dvec2 third;  // corner
+    };
+    struct Faces {
+        Beside all[2];
+        int count = 0;
+        void add(const Beside& face) { all[count++] = face; }
+    };
+
     struct Contour {
         glm::dvec2 ends[2];
         glm::dvec2 across;  // unit, towards the surface
-        scene::SceneFace face;
+        Faces faces;
         bool isBorder;
     };
     // The surface's far side, seen from a point of a contour.
@@ -132,8 +193,12 @@ private:
                 const std::uint32_t third = mesh::nextHalfEdge(mesh::nextHalfEdge(half));
                 if (!isBehindEye(third)) faces.add({{instance, half / 3}, at(third)});
             }
-            if (const auto contour = contourOf({at(h), at(end)}, faces, isBorder)) follow(*contour);
+            if (const auto contour = contourOf({at(h), at(end)}, faces, isBorder)) contours_.push_back(*contour);
         }
+        for (const Contour& contour : contours_) mark(contour);
+        for (const Contour& contour : contours_) follow(contour);
+        contours_.clear();
+        map_.clear();
     }
 
     static constexpr std::int8_t edgeOn = 0;
@@ -154,18 +219,7 @@ private:
         return (a == b) == woundAgainst;
     }
 
-    // A face at an edge.
-    struct Beside {
-        scene::SceneFace face;
-        glm::dvec2 third;  // corner
-    };
-    struct Faces {
-        Beside all[2];
-        int count = 0;
-        void add(const Beside& face) { all[count++] = face; }
-    };
-
-    // The contour along an edge, with the nearer of its faces.
+    // The contour along an edge, if the picture may show it.
     [[nodiscard]] std::optional<Contour> contourOf(std::array<glm::dvec2, 2> ends, const Faces& faces,
                                                    bool isBorder) const {
         const auto [low, high] = std::pair{glm::min(ends[0], ends[1]), glm::max(ends[0], ends[1])};
@@ -176,10 +230,26 @@ private:
         if (!(length > 0.0)) return {};
         glm::dvec2 across = glm::dvec2{-along.y, along.x} / length;
         if (glm::dot(faces.all[0].third - ends[0], across) < 0.0) across = -across;
-        const glm::dvec2 inside = 0.5 * (ends[0] + ends[1]) + 0.01 * across;
+        return Contour{{ends[0], ends[1]}, across, faces, isBorder};
+    }
+
+    void mark(const Contour& contour) {
+        const auto [from, to] = shownPart(contour);
+        const double length = (to - from) * glm::distance(contour.ends[0], contour.ends[1]);
+        const int steps = std::max(1, static_cast<int>(std::ceil(length / (0.5 * pixel_))));
+        for (int i = 0; i < steps; ++i) {
+            const double share = from + (i + 0.5) * (to - from) / steps;
+            map_.mark(glm::mix(contour.ends[0], contour.ends[1], share), contour.across);
+        }
+    }
+
+    // The face that is seen at a contour: the nearer one.
+    [[nodiscard]] scene::SceneFace faceOf(const Contour& contour) const {
+        const Faces& faces = contour.faces;
+        if (faces.count == 1) return faces.all[0].face;
+        const glm::dvec2 inside = 0.5 * (contour.ends[0] + contour.ends[1]) + 0.01 * contour.across;
         const auto w = [&](const Beside& b) { return triangles_.plane(b.face, inside).w; };
-        const Beside& nearer = faces.count == 2 && w(faces.all[1]) > w(faces.all[0]) ? faces.all[1] : faces.all[0];
-        return Contour{{ends[0], ends[1]}, across, nearer.face, isBorder};
+        return w(faces.all[1]) > w(faces.all[0]) ? faces.all[1].face : faces.all[0].face;
     }
 
     void follow(const Contour& contour) {
@@ -190,7 +260,10 @@ private:
         const double step = (to - from) / looks;
         for (int i = 0; i < looks; ++i) {
             const double begin = from + i * step;
-            if (opposite(contour, begin + 0.5 * step)) addStretches(contour, begin, begin + step, step * length);
+            const double middle = begin + 0.5 * step;
+            if (!map_.mayHaveOpposite(glm::mix(contour.ends[0], contour.ends[1], middle), contour.across)) continue;
+            const scene::SceneFace face = faceOf(contour);
+            if (opposite(contour, face, middle)) addStretches(contour, face, begin, begin + step, step * length);
         }
     }
 
@@ -211,33 +284,31 @@ private:
         return {from, std::max(from, to)};
     }
 
-    [[nodiscard]] std::optional<Opposite> opposite(const Contour& contour, double share) const {
+    [[nodiscard]] std::optional<Opposite> opposite(const Contour& contour, scene::SceneFace face, double share) const {
         constexpr double inset = 1e-3;  // corners belong to two edges
         const glm::dvec2 start = glm::mix(contour.ends[0], contour.ends[1], std::clamp(share, inset, 1.0 - inset));
         const auto exit =
-            triangles_.walk(contour.face, start, start + pixel_ * contour.across, ScreenTriangles::Over::Surface).exit;
+            triangles_.walk(face, start, start + pixel_ * contour.across, ScreenTriangles::Over::Surface).exit;
         if (!exit || exit->end == ScreenTriangles::End::Crease || !(exit->t > 0.0)) return {};
         return Opposite{exit->t * pixel_, exit->end == ScreenTriangles::End::Border};
     }
 
-    void addStretches(const Contour& contour, double from, double to, double length) {
+    void addStretches(const Contour& contour, scene::SceneFace face, double from, double to, double length) {
         const int count = std::max(1, static_cast<int>(std::ceil(length / pixel_)));
-        std::optional<Opposite> before = opposite(contour, from);
+        std::optional<Opposite> before = opposite(contour, face, from);
         for (int i = 0; i < count; ++i) {
             const double begin = from + i * (to - from) / count;
             const double end = from + (i + 1) * (to - from) / count;
-            const std::optional<Opposite> after = opposite(contour, end);
+            const std::optional<Opposite> after = opposite(contour, face, end);
             if (before && after) {
                 const auto at = [&](double share) { return glm::mix(contour.ends[0], contour.ends[1], share); };
                 const auto middle = [&](double share, const Opposite& side) {
                     return at(share) + 0.5 * side.thickness * contour.across;
                 };
-                const ThinStretch stretch{{middle(begin, *before), middle(end, *after)},
-                                          contour.across,
-                                          0.5 * (before->thickness + after->thickness),
-                                          contour.face,
-                                          triangles_.plane(contour.face, at(0.5 * (begin + end))).w,
-                                          contour.isBorder || before->isBorder};
+                const ThinStretch stretch{
+                    {middle(begin, *before), middle(end, *after)},     contour.across,
+                    0.5 * (before->thickness + after->thickness),      face,
+                    triangles_.plane(face, at(0.5 * (begin + end))).w, contour.isBorder || before->isBorder};
                 grid_.add(stretch);
             }
             before = after;
@@ -249,6 +320,8 @@ private:
     Size samples_;
     double pixel_;  // samples
     StretchGrid grid_;
+    ContourMap map_;
+    std::vector<Contour> contours_;  // of one instance
 };
 
 }  // namespace
