@@ -62,7 +62,7 @@ struct ImageFormats {
     Differences (*compare)(const Image<float>& a, const Image<float>& b, double level);
 };
 
-/// What OpenImageIO and the libraries that it loads start: some of their own, and a pool or two as large as the machine.
+/// What OpenImageIO and the libraries that it loads start: some of their own, and two pools as large as the machine.
 inline std::size_t imageThreads() { return 8 + 2 * static_cast<std::size_t>(std::thread::hardware_concurrency()); }
 
 inline constexpr modules::ModuleOf<ImageFormats> imageModule{{.purpose = "image formats",

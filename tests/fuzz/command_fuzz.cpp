@@ -31,7 +31,8 @@ constexpr const char* sheet =
     R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0,"name":"a\nb"},{"camera":0,"translation":[0.5,0.5,4]}],
 "cameras":[{"type":"perspective","perspective":{"yfov":0.7,"znear":0.1}}],"materials":[{"name":"m"}],
 "meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]}],
-"accessors":[{"componentType":5126,"type":"VEC3","count":3,"bufferView":0}],"bufferViews":[{"buffer":0,"byteLength":36}],
+"accessors":[{"componentType":5126,"type":"VEC3","count":3,"bufferView":0}],
+"bufferViews":[{"buffer":0,"byteLength":36}],
 "buffers":[{"byteLength":36,"uri":"data.bin"}]})";
 
 struct Call {
@@ -72,6 +73,19 @@ Call callOf(std::string text) {
     return call;
 }
 
+// The files that a call reads; it may write over the others.
+std::vector<std::string> inputsOf(const Call& call) {
+    std::vector<std::string> inputs;
+    const std::vector<std::string>& all = call.arguments;
+    for (std::size_t i = 2; i < all.size(); ++i) {
+        if (i == 2 && (all[i] == "model.obj" || all[i] == "sheet.gltf")) inputs.push_back(all[i]);
+        if (i == 2 && all[i] == "sheet.gltf") inputs.emplace_back("data.bin");
+        if (all[i - 1] == "--config" && all[i] == "own.conf") inputs.push_back(all[i]);
+        if (all[i - 1] == "--views" && all[i] == "views.json") inputs.push_back(all[i]);
+    }
+    return inputs;
+}
+
 // The folder that the command runs in.
 class Folder {
 public:
@@ -83,18 +97,23 @@ public:
     }
 
     void fill(const Call& call) {
-        inputs_ = {{"model.obj", cube}, {"sheet.gltf", sheet}, {"data.bin", std::string(36, 'A')}};
-        inputs_["data.bin"][13] = 'B';
-        inputs_["data.bin"][25] = 'C';
-        inputs_["own.conf"] = call.config;
-        inputs_["views.json"] = call.views;
+        std::string data(36, 'A');
+        data[13] = 'B';
+        data[25] = 'C';
+        inputs_ = {{"model.obj", cube},
+                   {"sheet.gltf", sheet},
+                   {"data.bin", data},
+                   {"own.conf", call.config},
+                   {"views.json", call.views}};
         for (const auto& [name, content] : inputs_) put(name, content);
-        fs::create_symlink("model.obj", "link.svg");
+        put("linked", "what is behind a link may be replaced");
+        fs::create_symlink("linked", "link.svg");
         fs::create_symlink("nothing", "gone.svg");
     }
 
-    void expectInputsKept() const {
-        for (const auto& [name, content] : inputs_) expect(contents(name) == content, name + " as it was", "another");
+    void expectInputsKept(const Call& call) const {
+        for (const std::string& name : inputsOf(call))
+            expect(contents(name) == inputs_.at(name), name + " as it was", "another");
         expect(fs::is_symlink("link.svg") && fs::is_symlink("gone.svg"), "links that stay", "files in their folder");
         for (const std::string& name : folder_.names()) expect(!name.starts_with(".inkedge-"), "no file by half", name);
     }
@@ -158,7 +177,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const auto& [name, value] : call.environment) ::unsetenv(name.c_str());
     const bool compares = call.arguments.size() > 1 && call.arguments[1] == "compare";
     if (!compares || exitCode != 1) expectLines(said, exitCode);  // 1: the pictures differ
-    folder.expectInputsKept();
+    folder.expectInputsKept(call);
     folder.clear();
     return 0;
 }

@@ -189,7 +189,8 @@ TEST(Set, refusesBadNumbers) {
 
 TEST(Set, refusesNumbersOutOfRange) {
     for (const std::string text : {"0", "-1", "-0"}) {
-        expectRefusal("camera-zoom-factor", text, "--flag: expected a number from 0.001 to 1000000, found '" + text + "'");
+        expectRefusal("camera-zoom-factor", text,
+                      "--flag: expected a number from 0.001 to 1000000, found '" + text + "'");
     }
     for (const std::string text : {"0", "180", "-35", "200"}) {
         expectRefusal("camera-view-angle", text, "--flag: expected a number from 0.001 to 179, found '" + text + "'");
