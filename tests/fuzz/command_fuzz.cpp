@@ -90,13 +90,13 @@ std::vector<std::string> inputsOf(const Call& call) {
 class Folder {
 public:
     Folder() {
-        fs::current_path(folder_.path());
         ::setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent", 1);
         ::setenv("MESA_GL_VERSION_OVERRIDE", "3.3", 1);
         ::dup2(::open("/dev/null", O_WRONLY | O_CLOEXEC), STDOUT_FILENO);
     }
 
     void fill(const Call& call) {
+        fs::current_path(folder_.path());
         std::string data(36, 'A');
         data[13] = 'B';
         data[25] = 'C';
@@ -120,9 +120,11 @@ public:
 
     void clear() const {
         for (const std::string& name : folder_.names()) fs::remove_all(name);
+        fs::current_path(before_);  // the fuzzer's own files may have names from there
     }
 
 private:
+    const fs::path before_ = fs::current_path();
     const TemporaryFolder folder_;
     std::map<std::string, std::string> inputs_;
 };
