@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <unordered_set>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -33,6 +34,7 @@ public:
           to_{to},
           toWorld_{scene.instances()[instance].transform} {
         toWorld_[3] += toWorld_ * glm::dvec4{mesh_.origin, 0.0} - glm::dvec4{scene.bounds().centre, 0.0};
+        scale_ = std::cbrt(std::abs(glm::determinant(glm::dmat3{toWorld_})));
         const glm::dmat4 back = glm::inverse(toWorld_);
         eye_ = {screen.orthographic(), glm::dvec3{back * glm::dvec4{screen.eye(), 1.0}},
                 glm::dmat3{back} * screen.direction()};
@@ -42,6 +44,7 @@ public:
         if (glm::determinant(glm::dmat3{toWorld_}) == 0.0) return;  // scaled to a point
         contours_ = search_.find(eye_, choice_.finder, memory);
         chooseSmoothPatches();
+        if (choice_.contour == Contour::Auto && choice_.refinement == 0) findLargeFaces();
         addContourEdges();
         addCreases();
         addBorders();
@@ -119,9 +122,26 @@ private:
         return height > rounding;
     }
 
+    [[nodiscard]] bool isLarge(std::uint32_t t) const {
+        const glm::dvec3 corner = toWorld(position(3 * t));
+        return screen_.depth(corner) > screen_.near() &&
+               longestEdge(t) * scale_ > largeEdge * screen_.footprint(corner);
+    }
+
+    // A smooth contour, which may cross a face anywhere, leaves out parts of large ones: mesh contours are drawn there.
+    void findLargeFaces() {
+        for (const std::uint32_t e : contours_.edges)
+            for (const std::uint32_t t : {edges_.shared.faces[2 * e], edges_.shared.faces[2 * e + 1]})
+                if (isReplaced(e) && isLarge(t)) large_.insert(t);
+        for (const std::uint32_t t : large_)
+            for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) largePoints_.insert(topology_.points[h]);
+    }
+
     // Whether a smooth contour replaces a contour edge.
     [[nodiscard]] bool isReplaced(std::uint32_t e) const {
-        return smooth_[topology_.surfaceOf(edges_.shared.halfEdges[e] / 3)] && mayBeSmooth(e);
+        const std::uint32_t h = edges_.shared.halfEdges[e];
+        return smooth_[topology_.surfaceOf(h / 3)] && mayBeSmooth(e) && !largePoints_.contains(topology_.points[h]) &&
+               !largePoints_.contains(topology_.points[mesh::nextHalfEdge(h)]);
     }
 
     [[nodiscard]] bool draws(LineType type) const { return choice_.lines.contains(type); }
@@ -359,7 +379,7 @@ private:
             const std::uint32_t* const corners = &mesh_.indices[3 * std::size_t{t}];
             const auto lowHigh = std::minmax({viewDots_[corners[0]], viewDots_[corners[1]], viewDots_[corners[2]]});
             if (lowHigh.first > 0.0 || lowHigh.second < 0.0 || lowHigh.first == lowHigh.second) continue;
-            if (!smooth_[topology_.surfaceOf(t)] || topology_.originals[t] != t) continue;
+            if (!smooth_[topology_.surfaceOf(t)] || topology_.originals[t] != t || large_.contains(t)) continue;
             Facet facet{t, longestEdge(t)};
             glm::dvec3 normals{0.0};
             for (std::uint32_t k = 0; k < 3; ++k) {
@@ -401,7 +421,7 @@ private:
             segment.keys[found++] = edges[k];
         }
         segment.inner = toWorld(corners[inner]);
-        segment.slack = size * std::cbrt(std::abs(glm::determinant(glm::dmat3{toWorld_})));
+        segment.slack = size * scale_;
         to_.push_back(segment);
     }
 
@@ -416,10 +436,13 @@ private:
     std::span<const IsolineSegment> isolines_;
     std::vector<Segment>& to_;
     glm::dmat4 toWorld_;
+    double scale_;  // of lengths, to world units
     MeshEye eye_;
     FoundContours contours_;
-    std::vector<bool> smooth_;      // one per patch
-    std::vector<double> viewDots_;  // one per position: n . (x - C)
+    std::vector<bool> smooth_;                 // one per patch
+    std::vector<double> viewDots_;             // one per position: n . (x - C)
+    std::unordered_set<std::uint32_t> large_;  // faces at contour edges
+    std::unordered_set<std::uint32_t> largePoints_;
 };
 
 }  // namespace

@@ -45,8 +45,8 @@ struct InstanceEdges {
 /// near side of a face that is seen edge-on. A smooth contour crosses faces where n . (x - C), interpolated between
 /// their corners, is zero (equations 2 to 4); zero counts as the far side. With Contour::Auto a patch has smooth
 /// contours if the edges of its mesh contour are under smoothEdge pixels long in the mean. Smooth contours then lie
-/// within about a pixel of the mesh contours, without their zigzag; on patches with larger faces the mesh contours are
-/// drawn.
+/// within about a pixel of the mesh contours, without their zigzag; on patches with larger faces, and on single faces
+/// with an edge over largeEdge, the mesh contours are drawn.
 ///
 /// With a refinement every patch has smooth contours. They are those of the limit surface, found on the triangles of
 /// refineNear(). All other lines are those of the mesh.
@@ -60,5 +60,7 @@ void collectInstanceCurves(const Scene&, std::uint32_t instance, const InstanceE
 
 /// The mean length of contour edges under which contours are smooth, pixels.
 inline constexpr double smoothEdge = 3.0;
+/// The length of a face's longest edge over which the mesh contour is drawn all the same, pixels.
+inline constexpr double largeEdge = 4.0 * smoothEdge;
 
 }  // namespace inkedge::lines
