@@ -22,6 +22,9 @@ layout(location = 12) uniform float unitLength;
 layout(location = 13) uniform Depths depths;
 layout(location = 16) uniform bool hasPicture;  // FunctionSettings::file
 layout(location = 17) uniform float option[8];  // in the order of the function's row in functionTable()
+layout(location = 25) uniform vec3 up;          // of the model, world space, unit length
+layout(location = 26) uniform vec2 heights;     // along it: the lowest point, from the centre of the scene's bounds,
+                                                // and how far up from there the highest is
 layout(binding = 0) uniform sampler2D picture;
 
 // The number of whole steps. A face that lies on a level belongs to one side of it, however its positions are rounded.

@@ -14,14 +14,22 @@ glm::dmat4 Camera::projection(Size size) const noexcept {
         p[2][2] = -2.0 / (far - near);
         p[3][2] = -(far + near) / (far - near);
         p[3][3] = 1.0;
+        p[3][0] = axis.x;
+        p[3][1] = axis.y;
     } else {
         p[1][1] = 1.0 / std::tan(glm::radians(viewAngle) / 2.0);
         p[2][2] = -(far + near) / (far - near);
         p[2][3] = -1.0;
         p[3][2] = -2.0 * far * near / (far - near);
+        p[2][0] = -axis.x;
+        p[2][1] = -axis.y;
     }
     p[0][0] = p[1][1] / aspect;
     return p;
+}
+
+glm::dvec2 Camera::centre(Size size) const noexcept {
+    return {0.5 * size.width * (1.0 + axis.x), 0.5 * size.height * (1.0 - axis.y)};
 }
 
 double Camera::focalLength(Size size) const noexcept { return 0.5 * size.height * projection(size)[1][1]; }

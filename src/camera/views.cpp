@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <glm/trigonometric.hpp>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +18,8 @@
 #include <inkedge/setting_table.h>
 
 #include "base/message.h"
+#include "settings/names.h"
+#include "settings/text.h"
 
 namespace inkedge {
 namespace {
@@ -29,7 +34,7 @@ constexpr std::uintmax_t maxFileSize = std::uintmax_t{1} << 28U;  // bytes
 [[noreturn]] void refuse(Error::Kind kind, const std::string& message) { throw Error{kind, message}; }
 
 // Numbers of equal length, so that files sort by them.
-std::string numbered(int i, std::size_t count) {
+std::string numbered(std::size_t i, std::size_t count) {
     const std::size_t digits = std::max<std::size_t>(3, std::to_string(count - 1).size());
     return fmt::format("{:0{}}", i, digits);
 }
@@ -39,36 +44,93 @@ int countOf(const std::string& text, std::string_view digits) {
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
     if (error != std::errc{} || end != digits.data() + digits.size() || count < 1 || count > maxViews)
         refuse(Error::Kind::Usage,
-               fmt::format("views: expected a number of views from 1 to {}, found '{}'", maxViews, text));
+               fmt::format("--views: expected a number of views from 1 to {}, found '{}'", maxViews, text));
     return count;
 }
 
-void expectFreeDirection(const std::string& text, const CameraSettings& base) {
-    if (base.position || base.direction || base.index)
-        refuse(
-            Error::Kind::Usage,
-            fmt::format("views: expected no camera-position, camera-direction or camera-index beside '{}', found one",
-                        text));
-}
-
-std::vector<View> turntable(int count, const CameraSettings& base) {
-    std::vector<View> views;
+void turntable(int count, const CameraSettings& base, std::vector<CameraSettings>& cameras) {
     for (int i = 0; i < count; ++i) {
-        views.push_back({numbered(i, static_cast<std::size_t>(count)), base});
-        views.back().camera.azimuthAngle = base.azimuthAngle.value_or(0.0) + 360.0 * i / count;
+        cameras.push_back(base);
+        cameras.back().azimuthAngle = base.azimuthAngle.value_or(0.0) + 360.0 * i / count;
     }
-    return views;
 }
 
-std::vector<View> sphere(int count, const CameraSettings& base) {
+void sphere(int count, const CameraSettings& base, std::vector<CameraSettings>& cameras) {
     constexpr double goldenAngle = 360.0 * (2.0 - std::numbers::phi);  // degrees
-    std::vector<View> views;
     for (int i = 0; i < count; ++i) {
-        views.push_back({numbered(i, static_cast<std::size_t>(count)), base});
-        CameraSettings& camera = views.back().camera;
+        CameraSettings& camera = cameras.emplace_back(base);
         camera.azimuthAngle = std::fmod(goldenAngle * i, 360.0);
         camera.elevationAngle = glm::degrees(std::asin(1.0 - (2.0 * i + 1.0) / count));
     }
+}
+
+// ---- a list
+
+constexpr std::string_view turntablePrefix = "turntable:";
+constexpr std::string_view spherePrefix = "sphere:";
+
+std::optional<NamedView> namedView(std::string_view text) {
+    const auto* const found = std::ranges::find(settings::namedViewNames, text);
+    if (found == settings::namedViewNames.end()) return {};
+    return static_cast<NamedView>(found - settings::namedViewNames.begin());
+}
+
+bool isItem(std::string_view text) {
+    return namedView(text) || text.starts_with(turntablePrefix) || text.starts_with(spherePrefix);
+}
+
+std::string itemForms() {
+    return fmt::format("{}, turntable:N or sphere:N", fmt::join(settings::namedViewNames, ", "));
+}
+
+void expectFreeDirection(const std::string& text, const CameraSettings& base, bool allNamed) {
+    const bool free = !base.position && !base.direction && !base.index && !base.view;
+    if (!free)
+        refuse(
+            Error::Kind::Usage,
+            fmt::format("--views: expected no --camera-position, --camera-direction, --camera-index or --view beside "
+                        "'{}', found one",
+                        text));
+    if (allNamed && (base.azimuthAngle || base.elevationAngle))
+        refuse(Error::Kind::Usage,
+               fmt::format("--views: expected no azimuth or elevation angle beside '{}', found one", text));
+}
+
+// Named views, turntables and spheres, in their order. The last two are numbered through.
+std::vector<View> listedViews(const std::string& text, CameraSettings base) {
+    const std::vector<std::string_view> items = settings::split(text, ',');
+    const auto isNamed = [](std::string_view item) { return namedView(item).has_value(); };
+    const bool named = std::ranges::any_of(items, isNamed);
+    expectFreeDirection(text, base, std::ranges::all_of(items, isNamed));
+    if (named && !base.viewAngle && !base.orthographicHeight) base.orthographicHeight = 0.0;
+    std::vector<View> views;
+    std::vector<CameraSettings> numberedCameras;
+    std::vector<std::size_t> numberedViews;  // where in the list they stand
+    std::set<std::string_view> names;
+    for (const std::string_view item : items) {
+        if (views.size() >= maxViews)
+            refuse(Error::Kind::Usage, fmt::format("--views: expected at most {} views, found more", maxViews));
+        if (const std::optional<NamedView> view = namedView(item)) {
+            if (!names.insert(item).second)
+                refuse(Error::Kind::Usage, fmt::format("--views: expected each view once, found '{}' again", item));
+            views.push_back({std::string{item}, base});
+            views.back().camera.view = view;
+            views.back().camera.azimuthAngle.reset();
+            views.back().camera.elevationAngle.reset();
+            continue;
+        }
+        const std::size_t before = numberedCameras.size();
+        if (item.starts_with(turntablePrefix))
+            turntable(countOf(text, item.substr(turntablePrefix.size())), base, numberedCameras);
+        else
+            sphere(countOf(text, item.substr(spherePrefix.size())), base, numberedCameras);
+        for (std::size_t i = before; i < numberedCameras.size(); ++i) {
+            numberedViews.push_back(views.size());
+            views.push_back({{}, numberedCameras[i]});
+        }
+    }
+    for (std::size_t i = 0; i < numberedViews.size(); ++i)
+        views[numberedViews[i]].name = numbered(i, numberedViews.size());
     return views;
 }
 
@@ -79,10 +141,8 @@ Json parse(const fs::path& file) {
     const std::uintmax_t size = fs::file_size(file, failure);
     std::ifstream stream{file, std::ios::binary};
     if (failure || !stream)
-        refuse(Error::Kind::Input,
-               fmt::format("{}: expected turntable:N, sphere:N or a file of views, found none that can "
-                           "be read",
-                           file.string()));
+        refuse(Error::Kind::Input, fmt::format("{}: expected {}, or a file of views, found none that can be read",
+                                               file.string(), itemForms()));
     if (size > maxFileSize)
         refuse(Error::Kind::Input,
                fmt::format("{}: expected at most {} bytes, found {}", file.string(), maxFileSize, size));
@@ -147,7 +207,7 @@ std::vector<View> readViews(const fs::path& file, const CameraSettings& base) {
     std::set<std::string> names;
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string where = fmt::format("{}: view {}", file.string(), i);
-        views.push_back(viewFrom(list[i], numbered(static_cast<int>(i), list.size()), base, where));
+        views.push_back(viewFrom(list[i], numbered(i, list.size()), base, where));
         if (!names.insert(views.back().name).second)
             refuse(Error::Kind::Usage,
                    fmt::format("{}: expected a name of its own, found '{}' again", where, views.back().name));
@@ -158,14 +218,11 @@ std::vector<View> readViews(const fs::path& file, const CameraSettings& base) {
 }  // namespace
 
 std::vector<View> viewsOf(const std::string& text, const CameraSettings& base) {
-    constexpr std::string_view turntablePrefix = "turntable:";
-    constexpr std::string_view spherePrefix = "sphere:";
-    const auto countAfter = [&](std::string_view prefix) {
-        expectFreeDirection(text, base);
-        return countOf(text, std::string_view{text}.substr(prefix.size()));
-    };
-    if (text.starts_with(turntablePrefix)) return turntable(countAfter(turntablePrefix), base);
-    if (text.starts_with(spherePrefix)) return sphere(countAfter(spherePrefix), base);
+    const std::vector<std::string_view> items = settings::split(text, ',');
+    const auto wrong = std::ranges::find_if_not(items, isItem);
+    if (wrong == items.end()) return listedViews(text, base);
+    if (std::ranges::any_of(items, isItem))
+        refuse(Error::Kind::Usage, fmt::format("--views: expected {}, found '{}'", itemForms(), *wrong));
     return readViews(text, base);
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <inkedge/inspect_model.h>
+#include <inkedge/setting_table.h>
 
 #include "base/message.h"
 #include "base/stage_clock.h"
@@ -27,7 +28,15 @@ struct InspectArguments {
 
 constexpr std::size_t longestList = 20;  // lines for people; JSON has all
 
-std::string text(const glm::dvec3& v) { return fmt::format("{:.6g},{:.6g},{:.6g}", v.x, v.y, v.z); }
+// + 0.0 makes a 0 of -0.
+std::string text(const glm::dvec3& v) { return fmt::format("{:.6g},{:.6g},{:.6g}", v.x + 0.0, v.y + 0.0, v.z + 0.0); }
+
+// As --up takes it: "+Z".
+std::string upText(const glm::dvec3& up) {
+    Settings settings;
+    settings.load.up = up;
+    return std::ranges::find(settingTable(), "up", &SettingDescription::name)->get(settings);
+}
 ordered_json toJson(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 std::string lens(const SceneCamera& camera) {
@@ -66,6 +75,7 @@ void printJson(const std::string& model, const ModelContents& contents, double m
                            {"lines", contents.lines},
                            {"not_drawn", contents.undrawn},
                            {"instances", contents.instances},
+                           {"up", toJson(contents.up)},
                            {"bounds", bounds},
                            {"meshes", meshes},
                            {"cameras", cameras},
@@ -98,8 +108,10 @@ void printText(const std::string& model, const ModelContents& contents) {
                          contents.meshes.size());
     if (contents.lines > 0) lines += fmt::format("{:<11}{}, as straight pieces\n", "lines", contents.lines);
     if (!contents.undrawn.empty()) lines += fmt::format("{:<11}{}\n", "not drawn", fmt::join(contents.undrawn, ", "));
-    if (!contents.box.empty())
+    if (!contents.box.empty()) {
         lines += fmt::format("{:<11}{} to {}\n", "bounds", text(contents.box.min), text(contents.box.max));
+        lines += fmt::format("{:<11}{}\n", "up", upText(contents.up));
+    }
     lines += list("meshes", contents.meshes.size(), [&](std::size_t i) {
         const MeshContents& mesh = contents.meshes[i];
         const std::string ofLines = mesh.lines > 0 ? fmt::format("{} lines, ", mesh.lines) : "";

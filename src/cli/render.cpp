@@ -3,6 +3,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <inkedge/encode_png.h>
@@ -23,7 +24,7 @@ namespace inkedge::cli {
 namespace {
 
 struct RenderArguments {
-    std::string model;
+    std::vector<std::string> models;
     std::string output;
     std::string metadataFile;
     std::string views;              // as viewsOf() takes them; empty: one
@@ -39,6 +40,9 @@ void checkStandardOutput(const RenderArguments& arguments, const Settings& setti
     if (arguments.output != "-") return;
     if (arguments.json) throw Error{Error::Kind::Usage, "--json: expected --output FILE, found - (both use stdout)"};
     if (!settings.maps.empty()) throw Error{Error::Kind::Usage, "--maps: expected --output FILE, found -"};
+    if (arguments.models.size() > 1)
+        throw Error{Error::Kind::Usage, fmt::format("--output: expected a FILE with {{model}} for {} models, found -",
+                                                    arguments.models.size())};
     if (!arguments.views.empty()) throw Error{Error::Kind::Usage, "--views: expected --output FILE, found -"};
 }
 
@@ -48,15 +52,20 @@ void startTimeout(const RenderArguments& arguments) {
         *arguments.timeout,
         fmt::format("inkedge: error: {}: expected the work to end within {} s, found it still going; raise "
                     "--timeout or ask for less (a smaller model, --size or --supersampling)\n",
-                    base::printable(arguments.model), *arguments.timeout));
+                    base::printable(fmt::format("{}", fmt::join(arguments.models, ", "))), *arguments.timeout));
 }
 
-void warn(const RenderArguments& arguments, const Settings& settings, const Scene& scene) {
+void warnOfIdleSettings(const RenderArguments& arguments, const Job& job) {
+    if (arguments.quiet) return;
+    for (const std::string& line : idleSettings(job)) report("warning: ", line);
+}
+
+void warn(const RenderArguments& arguments, const Job& job, const Scene& scene) {
     if (arguments.quiet) return;
     const auto say = [&](const std::string& warning) {
-        report("warning: ", fmt::format("{}: {}", arguments.model, warning));
+        report("warning: ", fmt::format("{}: {}", job.model.string(), warning));
     };
-    std::ranges::for_each(renderWarnings(scene, settings), say);
+    std::ranges::for_each(renderWarnings(scene, job.settings), say);
     std::ranges::for_each(scene.warnings(), say);
 }
 
@@ -75,16 +84,17 @@ void printJson(const RenderArguments& arguments, const std::vector<JobResult>& r
     ordered_json all = ordered_json::array();
     for (const JobResult& result : results) {
         ordered_json& json = all.emplace_back(ordered_json::parse(result.metadata));
-        json["model"] = arguments.model;
+        json["model"] = arguments.models[result.job];
         for (const auto& file : result.files) json["files"].push_back(file.string());
     }
-    const ordered_json& shown = arguments.views.empty() ? all.front() : all;
+    const bool one = arguments.views.empty() && arguments.models.size() == 1;
+    const ordered_json& shown = one ? all.front() : all;
     print(shown.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
 int render(const RenderArguments& arguments) {
     startTimeout(arguments);
-    Job job{.model = arguments.model, .settings = arguments.settings.resolve(), .metadata = arguments.metadataFile};
+    Job job{.model = {}, .settings = arguments.settings.resolve(), .metadata = arguments.metadataFile};
     checkStandardOutput(arguments, job.settings);
     if (!arguments.views.empty()) job.views = viewsOf(arguments.views, job.settings.camera);
     for (const std::string& read : {arguments.views, arguments.settings.configFile()})
@@ -92,16 +102,21 @@ int render(const RenderArguments& arguments) {
     JobOptions options{.workers = arguments.jobs};
     if (arguments.output == "-") {
         options.drawn = [](std::size_t, std::size_t, const Maps& maps) {
-            const std::vector<std::uint8_t> png = encodePng(maps.picture);
+            const std::vector<std::uint8_t> png = encodePng(maps.picture, maps.dpi);
             print({reinterpret_cast<const char*>(png.data()), png.size()});
         };
     } else {
         job.outputs = {arguments.output};
     }
-    options.loaded = [&](std::size_t, const Scene& scene) { warn(arguments, job.settings, scene); };
-    std::vector<JobResult> results(std::max<std::size_t>(job.views.size(), 1));
-    options.finished = [&](const JobResult& result) { results[result.view] = result; };
-    runJobs({&job, 1}, options);
+    std::vector<Job> jobs(arguments.models.size(), job);
+    for (std::size_t i = 0; i < jobs.size(); ++i) jobs[i].model = arguments.models[i];
+    checkJobs(jobs);
+    warnOfIdleSettings(arguments, jobs.front());
+    options.loaded = [&](std::size_t number, const Scene& scene) { warn(arguments, jobs[number], scene); };
+    const std::size_t views = std::max<std::size_t>(job.views.size(), 1);
+    std::vector<JobResult> results(jobs.size() * views);
+    options.finished = [&](const JobResult& result) { results[result.job * views + result.view] = result; };
+    runJobs(jobs, options);
 
     if (arguments.json) printJson(arguments, results);
     if (arguments.verbose) std::ranges::for_each(results, printSummary);
@@ -112,8 +127,8 @@ int render(const RenderArguments& arguments) {
 
 void addRender(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<RenderArguments>();
-    CLI::App* verb = app.add_subcommand("render", "Draw the outlines of a model.");
-    addModel(*verb, arguments->model);
+    CLI::App* verb = app.add_subcommand("render", "Draw the outlines of models.");
+    addModels(*verb, arguments->models);
     verb->add_option("-o,--output", arguments->output,
                      "picture to write, .png .tif .exr, or lines, .svg .json, or - for PNG on stdout; {model}, {view} "
                      "and {map} are filled in")
@@ -121,9 +136,10 @@ void addRender(CLI::App& app, Action& action) {
         ->type_name("FILE");
     verb->add_option("--metadata", arguments->metadataFile, "write camera, settings, backend and timings as JSON")
         ->type_name("FILE");
-    verb->add_option(
-            "--views", arguments->views,
-            "draw several views: turntable:N, sphere:N, or a JSON list of camera settings; --output needs {view}")
+    verb->add_option("--views", arguments->views,
+                     "draw several views: names as for --view, turntable:N and sphere:N with commas between them, or a "
+                     "JSON list of "
+                     "camera settings; --output needs {view}")
         ->type_name("VIEWS");
     verb->add_option("--jobs", arguments->jobs, "views drawn at the same time [cores]")
         ->check(numberFrom(1, 1024))

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include <inkedge/setting_table.h>
 
 #include "base/message.h"
@@ -33,6 +35,7 @@ ModelContents inspectModel(const std::filesystem::path& file, const LoadSettings
     validate(settings);
     const formats::ModelInput input{file};
     Scene::Data data = formats::readModel(input, settings);
+    const glm::dvec3 up = glm::normalize(settings.up.value_or(data.source.up));
     if (!drawsAnything(data))
         return {.source = std::move(data.source),
                 .meshes = {},
@@ -43,6 +46,7 @@ ModelContents inspectModel(const std::filesystem::path& file, const LoadSettings
                 .instances = 0,
                 .triangles = 0,
                 .lines = 0,
+                .up = up,
                 .box = {}};
     const Scene scene = base::within(input.where(), [&] { return Scene{std::move(data), settings}; });
     std::vector<MeshContents> meshes = meshesOf(scene);
@@ -57,6 +61,7 @@ ModelContents inspectModel(const std::filesystem::path& file, const LoadSettings
             .instances = scene.instances().size(),
             .triangles = scene.triangleCount(),
             .lines = lines,
+            .up = up,
             .box = scene.box()};
 }
 

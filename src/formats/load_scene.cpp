@@ -72,6 +72,7 @@ Scene::Data readModel(const ModelInput& input, const LoadSettings& settings) {
     data.source.name = input.name.filename().string();
     data.source.format = reader.format.name;
     data.source.knowsSides = reader.knowsSides;
+    data.source.up = reader.up;
     if (data.source.unit == LengthUnit::None) data.source.unit = reader.unit;
     return data;
 }

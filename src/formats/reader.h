@@ -19,6 +19,7 @@ struct Reader {
     bool firstBytesAreCertain = false;
     LengthUnit unit = LengthUnit::None;  ///< SceneSource::unit, if every file has the same
     bool knowsSides = false;             ///< SceneSource::knowsSides
+    glm::dvec3 up{0.0, 1.0, 0.0};        ///< SceneSource::up
     /// @throws Error  (Kind::Input) if it is missing, unreadable, over the limits, truncated, inconsistent or not of
     ///                the format; the message starts with ModelInput::where()
     Scene::Data (*read)(const ModelInput&, const LoadSettings&) = nullptr;

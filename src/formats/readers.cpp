@@ -19,6 +19,9 @@ constexpr std::array stlStarts{"solid "sv, "solid\n"sv, "solid\r"sv};
 constexpr std::array plyExtensions{".ply"sv};
 constexpr std::array plyStarts{"ply\n"sv, "ply\r"sv};
 
+// CAD programs, and printers of solids, stand models on the xy plane.
+constexpr glm::dvec3 zUp{0.0, 0.0, 1.0};
+
 template <polygons::PolygonFormat format>
 Scene::Data readPolygons(const ModelInput& input, const LoadSettings& settings) {
     return polygons::loadPolygons(
@@ -28,19 +31,20 @@ Scene::Data readPolygons(const ModelInput& input, const LoadSettings& settings) 
 
 constexpr std::array table{
     Reader{.format = {"glTF 2.0", gltfExtensions},
-                    .firstBytes = gltfStarts,
-                    .firstBytesAreCertain = true,
-                    .unit = LengthUnit::Metre,
-                    .knowsSides = true,
-                    .read = gltf::loadGltf},
+           .firstBytes = gltfStarts,
+           .firstBytesAreCertain = true,
+           .unit = LengthUnit::Metre,
+           .knowsSides = true,
+           .read = gltf::loadGltf},
     Reader{.format = {polygons::name(polygons::PolygonFormat::Obj), objExtensions},
-                    .read = readPolygons<polygons::PolygonFormat::Obj>},
+           .read = readPolygons<polygons::PolygonFormat::Obj>},
     Reader{.format = {polygons::name(polygons::PolygonFormat::Stl), stlExtensions},
-                    .firstBytes = stlStarts,
-                    .read = readPolygons<polygons::PolygonFormat::Stl>},
+           .firstBytes = stlStarts,
+           .up = zUp,
+           .read = readPolygons<polygons::PolygonFormat::Stl>},
     Reader{.format = {polygons::name(polygons::PolygonFormat::Ply), plyExtensions},
-                    .firstBytes = plyStarts,
-                    .read = readPolygons<polygons::PolygonFormat::Ply>},
+           .firstBytes = plyStarts,
+           .read = readPolygons<polygons::PolygonFormat::Ply>},
 };
 
 constexpr auto formats = [] {

@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <bit>
+#include <cmath>
 #include <csetjmp>
 #include <exception>
 #include <new>
@@ -115,9 +116,10 @@ void chooseQuickCompression(png_structp png) {
 
 /// Writes samples of 8 bits, or of 16 in the byte order of this machine.
 /// @return whether libpng finished; if not, encoder.failure says why
-/// @param palette  of the picture, whose indices the image then holds; or null
+/// @param palette         of the picture, whose indices the image then holds; or null
+/// @param pixelsPerMetre  0: the file does not tell
 template <class Sample>
-bool encode(Encoder& encoder, const Image<Sample>& image, const Palette* palette) {
+bool encode(Encoder& encoder, const Image<Sample>& image, const Palette* palette, png_uint_32 pixelsPerMetre) {
     if (setjmp(png_jmpbuf(encoder.png)) != 0) return false;
     // The picture was drawn within our own limits; libpng's limits, made for files from elsewhere, are off.
     png_set_user_limits(encoder.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
@@ -134,6 +136,8 @@ bool encode(Encoder& encoder, const Image<Sample>& image, const Palette* palette
                          static_cast<int>(palette->opacities.size()), nullptr);
         }
     }
+    if (pixelsPerMetre > 0)
+        png_set_pHYs(encoder.png, encoder.info, pixelsPerMetre, pixelsPerMetre, PNG_RESOLUTION_METER);
     png_write_info(encoder.png, encoder.info);
     if (sizeof(Sample) == 2 && std::endian::native == std::endian::little) png_set_swap(encoder.png);
     for (int y = 0; y < image.size().height; ++y)
@@ -148,13 +152,20 @@ void expectEncodable(const Image<Sample>& image) {
     if (image.empty()) throw Error{Error::Kind::Usage, "PNG: expected a picture of at least one pixel, found none"};
 }
 
+// @return 0 if none is given, or one that a file cannot tell
+png_uint_32 pixelsPerMetre(std::optional<double> dpi) {
+    constexpr double metresPerInch = 0.0254;
+    const double pixels = std::round(dpi.value_or(0.0) / metresPerInch);
+    return pixels >= 1.0 && pixels <= PNG_UINT_31_MAX ? static_cast<png_uint_32>(pixels) : 0;
+}
+
 template <class Sample>
-std::vector<std::uint8_t> encoded(const Image<Sample>& image, const Palette* palette) {
+std::vector<std::uint8_t> encoded(const Image<Sample>& image, const Palette* palette, std::optional<double> dpi) {
     Encoder encoder;
     encoder.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &encoder, leave, ignoreWarning);
     if (encoder.png != nullptr) encoder.info = png_create_info_struct(encoder.png);
     if (encoder.info == nullptr) throw std::bad_alloc{};
-    if (!encode(encoder, image, palette)) {
+    if (!encode(encoder, image, palette, pixelsPerMetre(dpi))) {
         throw Error{Error::Kind::Runtime, fmt::format("PNG: a picture of {} x {} cannot be encoded: {}",
                                                       image.size().width, image.size().height, encoder.failure)};
     }
@@ -163,15 +174,15 @@ std::vector<std::uint8_t> encoded(const Image<Sample>& image, const Palette* pal
 
 }  // namespace
 
-std::vector<std::uint8_t> encodePng(const Image<std::uint8_t>& image) {
+std::vector<std::uint8_t> encodePng(const Image<std::uint8_t>& image, std::optional<double> dpi) {
     expectEncodable(image);
     const std::optional<Palette> palette = paletteOf(image);
-    return palette ? encoded(palette->indices, &*palette) : encoded(image, nullptr);
+    return palette ? encoded(palette->indices, &*palette, dpi) : encoded(image, nullptr, dpi);
 }
 
-std::vector<std::uint8_t> encodePng(const Image<std::uint16_t>& image) {
+std::vector<std::uint8_t> encodePng(const Image<std::uint16_t>& image, std::optional<double> dpi) {
     expectEncodable(image);
-    return encoded(image, nullptr);
+    return encoded(image, nullptr, dpi);
 }
 
 }  // namespace inkedge

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <thread>
@@ -49,7 +50,8 @@ struct Differences {
 /// The module's functions; safe to call from several threads.
 struct ImageFormats {
     /// Makes a TIFF in memory, of at least one pixel. A channel "A" is alpha, which the others are not multiplied by.
-    EncodedPicture (*encodeTiff)(const Layer&, SampleType);
+    /// @param dpi  pixels per inch, if the file is to tell them
+    EncodedPicture (*encodeTiff)(const Layer&, SampleType, std::optional<double> dpi);
 
     /// The first picture of a file of any format; alpha is not premultiplied.
     ReadPicture (*read)(const std::filesystem::path&);
@@ -67,7 +69,7 @@ inline std::size_t imageThreads() { return 8 + 2 * static_cast<std::size_t>(std:
 
 inline constexpr modules::ModuleOf<ImageFormats> imageModule{{.purpose = "image formats",
                                                               .file = "inkedge_image_formats.so",
-                                                              .symbol = "inkedge_image_formats_5",
+                                                              .symbol = "inkedge_image_formats_6",
                                                               .library = "OpenImageIO",
                                                               .option = "",
                                                               .remedy = "use .png, which needs no module",

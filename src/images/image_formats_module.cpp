@@ -10,6 +10,7 @@
 #include <exception>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ namespace {
 constexpr const char* notThisFile = "; write it again, as .png or .exr";
 constexpr int rowsAtOnce = 64;
 
-OIIO::ImageSpec describe(const Layer& layer, SampleType type) {
+OIIO::ImageSpec describe(const Layer& layer, SampleType type, std::optional<double> dpi) {
     const Size size = layer.size();
     OIIO::ImageSpec spec{size.width, size.height, static_cast<int>(layer.channels.size()),
                          type == SampleType::Uint8 ? OIIO::TypeUInt8 : OIIO::TypeFloat};
@@ -31,6 +32,10 @@ OIIO::ImageSpec describe(const Layer& layer, SampleType type) {
     const auto alpha = std::find(spec.channelnames.begin(), spec.channelnames.end(), "A");
     if (alpha != spec.channelnames.end()) spec.alpha_channel = static_cast<int>(alpha - spec.channelnames.begin());
     spec.attribute("oiio:UnassociatedAlpha", 1);
+    if (dpi) {
+        spec.attribute("ResolutionUnit", "in");
+        for (const char* axis : {"XResolution", "YResolution"}) spec.attribute(axis, static_cast<float>(*dpi));
+    }
     return spec;
 }
 
@@ -52,10 +57,10 @@ bool writeRows(OIIO::ImageOutput& output, const OIIO::ImageSpec& spec, const Lay
     return true;
 }
 
-EncodedPicture encodeFile(const Layer& layer, SampleType type) {
+EncodedPicture encodeFile(const Layer& layer, SampleType type, std::optional<double> dpi) {
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("tiff");
     if (!output) return {{}, modules::oneLine(OIIO::geterror())};
-    const OIIO::ImageSpec spec = describe(layer, type);
+    const OIIO::ImageSpec spec = describe(layer, type, dpi);
     EncodedPicture result;
     OIIO::Filesystem::IOVecOutput memory{result.bytes};
     const bool written = output->set_ioproxy(&memory) && output->open("tiff", spec) &&
@@ -125,7 +130,7 @@ DecodedPicture decodeJpeg(std::span<const std::uint8_t> bytes, std::uint64_t max
 
 }  // namespace
 
-extern "C" INKEDGE_API const ImageFormats* inkedge_image_formats_5() noexcept {
+extern "C" INKEDGE_API const ImageFormats* inkedge_image_formats_6() noexcept {
     static constexpr ImageFormats formats{
         [](const Layer& layer, SampleType type) { return modules::guarded([&] { return encodeFile(layer, type); }); },
         [](const std::filesystem::path& path) { return modules::guarded([&] { return readFile(path); }); },

@@ -32,9 +32,9 @@ void addSolid(const std::vector<StrokePoint>& points, std::uint8_t pen, std::vec
 }
 
 // Adds dashes along a line, beginning with a whole one.
-void addDashes(const std::vector<StrokePoint>& points, std::uint8_t pen, double width, std::vector<Stroke>& strokes) {
-    const double period = (settings::dashLength + settings::gapLength) * width;
-    const double dash = settings::dashLength * width;
+void addDashes(const std::vector<StrokePoint>& points, std::uint8_t pen, double dash, double gap,
+               std::vector<Stroke>& strokes) {
+    const double period = dash + gap;
     double begin = 0.0;  // of the edge, as a length along the line
     for (std::size_t i = 1; i < points.size(); ++i) {
         const StrokePoint& a = points[i - 1];
@@ -74,7 +74,7 @@ void StrokeMaker::add(const Line& line, std::vector<Stroke>& strokes) const {
     for (const Line& part : curves::clip(line, glm::dvec2{-margin}, size_ + margin)) {
         const std::vector<StrokePoint> points = widths_.along(curves::simplify(part, tolerance_), line);
         if (!line.visible && settings_.hidden == HiddenLines::Dashed) {
-            addDashes(points, pen, width, strokes);
+            addDashes(points, pen, pens_[pen].dash, pens_[pen].gap, strokes);
         } else {
             addSolid(points, pen, strokes);
         }

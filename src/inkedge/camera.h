@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 
 #include <inkedge/export.h>
 #include <inkedge/scene.h>
@@ -15,11 +16,17 @@ struct Camera {
     double orthographicHeight = 0.0;  ///< scene units across the picture's height; 0: perspective
     double near = 0.0;                ///< distance of the near plane along the view direction, scene units
     double far = 0.0;                 ///< and of the far plane
+    /// Where the view axis meets the picture, right of and above its middle; halves of its width and height. A picture
+    /// cut out of a larger one keeps its perspective so.
+    glm::dvec2 axis{0.0};
 
     [[nodiscard]] bool orthographic() const noexcept { return orthographicHeight > 0.0; }
 
     /// View space -> OpenGL clip space (-w <= z <= w), for pictures of this size; pixels are square.
     [[nodiscard]] INKEDGE_API glm::dmat4 projection(Size) const noexcept;
+
+    /// The pixel of pictures of this size that the view axis meets.
+    [[nodiscard]] INKEDGE_API glm::dvec2 centre(Size) const noexcept;
 
     /// Focal length in pixels of pictures of this size; orthographic: pixels per scene unit.
     [[nodiscard]] INKEDGE_API double focalLength(Size) const noexcept;
@@ -27,10 +34,10 @@ struct Camera {
 
 /// Makes a camera of settings. What the settings leave open is chosen so that the whole model fills the picture. The
 /// near and far planes are fitted to the scene's bounding sphere, so that depths scaled between them mean the same for
-/// a model of any size.
-/// @throws Error  (Kind::Usage) if the settings contradict themselves: position = focal point, up along the view
-///                direction, an angle out of range, a camera index that the file does not have, two ways to say one
-///                thing
+/// a model of any size. frameViews() does the same for several views, and finds a picture's size, too.
+/// @throws Error  (Kind::Usage) if the settings contradict themselves: position = focal point, up along a direction
+///                that is given, an angle out of range, a camera index that the file does not have, two ways to say one
+///                thing; the message names settings by the command's flags
 [[nodiscard]] INKEDGE_API Camera frameCamera(const Scene&, const CameraSettings&, Size);
 
 }  // namespace inkedge

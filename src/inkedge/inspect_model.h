@@ -31,6 +31,7 @@ struct ModelContents {
     std::uint64_t instances = 0;
     std::uint64_t triangles = 0;  ///< of all instances; 0 is no error
     std::uint64_t lines = 0;      ///< straight pieces, of all instances
+    glm::dvec3 up{0.0};           ///< as Scene::up()
     Box box;                      ///< of all drawn vertices, in world space; empty where nothing is drawn
 };
 

@@ -54,6 +54,10 @@ struct JobFailure {
     std::exception_ptr error;         ///< an Error, unless memory ran out
 };
 
+/// The settings that cannot act on any output of a job, as idleSettings() of its settings gives them; of a job without
+/// outputs, on a picture.
+[[nodiscard]] INKEDGE_API std::vector<std::string> idleSettings(const Job&);
+
 /// How jobs are run. The functions may be left out. They are called on the threads that draw, one call at a time; what
 /// loaded and drawn throw is that job's or view's failure, what the others throw ends the work.
 struct JobOptions {

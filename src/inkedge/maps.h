@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct Maps {
     Image<std::uint32_t> ids;
 
     Camera camera;
+    std::optional<double> dpi;  ///< pixels per inch that files of it tell: PictureSettings::dpi
     BackendInfo backend;
     std::vector<StageTime> times;
     /// One line each: what the settings ask for and the scene has nothing for, as renderWarnings() gives it.

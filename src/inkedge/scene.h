@@ -33,6 +33,7 @@ struct SceneSource {
     LengthUnit unit = LengthUnit::None;   ///< of world space; None: the file does not say
     bool knowsSides = false;              ///< a surface is single-sided unless its Material says that it is not
     std::vector<std::filesystem::path> files = {};  ///< buffers and pictures that it names, as far as they are there
+    glm::dvec3 up{0.0, 1.0, 0.0};         ///< world space, unit length: what users of the format call up
 };
 
 /// What the file says of a surface.
@@ -104,6 +105,12 @@ public:
     [[nodiscard]] const Box& meshBox(std::size_t i) const noexcept;
     /// The box of everything drawn, in world space.
     [[nodiscard]] const Box& box() const noexcept;
+    /// Which way is up, world space, unit length: LoadSettings::up or, without it, the format's.
+    [[nodiscard]] glm::dvec3 up() const noexcept;
+    /// Where the front looks to, across up, world space, unit length: +Z where +Y is up, -Y where +Z is; for any other
+    /// up, +Z turned with +Y the shortest way, +Z where -Y is up. What is to the right of one who sees the front is up
+    /// x front: +X where +Y or +Z is up.
+    [[nodiscard]] glm::dvec3 front() const noexcept;
     /// A sphere in world space around everything drawn.
     [[nodiscard]] const Sphere& bounds() const noexcept;
     /// The settings that the constructor was given.

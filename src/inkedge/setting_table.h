@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -53,6 +54,15 @@ struct Custom {
 
 using Constraint = std::variant<Number, Count, Choice, List, Custom>;
 
+/// What settings act on.
+struct OutputKinds {
+    bool pictures = false;  ///< of pixels, but for OpenEXR
+    bool exr = false;
+    bool svg = false;
+    bool json = false;      ///< lines as JSON
+    std::size_t views = 1;  ///< of each model
+};
+
 /// One setting: what flags, environment variables, configuration files, metadata and the manual derive from, and what
 /// validate() holds settings to.
 struct SettingDescription {
@@ -65,6 +75,9 @@ struct SettingDescription {
     std::string_view defaultInWords = {};  ///< where the default depends on something, or has a better name
     /// A flag that may be given several times: the character that joins its texts. 0: it may be given once.
     char joinedBy = '\0';
+    /// Why a value other than the default cannot act on such outputs, beside the other settings; empty: it acts.
+    /// None: it always does.
+    std::string_view (*idle)(const Settings&, const OutputKinds&) = nullptr;
 
     /// What the setting takes, with the unit: "DEG" or "sobel|farid".
     [[nodiscard]] INKEDGE_API std::string values() const;
@@ -97,6 +110,10 @@ struct SettingDescription {
 /// @throws Error  (Kind::Usage) if no setting bears the name or it cannot take the text
 INKEDGE_API void set(Settings&, std::string_view name, std::string_view text, std::string_view source);
 
+/// The settings that differ from their defaults and cannot act, one line each, by the command's flags: "--page-size
+/// does nothing: it is for .svg; --size takes millimetres".
+[[nodiscard]] INKEDGE_API std::vector<std::string> idleSettings(const Settings&, const OutputKinds&);
+
 /// Holds every value to its row of the table. What draws, loads and frames does so first.
 /// @throws Error  (Kind::Usage) at the first that its row does not allow: "sumi-width: expected a number from 1 to 32,
 ///                found '-5'"
@@ -104,6 +121,7 @@ INKEDGE_API void validate(const Settings&);
 INKEDGE_API void validate(const RenderSettings&);
 INKEDGE_API void validate(const LoadSettings&);
 INKEDGE_API void validate(const CameraSettings&);
+INKEDGE_API void validate(const FrameSettings&);
 INKEDGE_API void validate(const BackendSettings&);
 
 /// A named set of settings.

@@ -78,22 +78,41 @@ struct LoadSettings {
     bool textureCoordinates = false;  ///< Mesh::textureCoordinates is filled in: for isoparametric lines
     bool paint = false;               ///< Mesh::paint, Material::color and Material::picture are filled in; glTF only
     bool curvature = false;           ///< Mesh::curvatures is filled in
+    /// World space: which way is up of the model, whatever its length; none: SceneSource::up. See Scene::up().
+    std::optional<glm::dvec3> up = {};
+    /// Names of nodes, or patterns with * and ?. Nodes in which a pattern's node lies count, too: "arm" stands for all
+    /// of the arm. Compared with a node's name and with its path, names from a root down with / between them.
+    std::vector<std::string> only = {};  ///< these nodes alone are drawn; empty: all
+    std::vector<std::string> hide = {};  ///< these are not
     LoadLimits limits = {};
 };
 
-/// Where a model is seen from. World space is the file's: right-handed, Y up, the front of a model towards +Z.
-/// What is not given is chosen so that the whole model is framed.
+/// Where technical drawings see a model from. Iso shows width, depth and height at one scale, from the right, the front
+/// and above; Dimetric shows depth at half the scale of the others (ISO 5456-3).
+enum class NamedView { Front, Back, Left, Right, Top, Bottom, Iso, Dimetric };
+
+/// How several views of a model are framed.
+enum class Framing {
+    Auto,      ///< together if one of them is a NamedView, else each
+    Each,      ///< so that the model fills each picture
+    Together,  ///< at one scale, at which the largest fits, the middle of the model in the same place
+};
+
+/// Where a model is seen from. World space is the file's, right-handed. Scene::up() is up; Scene::front() is where the
+/// model's front looks to. What is not given is chosen so that the whole model is framed.
 struct CameraSettings {
     std::optional<glm::dvec3> position;
     std::optional<glm::dvec3> focalPoint;
-    std::optional<glm::dvec3> viewUp;
+    std::optional<glm::dvec3> viewUp;          ///< upwards in the picture: rolls the camera; none: Scene::up()
     std::optional<glm::dvec3> direction;       ///< from the camera into the scene
-    std::optional<double> azimuthAngle;        ///< degrees about +Y, from the front (+Z) towards +X
+    std::optional<NamedView> view;             ///< orthographic unless viewAngle is given
+    std::optional<double> azimuthAngle;        ///< degrees about Scene::up(), from the front towards the right
     std::optional<double> elevationAngle;      ///< degrees above the horizon
-    double viewAngle = 35.0;                   ///< vertical, degrees
+    std::optional<double> viewAngle;           ///< vertical, degrees; none: 35
     std::optional<double> orthographicHeight;  ///< scene units across the picture's height; 0 frames the model
     std::optional<int> index;                  ///< a camera of the file
     double zoomFactor = 1.0;                   ///< over 1 magnifies
+    Framing framing = Framing::Auto;
 };
 
 /// An 8-bit sRGB colour.
@@ -119,6 +138,22 @@ struct PageSize {
     friend bool operator==(const PageSize&, const PageSize&) = default;
 };
 
+/// A dash and the gap after it, both over 0, along the centre of a line. Round caps make a dash longer by its width.
+struct DashPattern {
+    PictureLength dash;
+    PictureLength gap;
+    friend bool operator==(const DashPattern&, const DashPattern&) = default;
+};
+
+/// The pen of hidden lines of every type. What is not given is as the type's pen has it, at half its width; dashes are
+/// six widths long, four apart.
+struct HiddenPenSettings {
+    std::optional<PictureLength> width;
+    std::optional<Color> color;
+    std::optional<DashPattern> dash;  ///< of HiddenLines::Dashed
+    friend bool operator==(const HiddenPenSettings&, const HiddenPenSettings&) = default;
+};
+
 /// The pen of one type of line. What is not given is as PictureSettings::lineWidth and ::lineColor.
 struct PenSettings {
     std::optional<PictureLength> width;
@@ -135,12 +170,35 @@ struct PictureSettings {
     Color lineColor{0, 0, 0};
     std::optional<Color> background = Color{255, 255, 255};  ///< none: transparent
     PictureLength lineWidth{1.5, false};                     ///< 0.5 to 32 pixels
-    double dpi = 96.0;                                       ///< pixels per inch, for widths in millimetres
-    std::optional<PageSize> page;                            ///< the sheet that vectors are for; none: the size at dpi
-    int supersampling = 1;                                   ///< samples per pixel along each axis: 1, 2 or 4
+    /// Pixels per inch, for what is measured in millimetres; none: 96, and files of pixels do not tell.
+    std::optional<double> dpi;
+    std::optional<PageSize> page;    ///< the sheet that vectors are for; none: the size at dpi
+    int supersampling = 1;           ///< samples per pixel along each axis: 1, 2 or 4
     int tileSize = 4096;             ///< the largest side of what is drawn at once, samples: trades memory for time
     LineTypes lines = allLineTypes;  ///< which types are drawn
     std::array<PenSettings, lineTypeCount> pens;  ///< one per line type, in the order of LineType's bits
+    HiddenPenSettings hiddenPen;
+
+    [[nodiscard]] double pixelsPerInch() const noexcept { return dpi.value_or(96.0); }
+};
+
+/// The size of a picture as it is asked for, in pixels or, at PictureSettings::dpi, millimetres.
+struct PictureExtent {
+    double width = 0.0;
+    double height = 0.0;  ///< 0: as what is drawn asks for
+    bool millimetres = false;
+    friend bool operator==(const PictureExtent&, const PictureExtent&) = default;
+};
+
+/// How a view is laid on its picture: what frameViews() makes a camera and PictureSettings::size of.
+struct FrameSettings {
+    /// None: PictureSettings::size or, at a scale, what the drawing takes. PictureSettings::size counts, too, where
+    /// this is a width and a height in pixels.
+    std::optional<PictureExtent> size;
+    std::optional<PictureLength> crop;  ///< cuts the picture to what is drawn and this margin, 0 or more
+    /// Length on paper, at PictureSettings::dpi, of a length of the model; orthographic views. A model without a unit
+    /// is in millimetres.
+    std::optional<double> scale;
 };
 
 /// Where the lines come from.
@@ -293,6 +351,7 @@ struct RenderSettings {
 struct Settings : RenderSettings {
     LoadSettings load;
     CameraSettings camera;
+    FrameSettings frame;
     BackendSettings backend;
 };
 

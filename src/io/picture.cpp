@@ -51,29 +51,31 @@ const std::array<Light, 256>& linearLights() {
     return table;
 }
 
-std::vector<std::uint8_t> encodeTiff(const Image<std::uint8_t>& picture, const std::filesystem::path& target) {
+std::vector<std::uint8_t> encodeTiff(const Image<std::uint8_t>& picture, const std::filesystem::path& target,
+                                     std::optional<double> dpi) {
     const images::Layer layer{&picture, channelNames(picture.channels())};
     images::EncodedPicture encoded =
-        images::imageFormats(Error::Kind::Output).encodeTiff(layer, images::SampleType::Uint8);
+        images::imageFormats(Error::Kind::Output).encodeTiff(layer, images::SampleType::Uint8, dpi);
     if (!encoded.failure.empty()) base::failToWrite(target, encoded.failure);
     return std::move(encoded.bytes);
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> encodePicture(const Image<std::uint8_t>& picture, const std::filesystem::path& target) {
+std::vector<std::uint8_t> encodePicture(const Image<std::uint8_t>& picture, const std::filesystem::path& target,
+                                        std::optional<double> dpi) {
     switch (pictureFormat(target)) {
         case PictureFormat::Png:
             break;
         case PictureFormat::Tiff:
-            return encodeTiff(picture, target);
+            return encodeTiff(picture, target, dpi);
         case PictureFormat::OpenExr: {
             const Image<float> linear = linearPicture(picture);
             const images::Layer layer{&linear, channelNames(linear.channels())};
             return images::encodeExr({&layer, 1}, {});
         }
     }
-    return encodePng(picture);
+    return encodePng(picture, dpi);
 }
 
 Image<float> linearPicture(const Image<std::uint8_t>& picture) {

@@ -67,6 +67,7 @@ Camera readCamera(const JsonObject& json, Size size) {
         if (!(camera.viewAngle > 0.0 && camera.viewAngle < 180.0))
             io::refuseValue(json.path("view_angle"), "a number over 0 and under 180", json.at("view_angle"));
     }
+    if (json.at("axis") != nullptr) camera.axis = json.vector<glm::dvec2>("axis");
     if (!io::isFinite(camera, size))
         base::refuse(json.path("view") +
                      ": expected a view and a projection that are finite, as the view's inverse is, "

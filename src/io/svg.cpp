@@ -17,14 +17,12 @@
 #include "curves/simplify.h"
 #include "ink/strokes_of.h"
 #include "io/metadata.h"
+#include "io/sheet.h"
 #include "io/svg_path.h"
 #include "settings/pens.h"
 
 namespace inkedge {
 namespace {
-
-constexpr double millimetresPerInch = 25.4;
-constexpr double cssDpi = 96.0;  // pixels per inch where a document does not say otherwise
 
 // A number with at most three decimals, rounded.
 std::string number(double value) {
@@ -73,44 +71,13 @@ std::string escaped(std::string_view text) {
     return result;
 }
 
-// The settings with the resolution at which the picture fills its page.
-PictureSettings onPage(PictureSettings settings, Size size) {
-    if (settings.page) {
-        const double millimetresPerPixel =
-            std::min(settings.page->width / size.width, settings.page->height / size.height);
-        settings.dpi = millimetresPerInch / millimetresPerPixel;
-    }
-    return settings;
-}
-
-// Whether the document's size is given in millimetres.
-bool isPhysical(const PictureSettings& settings) {
-    bool physical = settings.page || settings.dpi != cssDpi || settings.lineWidth.millimetres;
-    for (const PenSettings& pen : settings.pens) physical = physical || (pen.width && pen.width->millimetres);
-    return physical;
-}
-
-// The sheet that the document fills, and where on it the picture lies; pixels of the picture.
-struct Sheet {
-    glm::dvec2 size;
-    glm::dvec2 picture;
-};
-
-Sheet sheetOf(const PictureSettings& settings, Size size) {
-    const glm::dvec2 picture{size.width, size.height};
-    if (!settings.page) return {picture, {0.0, 0.0}};
-    const double pixelsPerMillimetre = settings.dpi / millimetresPerInch;
-    const glm::dvec2 sheet = pixelsPerMillimetre * glm::dvec2{settings.page->width, settings.page->height};
-    return {sheet, glm::max(0.5 * (sheet - picture), 0.0)};
-}
-
 // The size and the coordinates of the document. They are of one shape: not all readers know preserveAspectRatio.
-std::string documentSize(const PictureSettings& settings, const Sheet& sheet, Size size) {
+std::string documentSize(const io::Sheet& sheet) {
     const std::string viewBox = fmt::format("viewBox=\"0 0 {} {}\"", number(sheet.size.x), number(sheet.size.y));
-    if (!isPhysical(settings)) return fmt::format("width=\"{}\" height=\"{}\" {}", size.width, size.height, viewBox);
-    const double perPixel = millimetresPerInch / settings.dpi;
-    const PageSize page = settings.page.value_or(PageSize{size.width * perPixel, size.height * perPixel});
-    return fmt::format("width=\"{}\" height=\"{}\" {}", millimetres(page.width), millimetres(page.height), viewBox);
+    if (!sheet.paper)
+        return fmt::format("width=\"{}\" height=\"{}\" {}", number(sheet.size.x), number(sheet.size.y), viewBox);
+    return fmt::format("width=\"{}\" height=\"{}\" {}", millimetres(sheet.paper->width),
+                       millimetres(sheet.paper->height), viewBox);
 }
 
 bool isStraight(const curves::Bezier& curve) {
@@ -237,10 +204,8 @@ Drawing drawingOf(const Lines& lines, const PictureSettings& picture, const Line
 std::string inkOf(const settings::Pen& pen, bool isHidden, const LineSettings& settings) {
     if (varies(settings)) return fmt::format("fill=\"{}\"", hex(pen.color));
     std::string ink = fmt::format("stroke=\"{}\" stroke-width=\"{}\"", hex(pen.color), number(pen.width));
-    if (isHidden && settings.hidden == HiddenLines::Dashed) {
-        ink += fmt::format(" stroke-dasharray=\"{} {}\"", number(settings::dashLength * pen.width),
-                           number(settings::gapLength * pen.width));
-    }
+    if (isHidden && settings.hidden == HiddenLines::Dashed)
+        ink += fmt::format(" stroke-dasharray=\"{} {}\"", number(pen.dash), number(pen.gap));
     return ink;
 }
 
@@ -259,8 +224,7 @@ std::string group(std::size_t pen, const std::string& ink, const std::string& at
     return text + "</g>\n";
 }
 
-std::string heading(const Lines& lines, const Settings& settings, const PictureSettings& picture, const Sheet& sheet,
-                    std::string_view title) {
+std::string heading(const Lines& lines, const Settings& settings, const io::Sheet& sheet, std::string_view title) {
     const Size size = lines.size;
     const io::Json metadata{{"camera", io::cameraJson(lines.camera, size)},
                             {"size", {size.width, size.height}},
@@ -271,7 +235,7 @@ std::string heading(const Lines& lines, const Settings& settings, const PictureS
         "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" {} "
         "fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>{}</title>\n"
         "<desc>Line drawing of a 3D model, {} x {} pixels</desc>\n<metadata>{}</metadata>\n",
-        documentSize(picture, sheet, size), escaped(title), size.width, size.height, escaped(io::textOf(metadata, -1)));
+        documentSize(sheet), escaped(title), size.width, size.height, escaped(io::textOf(metadata, -1)));
 }
 
 void expectDrawable(const Lines& lines, const Settings& settings) {
@@ -291,22 +255,24 @@ void expectDrawable(const Lines& lines, const Settings& settings) {
 std::string linesSvg(const Lines& lines, const Settings& settings, std::string_view title) {
     expectDrawable(lines, settings);
     const Size size = lines.size;
-    const PictureSettings picture = onPage(settings.picture, size);
-    const Sheet sheet = sheetOf(picture, size);
-    const bool hasMargins = std::max(sheet.picture.x, sheet.picture.y) >= 0.001;  // pixels: the last decimal
+    const io::Sheet sheet = io::sheetOf(settings, size);
+    PictureSettings picture = settings.picture;
+    picture.dpi = sheet.dpi;
+    const bool hasMargins =
+        std::max(std::abs(sheet.picture.x), std::abs(sheet.picture.y)) >= 0.001;  // the last decimal
     std::string attributes;
     if (hasMargins)
         attributes = fmt::format(" transform=\"translate({} {})\"", number(sheet.picture.x), number(sheet.picture.y));
 
-    std::string text = heading(lines, settings, picture, sheet, title);
-    const std::string rectangle = fmt::format("width=\"{}\" height=\"{}\"", size.width, size.height);
+    std::string text = heading(lines, settings, sheet, title);
     if (picture.background) {
-        text += fmt::format("<rect class=\"inkedge background\" {} fill=\"{}\"{}/>\n", rectangle,
-                            hex(*picture.background), attributes);
+        text += fmt::format("<rect class=\"inkedge background\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n",
+                            number(sheet.size.x), number(sheet.size.y), hex(*picture.background));
     }
     const Drawing drawing = drawingOf(lines, picture, settings.lines);
     if (hasMargins && drawing.isCut) {  // the margins would show what lies beyond the picture's edges
-        text += fmt::format("<clipPath id=\"picture\"><rect {}/></clipPath>\n", rectangle);
+        text += fmt::format("<clipPath id=\"picture\"><rect width=\"{}\" height=\"{}\"/></clipPath>\n", size.width,
+                            size.height);
         attributes += " clip-path=\"url(#picture)\"";
     }
     const auto allPens = settings::pens(picture);

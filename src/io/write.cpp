@@ -229,9 +229,9 @@ void io::writeMapFiles(const Maps& maps, std::span<const Map> wanted, std::span<
     if (io::pictureFormat(files.front()) == io::PictureFormat::OpenExr) {
         staged.add(files.front(), encodeLayers(maps, each, files.front()));
     } else {
-        staged.add(files.front(), io::encodePicture(maps.picture, files.front()));
+        staged.add(files.front(), io::encodePicture(maps.picture, files.front(), maps.dpi));
         for (std::size_t i = 0; i < each.size(); ++i) {
-            staged.add(files[i + 1], io::encodePicture(mapPicture(maps, each[i]), files[i + 1]));
+            staged.add(files[i + 1], io::encodePicture(mapPicture(maps, each[i]), files[i + 1], maps.dpi));
         }
     }
     staged.commit();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include <inkedge/camera.h>
 #include <inkedge/write.h>
 
 #include "base/stage_clock.h"
@@ -19,8 +18,7 @@ struct Drawn {
     std::optional<Lines> lines;
 };
 
-Drawn draw(const Job& job, const Scene& scene, const Settings& settings, Renderer& renderer) {
-    const Camera camera = frameCamera(scene, settings.camera, settings.picture.size);
+Drawn draw(const Job& job, const Scene& scene, const Camera& camera, const Settings& settings, Renderer& renderer) {
     const auto linesAmong = std::ranges::count_if(job.outputs, [](const auto& output) { return holdsLines(output); });
     Drawn drawn;
     if (linesAmong > 0) drawn.lines = renderer.lines(scene, camera, settings);
@@ -45,11 +43,12 @@ std::vector<std::filesystem::path> write(const Drawn& drawn, const Job& job, con
 
 }  // namespace
 
-JobResult drawView(const Job& job, const View& view, const Scene& scene, Renderer& renderer,
+JobResult drawView(const Job& job, const View& view, const FramedView& framed, const Scene& scene, Renderer& renderer,
                    const std::vector<StageTime>& before, const std::function<void(const Maps&)>& reportDrawn) {
     Settings settings = job.settings;
     settings.camera = view.camera;
-    Drawn drawn = draw(job, scene, settings, renderer);
+    settings.picture = framed.picture;
+    Drawn drawn = draw(job, scene, framed.camera, settings, renderer);
 
     const base::Stopwatch watch;
     JobResult result;

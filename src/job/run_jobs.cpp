@@ -30,6 +30,7 @@ constexpr int maximumWorkers = 1024;
 struct JobState {
     const Job* job = nullptr;
     std::vector<View> views;
+    std::vector<FramedView> framed{};  // one a view if they are framed together; else empty
     std::mutex loading{};
     std::optional<Scene> scene{};
     std::vector<StageTime> times{};  // of loading
@@ -133,6 +134,7 @@ private:
                 loadScene(state);
             for (const auto& file : state.scene->source().files)
                 files_.expectNoOutput(file, fmt::format("a file of {},", state.job->model.string()));
+            if (framedTogether(state.views)) state.framed = frameViews(*state.scene, state.views, state.job->settings);
             const std::scoped_lock callLock{calling_};
             if (options_.loaded) options_.loaded(number, *state.scene);
         } catch (...) {
@@ -149,8 +151,11 @@ private:
         };
         JobResult result;
         try {
-            result = job::drawView(*state.job, state.views[task.view], *state.scene,
-                                   renderer.of(state.job->settings.backend),
+            const View& view = state.views[task.view];
+            const FramedView framed = state.framed.empty()
+                                          ? frameViews(*state.scene, {&view, 1}, state.job->settings).front()
+                                          : state.framed[task.view];
+            result = job::drawView(*state.job, view, framed, *state.scene, renderer.of(state.job->settings.backend),
                                    task.view == 0 ? state.times : std::vector<StageTime>{}, reportDrawn);
         } catch (...) {
             return fail({task.job, task.view, std::current_exception()});

@@ -6,7 +6,11 @@
 namespace inkedge::lines {
 
 Screen::Screen(const Camera& camera, glm::dvec3 origin, Size size)
-    : size_{size}, orthographic_{camera.orthographic()}, focalLength_{camera.focalLength(size)}, near_{camera.near} {
+    : size_{size},
+      centre_{camera.centre(size)},
+      orthographic_{camera.orthographic()},
+      focalLength_{camera.focalLength(size)},
+      near_{camera.near} {
     const glm::dmat4 toWorld = glm::inverse(camera.view);
     right_ = glm::normalize(glm::dvec3{toWorld[0]});
     up_ = glm::normalize(glm::dvec3{toWorld[1]});
@@ -18,14 +22,14 @@ ScreenPoint Screen::project(glm::dvec3 world) const noexcept {
     const glm::dvec3 from = world - eye_;
     const double depth = glm::dot(direction_, from);
     const double scale = orthographic_ ? focalLength_ : focalLength_ / depth;
-    return {{0.5 * size_.width + scale * glm::dot(right_, from), 0.5 * size_.height - scale * glm::dot(up_, from)},
+    return {{centre_.x + scale * glm::dot(right_, from), centre_.y - scale * glm::dot(up_, from)},
             orthographic_ ? -depth : 1.0 / depth};
 }
 
 glm::dvec3 Screen::worldAt(const ScreenPoint& p) const noexcept {
     const double depth = orthographic_ ? -p.inverseDepth : 1.0 / p.inverseDepth;
     const double scale = orthographic_ ? 1.0 / focalLength_ : depth / focalLength_;
-    const glm::dvec2 centred = p.pixel - 0.5 * glm::dvec2{size_.width, size_.height};
+    const glm::dvec2 centred = p.pixel - centre_;
     return eye_ + depth * direction_ + scale * (centred.x * right_ - centred.y * up_);
 }
 

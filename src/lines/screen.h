@@ -56,6 +56,7 @@ public:
 
 private:
     Size size_;
+    glm::dvec2 centre_;
     bool orthographic_;
     double focalLength_;
     double near_;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -15,6 +16,7 @@
 #include "passes/depth_uniforms.h"
 #include "passes/instance_transforms.h"
 #include "passes/show_tile.h"
+#include "scene/extent.h"
 
 namespace inkedge::passes {
 namespace {
@@ -45,6 +47,11 @@ void setUniforms(const Frame& frame, GLuint program, const FunctionSettings& fun
     api.ProgramUniform1f(program, 12, static_cast<float>(unit));
     setDepths(gpu, program, 13, camera);
     api.ProgramUniform1i(program, 16, function.file.empty() ? 0 : 1);
+    const glm::dvec3 up = scene.up();
+    const double floor = -scene::support(scene, -up);
+    const double height = scene::support(scene, up) - floor;
+    api.ProgramUniform3fv(program, 25, 1, glm::value_ptr(glm::vec3{up}));
+    api.ProgramUniform2f(program, 26, static_cast<float>(floor - glm::dot(centre, up)), static_cast<float>(height));
     const std::vector<float> options(function.options.begin(), function.options.end());
     if (!options.empty()) api.ProgramUniform1fv(program, 17, static_cast<GLsizei>(options.size()), options.data());
 }

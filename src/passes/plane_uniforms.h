@@ -13,8 +13,9 @@ inline void setPlanes(const Frame& frame, gl::Program program) {
     const double focal = frame.camera.focalLength(whole) * (orthographic ? frame.unit : 1.0);
     api.ProgramUniform1f(id, 0, static_cast<float>(focal));
     api.ProgramUniform1i(id, 1, orthographic ? 1 : 0);
-    api.ProgramUniform2f(id, 2, 0.5F * static_cast<float>(whole.width) - static_cast<float>(drawn.x),
-                         0.5F * static_cast<float>(whole.height) - static_cast<float>(drawn.y));
+    const glm::dvec2 centre = frame.camera.centre(whole);
+    api.ProgramUniform2f(id, 2, static_cast<float>(centre.x) - static_cast<float>(drawn.x),
+                         static_cast<float>(centre.y) - static_cast<float>(drawn.y));
 }
 
 }  // namespace inkedge::passes

@@ -13,6 +13,7 @@
 #include <inkedge/error.h>
 
 #include "reference/raster.h"
+#include "scene/extent.h"
 
 namespace inkedge::reference {
 namespace {
@@ -94,10 +95,13 @@ glm::dvec4 uv(const SurfacePoint& s, const Given& given) {
 }
 
 glm::dvec4 height(const SurfacePoint& s, const Given& given) {
-    const int axis = static_cast<int>(given.option(0));
-    const Box& box = given.scene.box();
-    const double size = given.option(1) > 0.0 ? given.option(1) : (box.max[axis] - box.min[axis]) / given.option(2);
-    const double above = s.world[axis] + given.scene.bounds().centre[axis] - box.min[axis];
+    constexpr std::array<glm::dvec3, 3> axes{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}};
+    const auto choice = static_cast<std::size_t>(given.option(0));
+    const glm::dvec3 axis = choice < axes.size() ? axes[choice] : given.scene.up();
+    const double lowest = -scene::support(given.scene, -axis);
+    const double extent = scene::support(given.scene, axis) - lowest;
+    const double size = given.option(1) > 0.0 ? given.option(1) : extent / given.option(2);
+    const double above = glm::dot(s.world + given.scene.bounds().centre, axis) - lowest;
     return {size > 0.0 ? stepsIn(above / size) : 0.0, 0.0, 0.0, 0.0};
 }
 

@@ -66,6 +66,7 @@ Maps drawPicture(const Scene& scene, const Camera& camera, const RenderSettings&
 
     if (graphics != nullptr) graphics->gpu().textures.trim();
     maps.camera = camera;
+    maps.dpi = settings.picture.dpi;
     maps.backend = kept.backend();
     maps.times = std::move(times);
     return maps;

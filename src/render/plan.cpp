@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "settings/idle.h"
+
 namespace inkedge::render {
 namespace {
 
 LineSource sourceOf(const RenderSettings& settings, const StyleRow& style) {
     if (!style.drawsLines) return LineSource::None;
-    if (settings.lines.from == LinesFrom::Object) return LineSource::Object;
+    if (settings::drawsMeshLines(settings)) return LineSource::Object;
     switch (settings.detector.detector) {
         case Detector::Planes:
             return LineSource::Planes;

@@ -58,12 +58,19 @@ double maximum(const InstancedBoxes& instanced, Measure measure) {
     return largest;
 }
 
+InstancedBoxes instancedBoxesOf(const Scene& scene) {
+    const PreparedScene& prepared = *preparedOf(scene);
+    return {prepared.data.meshes, prepared.meshBoxes, prepared.data.instances};
+}
+
 }  // namespace
 
+void forEachInstance(const Scene& scene, const std::function<void(const Instance&, const Mesh&)>& action) {
+    forEachInstance(instancedBoxesOf(scene), action);
+}
+
 double support(const Scene& scene, glm::dvec3 direction) {
-    const PreparedScene& prepared = *preparedOf(scene);
-    return maximum({prepared.data.meshes, prepared.meshBoxes, prepared.data.instances},
-                   [&](glm::dvec3 p) { return glm::dot(direction, p); });
+    return maximum(instancedBoxesOf(scene), [&](glm::dvec3 p) { return glm::dot(direction, p); });
 }
 
 Box boxOfAll(const InstancedBoxes& instanced) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include <glm/vec3.hpp>
@@ -16,6 +17,9 @@ struct InstancedBoxes {
     std::span<const Box> boxes;  ///< one per mesh
     std::span<const Instance> instances;
 };
+
+/// Calls an action for every instance that counts, and its mesh, whose vertices are all drawn.
+void forEachInstance(const Scene&, const std::function<void(const Instance&, const Mesh&)>& action);
 
 /// The largest dot product of a direction and a drawn vertex, in world space.
 [[nodiscard]] double support(const Scene&, glm::dvec3 direction);

@@ -19,6 +19,7 @@
 #include "mesh/curvature.h"
 #include "mesh/subdivide.h"
 #include "scene/check_data.h"
+#include "scene/choose_nodes.h"
 #include "scene/distortion.h"
 #include "scene/extent.h"
 
@@ -121,6 +122,7 @@ PreparedScene prepare(Scene::Data data, const LoadSettings& settings) {
     validate(settings);
     checkData(data);
     dropEmptyInstances(data);
+    chooseNodes(data, settings);
     checkLineCount(data, settings.limits.vertices);
     bakeDistortedInstances(data, settings.limits.vertices);
     if (settings.subdivide > 0) mesh::subdivideMeshes(data.meshes, settings);

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "scene/prepare.h"
 #include "scene/prepared.h"
 
@@ -21,6 +23,17 @@ const Box& Scene::meshBox(std::size_t i) const noexcept { return prepared_->mesh
 const Box& Scene::box() const noexcept { return prepared_->box; }
 const Sphere& Scene::bounds() const noexcept { return prepared_->bounds; }
 const LoadSettings& Scene::loadedWith() const noexcept { return prepared_->loadedWith; }
+glm::dvec3 Scene::up() const noexcept {
+    return glm::normalize(prepared_->loadedWith.up.value_or(prepared_->data.source.up));
+}
+glm::dvec3 Scene::front() const noexcept {
+    const glm::dvec3 up = this->up();
+    if (up.y <= -1.0) return {0.0, 0.0, 1.0};  // no way is the shortest
+    // +Z, turned by the rotation that takes +Y to up; +Y x up is its axis, times its sine.
+    const glm::dvec3 axis{up.z, 0.0, -up.x};
+    const glm::dvec3 front{0.0, 0.0, 1.0};
+    return up.y * front + glm::cross(axis, front) + axis * (glm::dot(axis, front) / (1.0 + up.y));
+}
 double Scene::creaseAngle() const noexcept { return prepared_->loadedWith.creaseAngle; }
 std::uint64_t Scene::triangleCount() const noexcept { return prepared_->triangleCount; }
 double Scene::preparationMilliseconds() const noexcept { return prepared_->milliseconds; }

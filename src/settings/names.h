@@ -19,4 +19,8 @@ inline constexpr std::array<std::string_view, 3> contourFinderNames{"every", "ra
 /// In the order of Detector.
 inline constexpr std::array<std::string_view, 4> detectorNames{"planes", "classic", "saito-takahashi", "none"};
 
+/// In the order of NamedView.
+inline constexpr std::array<std::string_view, 8> namedViewNames{"front", "back",   "left", "right",
+                                                                "top",   "bottom", "iso",  "dimetric"};
+
 }  // namespace inkedge::settings

@@ -1,24 +1,22 @@
 #include "settings/pens.h"
 
+#include "settings/lengths.h"
+
 namespace inkedge::settings {
-namespace {
 
-constexpr double millimetresPerInch = 25.4;
-
-double pixels(const PictureLength& length, double dpi) {
-    return length.millimetres ? length.value / millimetresPerInch * dpi : length.value;
-}
-
-}  // namespace
-
-std::array<Pen, penCount> pens(const PictureSettings& settings) {
+std::array<Pen, penCount> pens(const PictureSettings& picture) {
     std::array<Pen, penCount> all{};
+    const double dpi = picture.pixelsPerInch();
+    const auto& [hiddenPenWidth, hiddenPenColor, hiddenPenDash] = picture.hiddenPen;
     for (std::size_t i = 0; i < lineTypeCount; ++i) {
-        const PenSettings& pen = settings.pens[i];
-        const Pen seen{pixels(pen.width.value_or(settings.lineWidth), settings.dpi),
-                       pen.color.value_or(settings.lineColor)};
+        const PenSettings& pen = picture.pens[i];
+        const Pen seen{pixelsOf(pen.width.value_or(picture.lineWidth), dpi),
+                       pen.color.value_or(picture.lineColor)};
+        const double width = hiddenPenWidth ? pixelsOf(*hiddenPenWidth, dpi) : hiddenWidth * seen.width;
         all[i] = seen;
-        all[i + lineTypeCount] = {hiddenWidth * seen.width, seen.color};
+        all[i + lineTypeCount] = {width, hiddenPenColor.value_or(seen.color),
+                                  hiddenPenDash ? pixelsOf(hiddenPenDash->dash, dpi) : dashLength * width,
+                                  hiddenPenDash ? pixelsOf(hiddenPenDash->gap, dpi) : gapLength * width};
     }
     return all;
 }

@@ -23,7 +23,7 @@ enum class Paper {
     const std::optional<Color> behind = colorOf(paper, picture);
     if (!behind) return 4;
     const bool grey =
-        behind->grey() && picture.lineColor.grey() &&
+        behind->grey() && picture.lineColor.grey() && picture.hiddenPen.color.value_or(Color{}).grey() &&
         std::ranges::all_of(picture.pens, [](const PenSettings& pen) { return !pen.color || pen.color->grey(); });
     return grey ? 1 : 3;
 }

@@ -24,6 +24,7 @@ struct About {
     std::string_view rangeNote = {};
     std::string_view defaultInWords = {};
     char joinedBy = '\0';
+    std::string_view (*idle)(const Settings&, const OutputKinds&) = nullptr;
 };
 
 template <class T>
@@ -37,9 +38,18 @@ struct ValueOf<std::optional<T>> {
 template <class Field>
 using FieldValue = typename ValueOf<std::decay_t<decltype(Field{}(std::declval<Settings&>()))>>::Type;
 
+template <class Enumerator>
+std::string nameOf(std::span<const std::string_view> names, Enumerator value) {
+    return nameOf(names, static_cast<int>(value));
+}
+template <class Enumerator>
+std::string nameOf(std::span<const std::string_view> names, const std::optional<Enumerator>& value) {
+    return value ? nameOf(names, *value) : std::string{};
+}
+
 inline SettingDescription described(const About& about, Constraint constraint, SettingDescription::Field field) {
-    return {about.name,           about.shortName, {},   about.help, constraint, about.rangeNote,
-            about.defaultInWords, about.joinedBy,  field};
+    return {about.name,           about.shortName, {},         about.help, constraint, about.rangeNote,
+            about.defaultInWords, about.joinedBy,  about.idle, field};
 }
 
 template <class Field>
@@ -62,13 +72,12 @@ SettingDescription row(const About& about, const Count& count, Field) {
 
 template <class Field>
 SettingDescription row(const About& about, const Choice& choice, Field) {
-    return described(about, choice,
-                     {[](const Constraint& c, Settings& s, std::string_view text) {
-                          Field{}(s) = static_cast<FieldValue<Field>>(parseChoice(std::get<Choice>(c).names, text));
-                      },
-                      [](const Constraint& c, const Settings& s) {
-                          return nameOf(std::get<Choice>(c).names, static_cast<int>(Field{}(s)));
-                      }});
+    return described(
+        about, choice,
+        {[](const Constraint& c, Settings& s, std::string_view text) {
+             Field{}(s) = static_cast<FieldValue<Field>>(parseChoice(std::get<Choice>(c).names, text));
+         },
+         [](const Constraint& c, const Settings& s) { return nameOf(std::get<Choice>(c).names, Field{}(s)); }});
 }
 
 /// @param parse  makes a value, or the value of an optional, from text

@@ -17,6 +17,7 @@ namespace {
 constexpr double largest = 1e12;
 
 constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
+constexpr std::array<std::string_view, 4> axesAndUp{"x", "y", "z", "up"};
 constexpr std::array<std::string_view, 2> spaces{"camera", "world"};
 constexpr std::array<std::string_view, 2> depthMaps{"linear", "window"};
 constexpr std::array<std::string_view, 3> solids{"gradient", "rings", "stripes"};
@@ -40,7 +41,7 @@ constexpr std::array uvOptions{
     FunctionOption{"step", "between lines, in the texture coordinates' unit", 0.125, 0.0001, 1},
     FunctionOption{"direction", "which coordinate", 0, 0, 2, directions}};
 constexpr std::array heightOptions{
-    FunctionOption{"axis", "of the world", 1, 0, 2, axes},
+    FunctionOption{"axis", "of the world, or the model's up", 3, 0, 3, axesAndUp},
     FunctionOption{"step", "between curves, scene units from the lowest point up; 0: as levels says", 0, 0, largest},
     FunctionOption{"levels", "how many steps the scene's extent makes", 16, 1, 1000}};
 constexpr std::array customOptions{

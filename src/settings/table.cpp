@@ -27,6 +27,7 @@ using Groups = std::span<const std::string_view>;
 constexpr std::array<std::string_view, 5> renderGroups{"output", "picture", "lines", "style", "detector"};
 constexpr std::array<std::string_view, 2> loadGroups{"model", "limits"};
 constexpr std::array<std::string_view, 1> cameraGroups{"camera"};
+constexpr std::array<std::string_view, 1> frameGroups{"picture"};
 constexpr std::array<std::string_view, 1> backendGroups{"backend"};
 
 void validate(const Settings& settings, Groups groups) {
@@ -91,6 +92,17 @@ void set(Settings& settings, std::string_view name, std::string_view text, std::
     named(source, [&] { row->set(settings, text); });
 }
 
+std::vector<std::string> idleSettings(const Settings& settings, const OutputKinds& kinds) {
+    std::vector<std::string> lines;
+    const Settings defaults;
+    for (const SettingDescription& row : settingTable()) {
+        if (row.idle == nullptr || row.get(settings) == row.get(defaults)) continue;
+        const std::string_view why = row.idle(settings, kinds);
+        if (!why.empty()) lines.push_back(fmt::format("--{} does nothing: {}", row.name, why));
+    }
+    return lines;
+}
+
 void validate(const Settings& settings) {
     for (const SettingDescription& row : settingTable()) row.check(settings);
 }
@@ -111,6 +123,12 @@ void validate(const CameraSettings& camera) {
     Settings settings;
     settings.camera = camera;
     validate(settings, cameraGroups);
+}
+
+void validate(const FrameSettings& frame) {
+    Settings settings;
+    settings.frame = frame;
+    validate(settings, frameGroups);
 }
 
 void validate(const BackendSettings& backend) {

@@ -50,13 +50,23 @@ constexpr std::array namedPages{
 constexpr std::string_view landscapeSuffix = "-landscape";
 constexpr double longestPage = 100'000.0;  // millimetres
 
+constexpr const char* extentForm =
+    "WIDTHxHEIGHT or WIDTH in pixels, as in 1024x768, or in mm, cm or in, as in 90x60mm or 90mm";
+
+constexpr std::string_view letters = "xyz";
+constexpr std::array<glm::dvec3, 3> axes{glm::dvec3{1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1}};
+
+// The millimetres that a suffix of two letters stands for; 0 for any other text.
+double unitOfLength(std::string_view text) {
+    if (text.ends_with("mm")) return 1.0;
+    if (text.ends_with("cm")) return 10.0;
+    return text.ends_with("in") ? 25.4 : 0.0;
+}
+
 double parseMillimetres(std::string_view text) {
-    const Expected expected{"WIDTHxHEIGHT in mm, cm or in, as in 210mmx297mm, or A0 to A6, Letter, Legal, Tabloid"};
-    double unit = 0.0;
-    if (text.ends_with("mm")) unit = 1.0;
-    if (text.ends_with("cm")) unit = 10.0;
-    if (text.ends_with("in")) unit = 25.4;
-    if (unit == 0.0) throw expected;
+    const double unit = unitOfLength(text);
+    if (unit == 0.0)
+        throw Expected{"WIDTHxHEIGHT in mm, cm or in, as in 210mmx297mm, or A0 to A6, Letter, Legal, Tabloid"};
     const double value = parseNumber(overZero, text.substr(0, text.size() - 2)) * unit;
     if (value < 1.0 || value > longestPage) throw Expected{fmt::format("sides from 1mm to {}mm", longestPage)};
     return value;
@@ -114,15 +124,64 @@ glm::dvec3 parseVector(std::string_view text) {
     return {parseNumber(coordinate, parts[0]), parseNumber(coordinate, parts[1]), parseNumber(coordinate, parts[2])};
 }
 
-Size parseSize(std::string_view text) {
-    const auto parts = split(text, 'x');
-    if (parts.size() != 2) throw Expected{"WIDTHxHEIGHT in pixels, for example 1024x768"};
-    constexpr Count whole{};
-    const std::uint64_t width = parseCount(whole, parts[0]);
-    const std::uint64_t height = parseCount(whole, parts[1]);
-    if (std::min(width, height) < pictureSides.min || std::max(width, height) > pictureSides.max)
+glm::dvec3 parseDirection(std::string_view text) {
+    const bool hasSign = text.starts_with('+') || text.starts_with('-');
+    const std::string_view axis = text.substr(hasSign ? 1 : 0);
+    const std::size_t letter = axis.size() == 1 ? letters.find(static_cast<char>(axis[0] | 0x20)) : letters.npos;
+    if (letter != letters.npos) return (text.starts_with('-') ? -1.0 : 1.0) * axes[letter];
+    if (text.find(',') == text.npos) throw Expected{"an axis, as in +Z, or a direction x,y,z"};
+    const glm::dvec3 direction = parseVector(text);
+    if (direction == glm::dvec3{0.0}) throw Expected{"an axis, as in +Z, or a direction other than 0,0,0"};
+    return direction;
+}
+
+namespace {
+
+double parsePixels(std::string_view text) {
+    std::uint64_t pixels = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), pixels);
+    if (end != text.data() + text.size() || error == std::errc::invalid_argument) throw Expected{extentForm};
+    if (error != std::errc{} || pixels < pictureSides.min || pixels > pictureSides.max)
         throw Expected{fmt::format("{0}x{0} to {1}x{1} pixels", pictureSides.min, pictureSides.max)};
-    return {static_cast<int>(width), static_cast<int>(height)};
+    return static_cast<double>(pixels);
+}
+
+// @param unit  millimetres that a number stands for unless it has a unit of its own
+double parseSide(std::string_view text, double unit) {
+    const double own = unitOfLength(text);
+    if (own > 0.0) text.remove_suffix(2);
+    const double length = parseNumber(overZero, text) * (own > 0.0 ? own : unit);
+    if (length > longestPage) throw Expected{fmt::format("sides of at most {}mm", longestPage)};
+    return length;
+}
+
+}  // namespace
+
+// WIDTH or WIDTHxHEIGHT, each in pixels, or in millimetres if a unit stands after both or after the last.
+PictureExtent parseExtent(std::string_view text) {
+    const auto sides = split(text, 'x');
+    if (sides.size() > 2) throw Expected{extentForm};
+    const double unit = unitOfLength(sides.back());
+    const auto parse = [&](std::string_view side) { return unit > 0.0 ? parseSide(side, unit) : parsePixels(side); };
+    return {parse(sides.front()), sides.size() == 2 ? parse(sides.back()) : 0.0, unit > 0.0};
+}
+
+PictureLength parseMargin(std::string_view text) {
+    constexpr Number margin{.min = 0.0, .max = PictureSettings::maxSide};
+    PictureLength length;
+    length.millimetres = text.ends_with(millimetreSuffix);
+    if (length.millimetres || text.ends_with(pixelSuffix)) text.remove_suffix(2);
+    length.value = parseNumber(margin, text);
+    return length;
+}
+
+double parseScale(std::string_view text) {
+    constexpr Number part{.min = 1e-6, .max = 1e6};
+    const auto parts = split(text, ':');
+    if (parts.size() != 2) throw Expected{"a length on paper and one of the model, as in 1:2"};
+    const double scale = parseNumber(part, parts[0]) / parseNumber(part, parts[1]);
+    if (scale < part.min || scale > part.max) throw Expected{"1:1000000 to 1000000:1"};
+    return scale;
 }
 
 Color parseColor(std::string_view text) {
@@ -181,23 +240,63 @@ Isolines parseIsolines(std::string_view text) {
     return isolines;
 }
 
+namespace {
+
+constexpr std::string_view hiddenName = "hidden";
+
+DashPattern parseDash(std::string_view text) {
+    const auto parts = split(text, ':');
+    if (parts.size() != 2) throw Expected{"dash=LENGTH:GAP in pixels, or in mm, as in dash=3mm:1.5mm"};
+    const auto parse = [](std::string_view part) {
+        const PictureLength length = parseMargin(part);
+        if (length.value == 0.0) throw Expected{"dashes and gaps over 0"};
+        return length;
+    };
+    return {parse(parts[0]), parse(parts[1])};
+}
+
+// @return  whether it is a field of every pen
+template <class Pen>
+bool takeField(std::string_view field, Pen& pen) {
+    if (field.starts_with("width="))
+        pen.width = parseLength(field.substr(6));
+    else if (field.starts_with("color="))
+        pen.color = parseColor(field.substr(6));
+    else
+        return false;
+    return true;
+}
+
+template <class Pen>
+std::vector<std::string> fieldsOf(const Pen& pen) {
+    std::vector<std::string> fields;
+    if (pen.width) fields.push_back("width=" + textOf(*pen.width));
+    if (pen.color) fields.push_back("color=" + textOf(*pen.color));
+    return fields;
+}
+
+}  // namespace
+
 // TYPE:width=W,color=C;TYPE:...
-std::array<PenSettings, lineTypeCount> parsePens(std::string_view text) {
-    std::array<PenSettings, lineTypeCount> pens;
+Pens parsePens(std::string_view text) {
+    const Expected expected{"TYPE:width=W,color=C;... with one or both of width and color, or hidden:...,dash=L:G"};
+    Pens pens;
     for (const std::string_view part : split(text, ';')) {
         const std::size_t colon = part.find(':');
-        const Expected expected{"TYPE:width=W,color=C;... with one or both of width and color"};
         if (colon == std::string_view::npos) throw expected;
-        PenSettings& pen = pens[static_cast<std::size_t>(parseChoice(lineTypeNames, part.substr(0, colon)))];
-        for (const std::string_view field : split(part.substr(colon + 1), ',')) {
-            if (field.starts_with("width=")) {
-                pen.width = parseLength(field.substr(6));
-            } else if (field.starts_with("color=")) {
-                pen.color = parseColor(field.substr(6));
-            } else {
-                throw expected;
+        const std::string_view name = part.substr(0, colon);
+        const std::vector<std::string_view> fields = split(part.substr(colon + 1), ',');
+        if (name == hiddenName) {
+            for (const std::string_view field : fields) {
+                if (takeField(field, pens.hidden)) continue;
+                if (!field.starts_with("dash=")) throw expected;
+                pens.hidden.dash = parseDash(field.substr(5));
             }
+            continue;
         }
+        PenSettings& pen = pens.types[static_cast<std::size_t>(parseChoice(lineTypeNames, name))];
+        for (const std::string_view field : fields)
+            if (!takeField(field, pen)) throw expected;
     }
     return pens;
 }
@@ -222,7 +321,8 @@ std::string textOf(int value) { return fmt::format("{}", value); }
 std::string textOf(std::uint64_t value) { return fmt::format("{}", value); }
 std::string textOf(const std::string& value) { return value; }
 std::string textOf(const std::filesystem::path& file) { return file.string(); }
-std::string textOf(glm::dvec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
+// + 0.0 makes a 0 of -0, which nobody types.
+std::string textOf(glm::dvec3 v) { return fmt::format("{},{},{}", v.x + 0.0, v.y + 0.0, v.z + 0.0); }
 std::string textOf(Size size) { return fmt::format("{}x{}", size.width, size.height); }
 std::string textOf(Color color) { return fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue); }
 std::string textOf(const PageSize& page) { return fmt::format("{}mmx{}mm", page.width, page.height); }
@@ -235,14 +335,35 @@ std::string textOf(const Isolines& isolines) {
     return isolines.u == isolines.v ? fmt::format("{}", isolines.u) : fmt::format("u:{},v:{}", isolines.u, isolines.v);
 }
 
-std::string textOf(const std::array<PenSettings, lineTypeCount>& pens) {
-    std::vector<std::string> parts;
-    for (std::size_t i = 0; i < pens.size(); ++i) {
-        std::vector<std::string> fields;
-        if (pens[i].width) fields.push_back("width=" + textOf(*pens[i].width));
-        if (pens[i].color) fields.push_back("color=" + textOf(*pens[i].color));
-        if (!fields.empty()) parts.push_back(fmt::format("{}:{}", lineTypeNames[i], fmt::join(fields, ",")));
+std::string textOf(const PictureExtent& extent) {
+    const std::string_view unit = extent.millimetres ? millimetreSuffix : "";
+    if (extent.height == 0.0) return fmt::format("{}{}", extent.width, unit);
+    return fmt::format("{}{}x{}{}", extent.width, unit, extent.height, unit);
+}
+
+std::string textOfDirection(glm::dvec3 direction) {
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        const char letter = static_cast<char>(letters[i] - 0x20);
+        if (direction == axes[i]) return fmt::format("+{}", letter);
+        if (direction == -axes[i]) return fmt::format("-{}", letter);
     }
+    return textOf(direction);
+}
+
+std::string textOfScale(double scale) {
+    return scale < 1.0 ? fmt::format("1:{:.12g}", 1.0 / scale) : fmt::format("{:.12g}:1", scale);
+}
+
+std::string textOf(const Pens& pens) {
+    std::vector<std::string> parts;
+    const auto add = [&](std::string_view name, const std::vector<std::string>& fields) {
+        if (!fields.empty()) parts.push_back(fmt::format("{}:{}", name, fmt::join(fields, ",")));
+    };
+    for (std::size_t i = 0; i < pens.types.size(); ++i) add(lineTypeNames[i], fieldsOf(pens.types[i]));
+    std::vector<std::string> hidden = fieldsOf(pens.hidden);
+    if (pens.hidden.dash)
+        hidden.push_back(fmt::format("dash={}:{}", textOf(pens.hidden.dash->dash), textOf(pens.hidden.dash->gap)));
+    add(hiddenName, hidden);
     return fmt::format("{}", fmt::join(parts, ";"));
 }
 

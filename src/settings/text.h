@@ -39,12 +39,23 @@ inline constexpr Count pictureSides{.min = 1, .max = PictureSettings::maxSide, .
 [[nodiscard]] std::string nameOf(std::span<const std::string_view> names, int value);
 
 [[nodiscard]] glm::dvec3 parseVector(std::string_view text);
-[[nodiscard]] Size parseSize(std::string_view text);
+/// An axis with its sign, "+Z", or a vector other than 0,0,0.
+[[nodiscard]] glm::dvec3 parseDirection(std::string_view text);
+[[nodiscard]] PictureExtent parseExtent(std::string_view text);
+/// A margin: 0 or more, in pixels or millimetres.
+[[nodiscard]] PictureLength parseMargin(std::string_view text);
+/// The quotient of "1:2".
+[[nodiscard]] double parseScale(std::string_view text);
 [[nodiscard]] Color parseColor(std::string_view text);
 [[nodiscard]] PictureLength parseLength(std::string_view text);
 [[nodiscard]] PageSize parsePage(std::string_view text);
 [[nodiscard]] Isolines parseIsolines(std::string_view text);
-[[nodiscard]] std::array<PenSettings, lineTypeCount> parsePens(std::string_view text);
+/// What --line-style sets.
+struct Pens {
+    std::array<PenSettings, lineTypeCount> types;
+    HiddenPenSettings hidden;
+};
+[[nodiscard]] Pens parsePens(std::string_view text);
 [[nodiscard]] std::vector<FunctionSettings> parseFunctions(std::string_view text);
 
 /// @throws Error  (Kind::Usage) as surfaceFunction() does; files may have any name
@@ -58,11 +69,16 @@ void checkFunctions(const std::vector<FunctionSettings>&);
 [[nodiscard]] std::string textOf(const std::filesystem::path&);
 [[nodiscard]] std::string textOf(glm::dvec3);
 [[nodiscard]] std::string textOf(Size);
+[[nodiscard]] std::string textOf(const PictureExtent&);
 [[nodiscard]] std::string textOf(Color);
 [[nodiscard]] std::string textOf(const PictureLength&);
 [[nodiscard]] std::string textOf(const PageSize&);
 [[nodiscard]] std::string textOf(const Isolines&);
-[[nodiscard]] std::string textOf(const std::array<PenSettings, lineTypeCount>&);
+[[nodiscard]] std::string textOf(const Pens&);
+/// "+Z", or numbers where it is no axis.
+[[nodiscard]] std::string textOfDirection(glm::dvec3);
+/// "1:2", or "2:1" where it magnifies.
+[[nodiscard]] std::string textOfScale(double);
 [[nodiscard]] std::string textOf(const std::vector<FunctionSettings>&);
 template <class T>
 [[nodiscard]] std::string textOf(const std::optional<T>& value) {

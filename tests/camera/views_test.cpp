@@ -55,6 +55,50 @@ TEST(SphereOfViews, SpreadsEvenly) {
     EXPECT_GE(nearest, 0.75 * std::sqrt(8.0 * M_PI / (std::sqrt(3.0) * count)));
 }
 
+TEST(NamedViews, StandInAListWithTurntablesAndSpheres) {
+    CameraSettings base;
+    base.elevationAngle = 12.0;
+    const std::vector<View> views = viewsOf("top,turntable:2,iso,sphere:3", base);
+    std::vector<std::string> names;
+    for (const View& view : views) {
+        names.push_back(view.name);
+        EXPECT_EQ(view.camera.orthographicHeight, 0.0) << "all as the named ones";
+    }
+    EXPECT_THAT(names, testing::ElementsAre("top", "000", "001", "iso", "002", "003", "004"));
+    EXPECT_EQ(views[0].camera.view, NamedView::Top);
+    EXPECT_EQ(views[0].camera.elevationAngle, std::nullopt);
+    EXPECT_EQ(views[2].camera.azimuthAngle, 180.0);
+    EXPECT_EQ(views[2].camera.elevationAngle, 12.0);
+    EXPECT_EQ(views[2].camera.view, std::nullopt);
+    EXPECT_TRUE(framedTogether(views));
+    EXPECT_FALSE(framedTogether(viewsOf("top", {})));
+    EXPECT_FALSE(framedTogether(viewsOf("turntable:4", {})));
+    base = {};
+    base.viewAngle = 30.0;
+    EXPECT_EQ(viewsOf("front,back", base)[1].camera.orthographicHeight, std::nullopt);
+    EXPECT_EQ(viewsOf("turntable:2,sphere:1", {})[0].camera.orthographicHeight, std::nullopt);
+}
+
+TEST(NamedViews, AreRefusedWithWhatIsWrong) {
+    const auto refused = [](const std::string& text, const std::string& message, const CameraSettings& base = {}) {
+        expectError(Error::Kind::Usage, HasSubstr(message), [&] { static_cast<void>(viewsOf(text, base)); });
+    };
+    refused("front,rigth",
+            "--views: expected front, back, left, right, top, bottom, iso, dimetric, turntable:N or "
+            "sphere:N, found 'rigth'");
+    refused("front,", "found ''");
+    refused("front,top,front", "--views: expected each view once, found 'front' again");
+    refused("front,turntable:0", "--views: expected a number of views from 1 to 1000000");
+    refused("turntable:1000000,front", "--views: expected at most 1000000 views, found more");
+    CameraSettings base;
+    base.azimuthAngle = 1.0;
+    refused("front,top", "--views: expected no azimuth or elevation angle beside 'front,top', found one", base);
+    EXPECT_NO_THROW(static_cast<void>(viewsOf("front,turntable:2", base)));
+    base = {};
+    base.view = NamedView::Iso;
+    refused("front,top", "--view beside 'front,top', found one", base);
+}
+
 class ViewsFile : public testing::Test {
 protected:
     [[nodiscard]] std::string file(const std::string& content) const {
@@ -83,6 +127,13 @@ TEST_F(ViewsFile, SetsWhatItNamesAndLeavesTheRestAsItIs) {
     EXPECT_EQ(views[1].camera.viewAngle, 20.0);
 }
 
+TEST_F(ViewsFile, TakesNamedViews) {
+    const auto views = viewsOf(file(R"([{"view": "iso"}, {"name": "a", "view": "top", "camera-view-angle": 20}])"), {});
+    EXPECT_EQ(views[0].camera.view, NamedView::Iso);
+    EXPECT_EQ(views[1].camera.view, NamedView::Top);
+    expectRefusal(R"([{"view": "side"}])", "view 0: view: expected one of front, back, left, right, top, bottom, iso");
+}
+
 TEST_F(ViewsFile, IsRefusedWithTheViewThatIsWrong) {
     expectRefusal("{}", "expected a JSON list of 1 to 1000000 views, found object");
     expectRefusal("[]", "found 0");
@@ -96,14 +147,18 @@ TEST_F(ViewsFile, IsRefusedWithTheViewThatIsWrong) {
 }
 
 TEST(ViewsText, IsRefusedWhenItNamesNothing) {
-    expectError(Error::Kind::Input, HasSubstr("expected turntable:N, sphere:N or a file of views"),
+    expectError(Error::Kind::Input,
+                HasSubstr("circle:8: expected front, back, left, right, top, bottom, iso, dimetric, turntable:N or "
+                          "sphere:N, or a file of views, found none"),
                 [] { static_cast<void>(viewsOf("circle:8", {})); });
     for (const char* wrong : {"turntable:", "turntable:0", "turntable:-3", "sphere:1.5", "sphere:2000000"})
         expectError(Error::Kind::Usage, HasSubstr("expected a number of views from 1 to 1000000"),
                     [&] { static_cast<void>(viewsOf(wrong, {})); });
     CameraSettings base;
     base.position = glm::dvec3{1, 0, 0};
-    expectError(Error::Kind::Usage, HasSubstr("expected no camera-position, camera-direction or camera-index"),
+    expectError(Error::Kind::Usage,
+                HasSubstr("--views: expected no --camera-position, --camera-direction, --camera-index or "
+                          "--view beside 'turntable:4'"),
                 [&] { static_cast<void>(viewsOf("turntable:4", base)); });
 }
 

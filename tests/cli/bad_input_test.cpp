@@ -57,13 +57,15 @@ TEST_F(BadInput, PictureOverTheLimit) {
 }
 
 TEST_F(BadInput, CameraThatStandsOnItsFocalPoint) {
-    expectUsageFailure({"--eye", "1,2,3", "--target", "1,2,3"}, "camera-position: expected a place other than");
+    expectUsageFailure({"--eye", "1,2,3", "--target", "1,2,3"},
+                       "inkedge: error: --camera-position: expected a place other than");
 }
 
 TEST_F(BadInput, UpAlongTheViewDirection) {
-    expectUsageFailure({"--camera-direction", "0,-2,0", "--up", "0,1,0"},
-                       "camera-view-up: expected a direction across");
-    expectUsageFailure({"--up", "0,0,0"}, "camera-view-up: expected a direction, found 0,0,0");
+    expectUsageFailure({"--camera-direction", "-0,-2,0", "--camera-view-up", "0,1,0"},
+                       "--camera-view-up: expected a direction across the view direction 0,-1,0, found one along it");
+    expectUsageFailure({"--camera-view-up", "0,0,0"}, "--camera-view-up: expected a direction, found 0,0,0");
+    expectUsageFailure({"--up", "0,0,0"}, "--up: expected an axis, as in +Z, or a direction other than 0,0,0, found");
 }
 
 TEST_F(BadInput, DirectionOfNoLength) { expectUsageFailure({"--camera-direction", "0,0,0"}, "camera-direction: "); }
@@ -106,8 +108,8 @@ TEST_F(BadInput, CamerasBeyondWhatCanBeDrawn) {
 }
 
 TEST_F(BadInput, TwoWaysToSayOneThing) {
-    expectUsageFailure({"--eye", "1,2,3", "--azimuth", "10"}, "camera-position: expected it without");
-    expectUsageFailure({"--camera-index", "0", "--up", "0,0,1"}, "camera-index: expected it without");
+    expectUsageFailure({"--eye", "1,2,3", "--azimuth", "10"}, "--camera-position: expected it without");
+    expectUsageFailure({"--camera-index", "0", "--camera-view-up", "0,0,1"}, "--camera-index: expected it without");
 }
 
 TEST_F(BadInput, CameraThatTheFileDoesNotHave) {
@@ -201,7 +203,9 @@ TEST_F(BadInput, CommandLinesThatAreNone) {
     expectRefusal({"render", roof()}, "expected --output, found none" + usage);
     expectRefusal({"render", roof(), "-o"}, "--output: expected one value, found none" + usage);
     expectRefusal({"render", roof(), "-o", "a.png", "--colour", "red"}, "found '--colour'" + usage);
-    expectRefusal({"render", roof(), "other.glb", "-o", "a.png"}, "found 'other.glb'" + usage);
+    expectRefusal({"render", roof(), "other.glb", "-o", "a.png"},
+                  "found it asked for by view 0 of other.glb too; put {model}");
+    expectRefusal({"inspect", roof(), "other.glb"}, "found 'other.glb'; see inkedge inspect --help\n");
     expectRefusal({"render", roof(), "-o", "a.png", "-o", "b.png"},
                   "--output: expected one value, found several" + usage);
     expectRefusal({"compare", "a.png"}, "expected B, found none; see inkedge compare --help\n");

@@ -86,6 +86,30 @@ TEST(StrokesOf, drawHiddenLinesAsTheSettingSays) {
     EXPECT_NEAR(dashed[9].to.x, 106.0, 1e-4);
 }
 
+TEST(StrokesOf, dashesAreThoseOfTheHiddenPen) {
+    Lines lines;
+    lines.size = {200, 100};
+    Line line = curves::lineThrough({{10, 10}, {110, 10}});
+    line.type = LineType::Crease;
+    line.visible = false;
+    lines.lines = {line};
+    LineSettings settings;
+    settings.hidden = HiddenLines::Dashed;
+    PictureSettings wanted = picture(2.0);
+    wanted.hiddenPen = {PictureLength{3.0}, Color{9, 9, 9}, DashPattern{PictureLength{15.0}, PictureLength{10.0}}};
+    const auto dashed = strokesOf(lines, wanted, settings);
+    ASSERT_EQ(dashed.size(), 4U);
+    EXPECT_NEAR(lengthOf(dashed), 60.0, 1e-3);
+    EXPECT_EQ(dashed[1].from, glm::vec2(35, 10));
+    const Pen& pen = pens(wanted)[dashed[0].pen];
+    EXPECT_EQ(pen.width, 3.0);
+    EXPECT_EQ(pen.color, (Color{9, 9, 9}));
+    wanted.dpi = 254.0;  // ten pixels a millimetre
+    wanted.hiddenPen.dash = DashPattern{{1.5, true}, {1.0, true}};
+    EXPECT_EQ(pens(wanted)[dashed[0].pen].dash, 15.0);
+    EXPECT_EQ(pens(wanted)[dashed[0].pen].gap, 10.0);
+}
+
 TEST(StrokesOf, leadDashesAroundCorners) {
     LineSettings settings;
     settings.hidden = HiddenLines::Dashed;

@@ -52,6 +52,22 @@ TEST(EncodePng, keepsEveryValueOfUpTo256ColoursInAPalette) {
     }
 }
 
+TEST(EncodePng, holdsTheResolution) {
+    const auto density = [](const std::vector<std::uint8_t>& png) {
+        const std::string bytes(png.begin(), png.end());
+        const std::size_t at = bytes.find("pHYs");
+        return at == std::string::npos ? std::string{} : bytes.substr(at + 4, 9);
+    };
+    const std::string perMetre{"\x00\x00\x2e\x23\x00\x00\x2e\x23\x01", 9};  // 300 / 0.0254 = 11811
+    EXPECT_EQ(density(encodePng(noise({5, 3}, 3), 300.0)), perMetre);
+    EXPECT_EQ(density(encodePng(Image<std::uint16_t>{{5, 3}, 1}, 300.0)), perMetre);
+    Image<std::uint8_t> palette{{93, 71}, 3};
+    EXPECT_EQ(density(encodePng(palette, 300.0)), perMetre);
+    EXPECT_EQ(density(encodePng(palette)), "");
+    EXPECT_EQ(density(encodePng(palette, 1e-9)), "") << "less than a file can tell";
+    EXPECT_EQ(density(encodePng(palette, 1e12)), "");
+}
+
 TEST(EncodePng, isSmallOnALinePicture) {
     Image<std::uint8_t> picture{{1024, 1024}, 1, 255};
     for (int y = 0; y < 1024; ++y) picture.at(y, y) = picture.at(1023 - y, y) = 0;

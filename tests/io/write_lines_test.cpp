@@ -156,7 +156,7 @@ TEST(LinesSvg, standsInTheMiddleOfASheetWhoseShapeItsCoordinatesHave) {
     const std::string moved = "transform=\"translate(0 75)\"";
     EXPECT_THAT(
         text, AllOf(HasSubstr(R"(width="400mm" height="500mm" viewBox="0 0 200 250")"),
-                    HasSubstr(R"(width="200" height="100" fill="#ffffee" )" + moved + "/>"),
+                    HasSubstr(R"(<rect class="inkedge background" width="200" height="250" fill="#ffffee"/>)"),
                     HasSubstr(layerOf("outline", "visible") + R"( stroke="#000000" stroke-width="1.5" )" + moved + ">"),
                     HasSubstr("d=\"m10 10 80 80\"")));
     EXPECT_THAT(svg(lines, onSheet("500mmx200mm")),
@@ -164,6 +164,32 @@ TEST(LinesSvg, standsInTheMiddleOfASheetWhoseShapeItsCoordinatesHave) {
     EXPECT_THAT(svg(lines, onSheet("400mmx200mm")),
                 AllOf(HasSubstr(R"(viewBox="0 0 200 100")"), Not(HasSubstr("transform"))));
     EXPECT_THAT(svg(linesOf({}, {700, 300}), onSheet("210mmx90mm")), Not(HasSubstr("transform"))) << "but for rounding";
+}
+
+TEST(LinesSvg, hasTheSizeOnPaperThatIsAskedFor) {
+    const Lines lines = linesOf({}, {340, 227});
+    EXPECT_THAT(svg(lines, settingsOf({{"size", "90x60mm"}})),
+                AllOf(HasSubstr(R"(width="90mm" height="60mm" viewBox="0 0 340.157 226.772")"),
+                      HasSubstr(R"(<rect class="inkedge background" width="340.157" height="226.772")")));
+    EXPECT_THAT(svg(lines, settingsOf({{"size", "90mm"}})), HasSubstr(R"(width="90mm" height="60.06mm")"));
+    EXPECT_THAT(svg(lines, settingsOf({{"dpi", "96"}})), HasSubstr(R"(width="89.958mm" height="60.06mm")"));
+    // At a scale a picture keeps its size on the page; without one it fills the page.
+    const Lines drawn = linesOf({lineThrough({{10, 10}, {90, 90}})});
+    EXPECT_THAT(svg(drawn, settingsOf({{"scale", "1:2"}, {"page-size", "254mmx127mm"}, {"dpi", "25.4"}})),
+                AllOf(HasSubstr(R"(viewBox="0 0 254 127")"), HasSubstr("translate(27 13.5)")));
+}
+
+TEST(LinesSvg, drawsHiddenLinesAsTheirPenSays) {
+    const Lines lines = linesOf({hidden(typed(lineThrough({{10, 10}, {90, 90}}), LineType::Crease))});
+    const auto pen = [&](const std::string& style) {
+        return svg(lines, settingsOf({{"hidden", "dashed"}, {"line-width", "2"}, {"line-style", style}}));
+    };
+    EXPECT_THAT(pen("crease:color=#00f"), HasSubstr(R"(stroke="#0000ff" stroke-width="1" stroke-dasharray="6 4")"));
+    EXPECT_THAT(pen("hidden:width=3"), HasSubstr(R"(stroke="#000000" stroke-width="3" stroke-dasharray="18 12")"));
+    EXPECT_THAT(pen("crease:color=#00f;hidden:color=#888,dash=5:2.5"),
+                HasSubstr(R"(stroke="#888888" stroke-width="1" stroke-dasharray="5 2.5")"));
+    EXPECT_THAT(svg(lines, settingsOf({{"hidden", "solid"}, {"line-style", "hidden:dash=1mm:1mm,width=1mm"}})),
+                AllOf(HasSubstr(R"(stroke-width="3.78")"), Not(HasSubstr("dasharray"))));
 }
 
 TEST(LinesSvg, hasNoRectangleThatShowsNothing) {

@@ -102,7 +102,16 @@ TEST(WriteMaps, writesTheSameValuesToTiff) {
     maps.picture = noise({67, 131}, 4);
     writeMaps(maps, {}, folder / "a.tif");
     const DecodedFile file = decodeFile(folder / "a.tif");
-    EXPECT_STREQ(OIIO::ImageInput::open((folder / "a.tif").string())->format_name(), "tiff");
+    const auto written = OIIO::ImageInput::open((folder / "a.tif").string());
+    EXPECT_STREQ(written->format_name(), "tiff");
+    EXPECT_NE(written->spec().get_string_attribute("ResolutionUnit"), "in") << "no resolution is asked for";
+    Maps fine = maps;
+    fine.dpi = 300.5;
+    writeMaps(fine, {}, folder / "fine.tif");
+    const auto told = OIIO::ImageInput::open((folder / "fine.tif").string());
+    EXPECT_EQ(told->spec().get_float_attribute("XResolution"), 300.5F);
+    EXPECT_EQ(told->spec().get_float_attribute("YResolution"), 300.5F);
+    EXPECT_EQ(told->spec().get_string_attribute("ResolutionUnit"), "in");
     EXPECT_EQ(file.spec.format, OIIO::TypeUInt8);
     EXPECT_EQ(file.spec.alpha_channel, 3);
     EXPECT_EQ(file.spec.get_int_attribute("oiio:UnassociatedAlpha"), 1) << "alpha is not multiplied in";

@@ -32,7 +32,11 @@ inline std::vector<std::string> samples(const SettingDescription& row) {
     if (isChoice(row)) return split(row.values(), '|');
     if (row.values() == "MAP,...") return {"depth", "edges,depth-edges", "depth,normal,depth-edges,normal-edges,edges"};
     if (row.name == "page-size") return {"210mmx297mm", "12.5mmx40mm"};
-    if (row.values() == "WIDTHxHEIGHT") return {"1x1", "320x200"};
+    if (row.name == "size") return {"1x1", "320x200", "90mmx60mm", "25.4mm", "1063"};
+    if (row.name == "crop") return {"0", "12.5", "2mm"};
+    if (row.name == "scale") return {"1:2", "5:1", "1:1", "1:3"};
+    if (row.name == "up") return {"+Z", "-X", "1,2,3"};
+    if (row.values() == "NAME") return {"arm", "arm/hand;leg *"};
     if (row.values() == "COLOR") return {"#000000", "#12ab9f", "#ffffff"};
     if (row.values() == "COLOR|none") return {"none", "#12ab9f"};
     if (row.values() == "X,Y,Z") return {"1,2,3", "-1.5,0.25,1e-300"};
@@ -46,7 +50,10 @@ inline std::vector<std::string> samples(const SettingDescription& row) {
     if (row.group == "detector" && (row.values() == "PX" || row.values() == "X")) return {"0.25", "2.5"};
     if (row.values() == "PX") return {"0.5", "2.25", "0.35mm"};
     if (row.values() == "TYPE,...") return {"none", "crease", "outline,object"};
-    if (row.values() == "TYPE:width=W,color=C;...") return {"crease:width=1", "outline:width=0.5mm,color=#123456"};
+    if (row.values() == "TYPE:width=W,color=C;...") {
+        return {"crease:width=1", "outline:width=0.5mm,color=#123456",
+                "crease:width=1;hidden:width=0.25mm,color=#808080,dash=3mm:1.5mm", "hidden:dash=4:2"};
+    }
     if (row.values() == "NAME|N") return {"Run", "2"};
     if (row.values() == "FILE") return {"charcoal.png", "/brushes/dry one.png"};
     if (row.values() == "SAMPLES") return {"256", "1000"};

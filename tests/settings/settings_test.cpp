@@ -140,6 +140,18 @@ TEST(Set, appliesEveryChoice) {
 TEST(Set, fillsTheFieldThatTheNameSays) {
     EXPECT_THAT(with("maps", "edges,depth").maps, ElementsAre(Map::Edges, Map::Depth));
     EXPECT_EQ(with("size", "640x480").picture.size, (Size{640, 480}));
+    EXPECT_EQ(with("size", "90x60mm").frame.size, (PictureExtent{90.0, 60.0, true}));
+    EXPECT_EQ(with("size", "9cm").frame.size, (PictureExtent{90.0, 0.0, true}));
+    EXPECT_EQ(with("size", "1inx2in").frame.size, (PictureExtent{25.4, 50.8, true}));
+    EXPECT_EQ(with("size", "1063").frame.size, (PictureExtent{1063.0, 0.0, false}));
+    EXPECT_EQ(with("crop", "2mm").frame.crop, (PictureLength{2.0, true}));
+    EXPECT_EQ(with("scale", "1:2").frame.scale, 0.5);
+    EXPECT_EQ(with("up", "-y").load.up, glm::dvec3(0, -1, 0));
+    EXPECT_EQ(with("up", "Z").load.up, glm::dvec3(0, 0, 1));
+    EXPECT_EQ(with("up", "0,3,4").load.up, glm::dvec3(0, 3, 4));
+    EXPECT_THAT(with("only", "a;b").load.only, ElementsAre("a", "b"));
+    EXPECT_EQ(with("view", "dimetric").camera.view, NamedView::Dimetric);
+    EXPECT_EQ(with("background", "transparent").picture.background, std::nullopt);
     EXPECT_EQ(with("camera-position", "1,2,3").camera.position, glm::dvec3(1, 2, 3));
     EXPECT_EQ(with("camera-focal-point", "1,2,3").camera.focalPoint, glm::dvec3(1, 2, 3));
     EXPECT_EQ(with("camera-view-up", "1,2,3").camera.viewUp, glm::dvec3(1, 2, 3));
@@ -232,16 +244,40 @@ TEST(Set, refusesWhatIsNoVector) {
 }
 
 TEST(Set, refusesWhatIsNoSize) {
-    for (const std::string text : {"", "640", "640*480", "1x2x3", "640X480"}) {
+    for (const std::string text : {"", "640*480", "1x2x3", "640X480", "x", "640x", "x5", "-1x5", "1.5x2", "90mmx60"}) {
         expectRefusal("size", text,
-                      "--flag: expected WIDTHxHEIGHT in pixels, for example 1024x768, found '" + text + "'");
+                      "--flag: expected WIDTHxHEIGHT or WIDTH in pixels, as in 1024x768, or in mm, cm or in, as in "
+                      "90x60mm or 90mm, found '" +
+                          text + "'");
     }
-    for (const std::string text : {"x", "640x", "-1x5", "1.5x2", "5x99999999999"}) {
-        expectRefusal("size", text, "--flag: expected a whole number from 0, found '" + text + "'");
-    }
-    for (const std::string text : {"0x0", "0x5", "5x0"}) {
+    expectRefusal("size", "0mm", "--flag: expected a number over 0, found '0mm'");
+    expectRefusal("size", "mm", "--flag: expected a number, found 'mm'");
+    expectRefusal("size", "200000mm", "--flag: expected sides of at most 100000mm, found '200000mm'");
+    for (const std::string text : {"0x0", "0x5", "5x0", "0", "5x99999999999", "5x99999999999999999999"}) {
         expectRefusal("size", text, "--flag: expected 1x1 to 32768x32768 pixels, found '" + text + "'");
     }
+}
+
+TEST(Set, refusesWhatIsNoAxisScaleOrMargin) {
+    for (const std::string text : {"", "+", "up", "+Y+", "W"})
+        expectRefusal("up", text, "--flag: expected an axis, as in +Z, or a direction x,y,z, found '" + text + "'");
+    expectRefusal("up", "0,0,-0",
+                  "--flag: expected an axis, as in +Z, or a direction other than 0,0,0, found '0,0,-0'");
+    for (const std::string text : {"", "2", "1:2:3"})
+        expectRefusal("scale", text,
+                      "--flag: expected a length on paper and one of the model, as in 1:2, found '" + text + "'");
+    expectRefusal("scale", "1:0", "--flag: expected a number from 1e-06 to 1000000, found '1:0'");
+    expectRefusal("scale", "1000:0.000001", "--flag: expected 1:1000000 to 1000000:1, found '1000:0.000001'");
+    expectRefusal("crop", "-1", "--flag: expected a number from 0 to 32768, found '-1'");
+    expectRefusal("only", "a;;b", "--flag: expected names of nodes, found 'a;;b'");
+    expectRefusal("line-style", "hidden:dash=3",
+                  "--flag: expected dash=LENGTH:GAP in pixels, or in mm, as in dash=3mm:1.5mm, found 'hidden:dash=3'");
+    expectRefusal("line-style", "hidden:dash=0:1", "--flag: expected dashes and gaps over 0, found 'hidden:dash=0:1'");
+}
+
+TEST(Set, namesDirectionsWithoutMinusZero) {
+    EXPECT_EQ(got("camera-direction", with("camera-direction", "-0,0,-1")), "0,0,-1");
+    EXPECT_EQ(got("up", with("up", "-0,-0,-1")), "-Z");
 }
 
 TEST(Set, refusesWhatIsNoColor) {
@@ -265,7 +301,7 @@ TEST(Set, refusesUnknownMaps) {
 
 TEST(Set, leavesTheSettingsAloneWhenItRefuses) {
     for (const SettingDescription& row : settingTable()) {
-        if (row.values() == "NAME|N" || row.values() == "FILE") continue;  // take any text
+        if (row.values() == "NAME|N" || row.values() == "NAME" || row.values() == "FILE") continue;  // take any text
         Settings settings;
         set(settings, row.name, samples(row).back(), "test");
         EXPECT_THROW(set(settings, row.name, "!", "test"), Error) << row.name;

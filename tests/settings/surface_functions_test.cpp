@@ -23,7 +23,7 @@ std::string refusalOf(std::string_view text) {
 
 TEST(SurfaceFunctions, haveTheirRowsDefaults) {
     const FunctionSettings height = surfaceFunction("height");
-    EXPECT_THAT(height.options, ElementsAre(1.0, 0.0, 16.0));
+    EXPECT_THAT(height.options, ElementsAre(3.0, 0.0, 16.0));
     EXPECT_EQ(threshold(height), 2.0F);
     EXPECT_EQ(text(height), "height");
 }

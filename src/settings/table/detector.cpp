@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "settings/idle.h"
 #include "settings/names.h"
 #include "settings/rows.h"
 
@@ -35,41 +36,49 @@ std::vector<SettingDescription> detectorRows() {
         {row(
              {.name = "detector",
               .help = "planes: where visible faces do not go on; classic: gradients of depth and normals; "
-                      "saito-takahashi: profiles and edges of depth; none: functions alone"},
+                      "saito-takahashi: profiles and edges of depth; none: functions alone",
+              .idle = idleDetector},
              Choice{detectorNames}, [](auto& s) -> auto& { return s.detector.detector; }),
          row(
              {.name = "kernel",
-              .help = "gradient kernels: Sobel 3x3 (eq. 5) or Farid-Simoncelli 5x5 (eq. 8); classic detector"},
+              .help = "gradient kernels: Sobel 3x3 (eq. 5) or Farid-Simoncelli 5x5 (eq. 8); classic detector",
+              .idle = idleGradients},
              Choice{kernelNames}, [](auto& s) -> auto& { return s.detector.kernel; }),
          row(
              {.name = "depth-map",
-              .help = "depth that edges are found in: eye-space scaled to 0..1, or window-space; classic detector"},
+              .help = "depth that edges are found in: eye-space scaled to 0..1, or window-space; classic detector",
+              .idle = idleGradients},
              Choice{depthMapNames}, [](auto& s) -> auto& { return s.detector.depthMap; }),
          row(
              {.name = "depth-threshold",
               .help = "depth edge where the magnitude (eq. 6) is at least T (eq. 7); classic detector",
-              .defaultInWords = "0.1 (sobel), 0.00972 (farid)"},
+              .defaultInWords = "0.1 (sobel), 0.00972 (farid)",
+              .idle = idleGradients},
              threshold, [](auto& s) -> auto& { return s.detector.depthThreshold; }),
          row(
              {.name = "normal-threshold",
               .help = "normal edge where the magnitude of any channel is at least T; classic detector",
-              .defaultInWords = "1.6 (sobel), 0.155 (farid)"},
+              .defaultInWords = "1.6 (sobel), 0.155 (farid)",
+              .idle = idleGradients},
              threshold, [](auto& s) -> auto& { return s.detector.normalThreshold; }),
          row(
              {.name = "normal-lights",
-              .help = "normal map from six lights in one float pass, or from two 8-bit passes"},
+              .help = "normal map from six lights in one float pass, or from two 8-bit passes",
+              .idle = idleLights},
              Choice{lightsNames}, [](auto& s) -> auto& { return s.detector.normalLights; }),
          row(
-             {.name = "light-space", .help = "the axes that the lights stand on"}, Choice{lightSpaceNames},
-             [](auto& s) -> auto& { return s.detector.lightSpace; }),
+             {.name = "light-space", .help = "the axes that the lights stand on", .idle = idleLightSpace},
+             Choice{lightSpaceNames}, [](auto& s) -> auto& { return s.detector.lightSpace; }),
          row(
              {.name = "profile-limit",
-              .help = "depth, in pixels, over which a profile is full ink; saito-takahashi detector"},
+              .help = "depth, in pixels, over which a profile is full ink; saito-takahashi detector",
+              .idle = idleProfiles},
              Number{.min = 0.001, .max = 1000.0, .unit = "PX"},
              [](auto& s) -> auto& { return s.detector.profileLimit; }),
          row(
              {.name = "edge-limit",
-              .help = "change of slope over which an internal edge is full ink; saito-takahashi detector"},
+              .help = "change of slope over which an internal edge is full ink; saito-takahashi detector",
+              .idle = idleProfiles},
              Number{.min = 0.001, .max = 1000.0, .unit = "X"}, [](auto& s) -> auto& { return s.detector.edgeLimit; }),
          described({.name = "function",
                     .help = "surface function whose edges are drawn over the detector's lines",

@@ -1,4 +1,5 @@
 #include "settings/constraints.h"
+#include "settings/idle.h"
 #include "settings/names.h"
 #include "settings/rows.h"
 
@@ -22,54 +23,66 @@ std::vector<SettingDescription> lineRows() {
         "lines",
         {row(
              {.name = "lines-from",
-              .help = "image: between pixels; object: exact lines of the mesh; auto: object for .svg and .json"},
+              .help = "image: between pixels; object: exact lines of the mesh; auto: object for .svg and .json",
+              .idle = idleLinesFrom},
              Choice{linesFromNames}, [](auto& s) -> auto& { return s.lines.from; }),
          row(
              {.name = "contour",
-              .help = "contours: edges of the mesh, or curves where the shading normal turns away; lines from object"},
+              .help = "contours: edges of the mesh, or curves where the shading normal turns away; lines from object",
+              .idle = idleWithoutMeshLines},
              Choice{contourNames}, [](auto& s) -> auto& { return s.lines.contour; }),
          row(
              {.name = "contour-finder",
               .help = "every edge, a random search that may miss some, or a map for orthographic views; lines from "
-                      "object"},
+                      "object",
+              .idle = idleWithoutMeshLines},
              Choice{contourFinderNames}, [](auto& s) -> auto& { return s.lines.contourFinder; }),
          row(
-             {.name = "hidden", .help = "how hidden lines are drawn; lines from object"}, Choice{hiddenNames},
-             [](auto& s) -> auto& { return s.lines.hidden; }),
+             {.name = "hidden", .help = "how hidden lines are drawn; lines from object", .idle = idleWithoutMeshLines},
+             Choice{hiddenNames}, [](auto& s) -> auto& { return s.lines.hidden; }),
          row(
              {.name = "coincident",
               .help = "merge: of lines within 0.1 px of each other, hidden ones within their pen's width, the nearest "
-                      "that is seen; keep: all; lines from object"},
+                      "that is seen; keep: all; lines from object",
+              .idle = idleWithoutMeshLines},
              Choice{coincidentNames}, [](auto& s) -> auto& { return s.lines.coincident; }),
          row(
              {.name = "stroke-width",
-              .help = "wider where nearer, or where straighter: half to one and a half widths; lines from object"},
+              .help = "wider where nearer, or where straighter: half to one and a half widths; lines from object",
+              .idle = idleStroke},
              Choice{strokeWidthNames}, [](auto& s) -> auto& { return s.lines.strokeWidth; }),
          row(
              {.name = "stroke-taper",
-              .help = "pixels over which ends where no line goes on or meets run out to nothing; lines from object"},
+              .help = "pixels over which ends where no line goes on or meets run out to nothing; lines from object",
+              .idle = idleStroke},
              Number{.min = 0.0, .max = 1000.0, .unit = "PX"}, [](auto& s) -> auto& { return s.lines.strokeTaper; }),
          row<parsePath>(
              {.name = "brush",
-              .help = "texture repeated along each line, its height across the line's width; lines from object"},
+              .help = "texture repeated along each line, its height across the line's width; lines from object",
+              .idle = idleStroke},
              {"FILE", [] { return std::string{"a PNG, dark is ink"}; }},
              [](auto& s) -> auto& { return s.lines.brush; }),
          row(
              {.name = "simplify",
               .help = "how far polylines in .svg and .json may stray from the lines found",
-              .rangeNote = "0 keeps every point"},
+              .rangeNote = "0 keeps every point",
+              .idle = idleSimplify},
              Number{.min = 0.0, .max = 100.0, .unit = "PX"}, [](auto& s) -> auto& { return s.lines.simplify; }),
          row(
              {.name = "fit-curves",
-              .help = "cubic curves in .svg that stray from the lines no further than this; 0: polylines"},
+              .help = "cubic curves in .svg that stray from the lines no further than this; 0: polylines",
+              .idle = idleFitCurves},
              Number{.min = 0.01, .max = 100.0, .unit = "PX", .zeroToo = true},
              [](auto& s) -> auto& { return s.lines.fitCurves; }),
          row(
              {.name = "subdivide-adaptive",
-              .help = "refine N times, but only the faces that the contour may cross; lines from object"},
+              .help = "refine N times, but only the faces that the contour may cross; lines from object",
+              .idle = idleWithoutMeshLines},
              subdivisionLevels, [](auto& s) -> auto& { return s.lines.subdivideAdaptive; }),
          row<parseIsolines>(
-             {.name = "isolines", .help = "lines at N steps of each texture coordinate's unit; lines from object"},
+             {.name = "isolines",
+              .help = "lines at N steps of each texture coordinate's unit; lines from object",
+              .idle = idleIsolines},
              {"N|u:N,v:N", isolineRange}, [](auto& s) -> auto& { return s.lines.isolines; })});
 }
 

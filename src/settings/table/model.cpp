@@ -1,3 +1,9 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "settings/idle.h"
 #include "settings/rows.h"
 
 namespace inkedge::settings {
@@ -15,12 +21,48 @@ constexpr Count amount{.min = 1, .max = tera, .suffixes = true};
 
 std::string parseName(std::string_view text) { return std::string{text}; }
 
+template <class Field>
+SettingDescription::Field directionField(Field) {
+    return {
+        [](const Constraint&, Settings& s, std::string_view text) { Field{}(s) = parseDirection(text); },
+        [](const Constraint&, const Settings& s) { return Field{}(s) ? textOfDirection(*Field{}(s)) : std::string{}; }};
+}
+
+// Names with ; between them.
+template <class Field>
+SettingDescription::Field namesField(Field) {
+    return {[](const Constraint&, Settings& s, std::string_view text) {
+                const std::vector<std::string_view> names = split(text, ';');
+                if (std::ranges::find(names, "") != names.end()) throw Expected{"names of nodes"};
+                Field{}(s).assign(names.begin(), names.end());
+            },
+            [](const Constraint&, const Settings& s) { return fmt::format("{}", fmt::join(Field{}(s), ";")); }};
+}
+
+std::string nodeNames() { return "nodes by name, or by path as in arm/hand; with * and ?"; }
+
 }  // namespace
 
 std::vector<SettingDescription> modelRows() {
     return inGroup(
         "model",
-        {row(
+        {described(
+             {.name = "up",
+              .help = "which way is up of the model: azimuth, elevation, views, turntables and height turn about it",
+              .defaultInWords = "the format's: +Z for STL, +Y for others"},
+             Custom{"AXIS|X,Y,Z", [] { return std::string{"+X, -X, ... -Z, or any direction"}; }},
+             directionField([](auto& s) -> auto& { return s.load.up; })),
+         described({.name = "only",
+                    .help = "draw these nodes alone, with all that belongs to them",
+                    .rangeNote = "several: ; between them, or the flag again",
+                    .joinedBy = ';'},
+                   Custom{"NAME", nodeNames}, namesField([](auto& s) -> auto& { return s.load.only; })),
+         described({.name = "hide",
+                    .help = "leave these nodes out, with all that belongs to them",
+                    .rangeNote = "several: ; between them, or the flag again",
+                    .joinedBy = ';'},
+                   Custom{"NAME", nodeNames}, namesField([](auto& s) -> auto& { return s.load.hide; })),
+         row(
              {.name = "normals",
               .help = "auto: the file's, smooth ones where it has none; authored: flat where it has none"},
              Choice{normalsNames}, [](auto& s) -> auto& { return s.load.normals; }),
@@ -40,8 +82,8 @@ std::vector<SettingDescription> modelRows() {
              {"NAME|N", [] { return std::string{"an animation of the glTF file"}; }},
              [](auto& s) -> auto& { return s.load.animation; }),
          row(
-             {.name = "time", .help = "when in the animation"}, Number{.min = 0.0, .max = 1e9, .unit = "SECONDS"},
-             [](auto& s) -> auto& { return s.load.time; }),
+             {.name = "time", .help = "when in the animation", .idle = idleTime},
+             Number{.min = 0.0, .max = 1e9, .unit = "SECONDS"}, [](auto& s) -> auto& { return s.load.time; }),
          row(
              {.name = "transparent", .help = "what becomes of materials that blend with what lies behind them"},
              Choice{transparentNames}, [](auto& s) -> auto& { return s.load.transparent; }),

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "settings/constraints.h"
+#include "settings/idle.h"
 #include "settings/rows.h"
 
 namespace inkedge::settings {
@@ -47,14 +48,53 @@ SettingDescription::Field lineTypes() {
 
 SettingDescription::Field background() {
     return {[](const Constraint&, Settings& s, std::string_view text) {
-                s.picture.background = text == "none" ? std::nullopt : std::optional{parseColor(text)};
+                const bool none = text == "none" || text == "transparent";
+                s.picture.background = none ? std::nullopt : std::optional{parseColor(text)};
             },
             [](const Constraint&, const Settings& s) {
                 return s.picture.background ? textOf(*s.picture.background) : std::string{"none"};
             }};
 }
 
-std::string sizes() { return fmt::format("{0}x{0} to {1}x{1}", pictureSides.min, pictureSides.max); }
+// A width and a height in pixels are PictureSettings::size.
+SettingDescription::Field size() {
+    static constexpr auto isPixels = [](const std::optional<PictureExtent>& extent) {
+        return !extent || (!extent->millimetres && extent->height > 0.0);
+    };
+    return {[](const Constraint&, Settings& s, std::string_view text) {
+                s.frame.size = parseExtent(text);
+                if (isPixels(s.frame.size))
+                    s.picture.size = {static_cast<int>(s.frame.size->width), static_cast<int>(s.frame.size->height)};
+            },
+            [](const Constraint&, const Settings& s) {
+                return isPixels(s.frame.size) ? textOf(s.picture.size) : textOf(*s.frame.size);
+            }};
+}
+
+SettingDescription::Field scale() {
+    return {[](const Constraint&, Settings& s, std::string_view text) { s.frame.scale = parseScale(text); },
+            [](const Constraint&, const Settings& s) {
+                return s.frame.scale ? textOfScale(*s.frame.scale) : std::string{};
+            }};
+}
+
+SettingDescription::Field lineStyle() {
+    return {[](const Constraint&, Settings& s, std::string_view text) {
+                const Pens pens = parsePens(text);
+                s.picture.pens = pens.types;
+                s.picture.hiddenPen = pens.hidden;
+            },
+            [](const Constraint&, const Settings& s) {
+                return textOf(Pens{s.picture.pens, s.picture.hiddenPen});
+            }};
+}
+
+std::string sizes() {
+    return fmt::format(
+        "{0}x{0} to {1}x{1} pixels; 90x60mm at --dpi, cm or in; a width alone, as 90mm: the height that "
+        "what is drawn asks for",
+        pictureSides.min, pictureSides.max);
+}
 std::string penWidths() { return rangeOf(penWidth) + ", or millimetres: 0.35mm"; }
 
 }  // namespace
@@ -69,26 +109,47 @@ std::vector<SettingDescription> outputRows() {
 std::vector<SettingDescription> pictureRows() {
     return inGroup(
         "picture",
-        {row<parseSize>(
-             {.name = "size", .help = "picture size in pixels"}, {"WIDTHxHEIGHT", sizes},
-             [](auto& s) -> auto& { return s.picture.size; }),
+        {described(
+             {.name = "size",
+              .help = "size of the picture, in pixels or on paper; at --scale what is drawn takes unless it is given"},
+             Custom{"WIDTH[xHEIGHT]", sizes}, size()),
+         row<parseMargin>(
+             {.name = "crop",
+              .help = "cut the picture to what is drawn and this margin, in pixels or mm; a --size is filled between "
+                      "the margins"},
+             {"MARGIN", [] { return std::string{"0 or more, or millimetres: 2mm"}; }},
+             [](auto& s) -> auto& { return s.frame.crop; }),
+         described({.name = "scale",
+                    .help = "orthographic, PAPER lengths at --dpi for MODEL lengths; glTF is in metres, STL and other "
+                            "files without a unit count as millimetres"},
+                   Custom{"PAPER:MODEL", [] { return std::string{"1:2, 5:1, ..."}; }}, scale()),
          row<parseColor>(
-             {.name = "line-color", .help = "colour of the lines", .defaultInWords = "black"},
+             {.name = "line-color", .help = "colour of the lines", .defaultInWords = "black", .idle = idleColor},
              {"COLOR", [] { return std::string{"#RGB, #RRGGBB or a name"}; }},
              [](auto& s) -> auto& { return s.picture.lineColor; }),
-         described(
-             {.name = "background", .help = "colour behind the lines; none is transparent", .defaultInWords = "white"},
-             Custom{"COLOR|none", [] { return std::string{"#RGB, #RRGGBB, a name or none"}; }}, background()),
+         described({.name = "background",
+                    .help = "colour behind the lines; none, or transparent, is no colour",
+                    .defaultInWords = "white",
+                    .idle = idleColor},
+                   Custom{"COLOR|none", [] { return std::string{"#RGB, #RRGGBB, a name, none or transparent"}; }},
+                   background()),
          row<parseLength>(
-             {.name = "line-width", .help = "width of the lines in output pixels, or in mm at --dpi; planes detector"},
+             {.name = "line-width",
+              .help = "width of the lines in output pixels, or in mm at --dpi; planes detector",
+              .idle = idlePen},
              {"PX", penWidths}, [](auto& s) -> auto& { return s.picture.lineWidth; }),
          row(
-             {.name = "dpi", .help = "pixels an inch, for widths in mm"},
+             {.name = "dpi",
+              .help = "pixels an inch, for what is in mm; PNG, TIFF and SVG tell it",
+              .defaultInWords = "96",
+              .idle = idleDpi},
              Number{.min = 1.0, .max = 100'000.0, .unit = "N"}, [](auto& s) -> auto& { return s.picture.dpi; }),
          row<parsePage>(
              {.name = "page-size",
-              .help = "sheet that an SVG fills as far as its shape allows; widths in mm hold on it",
-              .defaultInWords = "the size at --dpi"},
+              .help = "sheet that an SVG fills as far as its shape allows, or in whose middle a picture in mm or at "
+                      "--scale lies; widths in mm hold on it",
+              .defaultInWords = "the size at --dpi",
+              .idle = idlePage},
              {"WIDTHxHEIGHT",
               [] {
                   return std::string{
@@ -98,21 +159,25 @@ std::vector<SettingDescription> pictureRows() {
              [](auto& s) -> auto& { return s.picture.page; }),
          row(
              {.name = "supersampling",
-              .help = "samples a pixel along each axis, for detail below a pixel; planes detector"},
+              .help = "samples a pixel along each axis, for detail below a pixel; planes detector",
+              .idle = idleSamples},
              Count{.choices = samplesAlongAnAxis}, [](auto& s) -> auto& { return s.picture.supersampling; }),
          row(
              {.name = "tile-size",
               .help = "larger pictures are drawn in parts of at most this side: less needs less memory"},
              Count{.min = PictureSettings::minTileSize, .max = PictureSettings::maxTileSize, .unit = "SAMPLES"},
              [](auto& s) -> auto& { return s.picture.tileSize; }),
-         described(
-             {.name = "lines", .help = "types of lines that are drawn; planes detector", .rangeNote = "or all, none"},
-             List{lineTypeNames, "TYPE"}, lineTypes()),
-         row<parsePens>(
-             {.name = "line-style",
-              .help = "width and colour of single types of lines, as in crease:width=1,color=#555; planes detector"},
-             {"TYPE:width=W,color=C;...", [] { return std::string{"types as for --lines"}; }},
-             [](auto& s) -> auto& { return s.picture.pens; })});
+         described({.name = "lines",
+                    .help = "types of lines that are drawn; planes detector",
+                    .rangeNote = "or all, none",
+                    .idle = idleTypes},
+                   List{lineTypeNames, "TYPE"}, lineTypes()),
+         described({.name = "line-style",
+                    .help = "width and colour of single types of lines, as in crease:width=1,color=#555, and of hidden "
+                            "ones, as in hidden:width=0.25mm,dash=3mm:1.5mm; planes detector",
+                    .idle = idleLineStyle},
+                   Custom{"TYPE:width=W,color=C;...", [] { return std::string{"types as for --lines, and hidden"}; }},
+                   lineStyle())});
 }
 
 }  // namespace inkedge::settings

@@ -1,0 +1,204 @@
+#include "settings/idle.h"
+
+#include <algorithm>
+
+#include "settings/lengths.h"
+
+namespace inkedge::settings {
+namespace {
+
+using Why = std::string_view;
+
+constexpr Why acts{};
+constexpr Why forPictures = "it is for pictures";
+
+bool anyPicture(const OutputKinds& kinds) { return kinds.pictures || kinds.exr; }
+bool anyLines(const OutputKinds& kinds) { return kinds.svg || kinds.json; }
+
+bool wants(const Settings& settings, Map map) { return std::ranges::find(settings.maps, map) != settings.maps.end(); }
+
+// Whether a picture's lines are traced between pixels by the planes detector.
+bool drawsPlanes(const Settings& settings) {
+    return settings.detector.detector == Detector::Planes && settings.style.style != Style::Sumi &&
+           !drawsMeshLines(settings);
+}
+
+bool drawsLinesOf(const Settings& settings, Detector detector) {
+    return settings.detector.detector == detector && settings.style.style != Style::Sumi && !drawsMeshLines(settings);
+}
+
+// Whether maps need the lines between pixels.
+bool mapsTrace(const Settings& settings) {
+    return wants(settings, Map::Types) || wants(settings, Map::Ids) ||
+           (wants(settings, Map::Edges) && settings.detector.detector == Detector::Planes);
+}
+
+bool mapsGradients(const Settings& settings) {
+    return wants(settings, Map::DepthEdges) || wants(settings, Map::NormalEdges) ||
+           (wants(settings, Map::Edges) && settings.detector.detector == Detector::Classic);
+}
+
+bool varies(const LineSettings& lines) { return lines.strokeWidth != StrokeWidth::Constant || lines.strokeTaper > 0.0; }
+
+bool findsMeshLines(const Settings& settings, const OutputKinds& kinds) {
+    return (anyPicture(kinds) && drawsMeshLines(settings)) ||
+           (anyLines(kinds) && settings.lines.from != LinesFrom::Image);
+}
+
+Why whyNoMeshLines(const Settings& settings) {
+    if (settings.lines.from == LinesFrom::Image) return "it needs lines of the mesh, and --lines-from is image";
+    if (settings.style.style == Style::Sumi) return "--style sumi draws no lines";
+    return "it needs lines of the mesh, and this --detector finds lines between pixels; --lines-from object";
+}
+
+// Why a picture has no strokes, which have pens and types.
+Why whyNoStrokes(const Settings& settings) {
+    if (settings.style.style == Style::Sumi) return "--style sumi draws no lines";
+    return "lines of this --detector have neither types nor widths";
+}
+
+bool drawsStrokes(const Settings& settings, const OutputKinds& kinds) {
+    return anyPicture(kinds) &&
+           (drawsPlanes(settings) || (drawsMeshLines(settings) && settings.style.style != Style::Sumi));
+}
+
+}  // namespace
+
+bool needsMeshLines(const RenderSettings& settings) noexcept {
+    const LineSettings& lines = settings.lines;
+    const LineTypes types = settings.picture.lines;
+    const bool isolines = lines.isolines != Isolines{} && types.contains(LineType::Isoparametric);
+    const bool marked = types != allLineTypes && types.contains(LineType::Marked);
+    return lines.hidden != HiddenLines::None || lines.contour != Contour::Auto ||
+           lines.contourFinder != ContourFinder::Every || lines.coincident != CoincidentLines::Merge || varies(lines) ||
+           !lines.brush.empty() || lines.subdivideAdaptive > 0 || isolines || marked;
+}
+
+bool drawsMeshLines(const RenderSettings& settings) noexcept {
+    if (settings.style.style == Style::Sumi) return false;
+    if (settings.lines.from != LinesFrom::Auto) return settings.lines.from == LinesFrom::Object;
+    return settings.detector.detector == Detector::Planes && needsMeshLines(settings);
+}
+
+Why idleWithoutMeshLines(const Settings& settings, const OutputKinds& kinds) {
+    return findsMeshLines(settings, kinds) ? acts : whyNoMeshLines(settings);
+}
+
+Why idleLinesFrom(const Settings& settings, const OutputKinds& kinds) {
+    if (settings.lines.from == LinesFrom::Image || anyLines(kinds)) return acts;
+    return settings.style.style == Style::Sumi ? "--style sumi draws no lines" : acts;
+}
+
+Why idleStroke(const Settings& settings, const OutputKinds& kinds) {
+    if (kinds.svg || (anyPicture(kinds) && drawsMeshLines(settings))) return acts;
+    return anyPicture(kinds) ? whyNoMeshLines(settings) : "lines in .json have no width";
+}
+
+Why idleIsolines(const Settings& settings, const OutputKinds& kinds) {
+    if (!settings.picture.lines.contains(LineType::Isoparametric)) return "--lines leaves isoparametric lines out";
+    return idleWithoutMeshLines(settings, kinds);
+}
+
+Why idleSimplify(const Settings& settings, const OutputKinds& kinds) {
+    if (!anyLines(kinds)) return "it is for lines in .svg and .json";
+    const bool curved = settings.lines.fitCurves > 0.0 && !varies(settings.lines);
+    return curved && !kinds.json ? "--fit-curves says how far curves may stray" : acts;
+}
+
+Why idleFitCurves(const Settings& settings, const OutputKinds& kinds) {
+    if (!kinds.svg) return "it is for lines in .svg";
+    return varies(settings.lines) ? "lines whose width varies are outlines of strokes" : acts;
+}
+
+Why idleColor(const Settings&, const OutputKinds& kinds) {
+    return anyPicture(kinds) || kinds.svg ? acts : "lines in .json have no colour";
+}
+
+Why idleTypes(const Settings& settings, const OutputKinds& kinds) {
+    if (anyLines(kinds) || drawsStrokes(settings, kinds)) return acts;
+    return wants(settings, Map::Types) || mapsTrace(settings) ? acts : whyNoStrokes(settings);
+}
+
+Why idlePen(const Settings& settings, const OutputKinds& kinds) {
+    if (kinds.svg || drawsStrokes(settings, kinds) || settings.frame.crop) return acts;
+    return anyPicture(kinds) ? whyNoStrokes(settings) : "lines in .json have no width";
+}
+
+Why idleLineStyle(const Settings& settings, const OutputKinds& kinds) {
+    const PictureSettings defaults;
+    if (settings.picture.pens == defaults.pens && settings.lines.hidden == HiddenLines::None)
+        return "hidden: is for --hidden dashed or solid";
+    return idlePen(settings, kinds);
+}
+
+Why idleDpi(const Settings& settings, const OutputKinds& kinds) {
+    if (kinds.pictures || kinds.svg || isSizedOnPaper(settings.frame)) return acts;
+    return idlePen(settings, kinds).empty() && settings.picture.lineWidth.millimetres
+               ? acts
+               : "it is for what is in millimetres, and for .png, .tif and .svg";
+}
+
+Why idlePage(const Settings& settings, const OutputKinds& kinds) {
+    const bool givesSize = settings.frame.scale && !settings.frame.size;
+    return kinds.svg || givesSize ? acts : "it is for .svg; --size takes millimetres";
+}
+
+Why idleSamples(const Settings& settings, const OutputKinds& kinds) {
+    if (kinds.svg || kinds.json) {
+        if (settings.lines.from == LinesFrom::Image) return acts;
+        if (!anyPicture(kinds)) return "lines of the mesh are exact";
+    }
+    const bool samples = drawsPlanes(settings) || mapsTrace(settings) || !settings.detector.functions.empty() ||
+                         settings.style.style == Style::Hatch;
+    if (samples) return acts;
+    return drawsMeshLines(settings) ? "lines of the mesh are exact" : "it is for the planes detector";
+}
+
+Why idleDetector(const Settings& settings, const OutputKinds& kinds) {
+    if (!anyPicture(kinds)) return settings.lines.from == LinesFrom::Image ? acts : "lines are taken from the mesh";
+    if (wants(settings, Map::Edges)) return acts;
+    if (settings.style.style == Style::Sumi) return "--style sumi draws no lines";
+    return drawsMeshLines(settings) ? "lines are taken from the mesh" : acts;
+}
+
+Why idleGradients(const Settings& settings, const OutputKinds& kinds) {
+    if (!anyPicture(kinds)) return forPictures;
+    if (mapsGradients(settings) || drawsLinesOf(settings, Detector::Classic)) return acts;
+    return "it is for --detector classic and maps of depth-edges and normal-edges";
+}
+
+Why idleLightSpace(const Settings& settings, const OutputKinds& kinds) {
+    if (!anyPicture(kinds)) return forPictures;
+    const bool normals = wants(settings, Map::Normal) || settings.style.style == Style::Sumi;
+    if (normals || mapsGradients(settings) || drawsLinesOf(settings, Detector::Classic)) return acts;
+    return "it is for maps of normals and their edges, --detector classic and --style sumi";
+}
+
+Why idleLights(const Settings& settings, const OutputKinds& kinds) {
+    return drawsLinesOf(settings, Detector::SaitoTakahashi) && anyPicture(kinds) ? acts
+                                                                                 : idleLightSpace(settings, kinds);
+}
+
+Why idleProfiles(const Settings& settings, const OutputKinds& kinds) {
+    if (!anyPicture(kinds)) return forPictures;
+    return drawsLinesOf(settings, Detector::SaitoTakahashi) ? acts : "it is for --detector saito-takahashi";
+}
+
+Why idleViewAngle(const Settings& settings, const OutputKinds&) {
+    if (settings.camera.index) return "--camera-index has its own";
+    return settings.camera.orthographicHeight ? "the view is orthographic" : acts;
+}
+
+Why idleHeight(const Settings& settings, const OutputKinds&) {
+    return settings.camera.index ? "--camera-index has its own" : acts;
+}
+
+Why idleFraming(const Settings&, const OutputKinds& kinds) {
+    return kinds.views > 1 ? acts : "it is for several --views";
+}
+
+Why idleTime(const Settings& settings, const OutputKinds&) {
+    return settings.load.animation.empty() ? "there is no --animation" : acts;
+}
+
+}  // namespace inkedge::settings

@@ -1,0 +1,28 @@
+#include "settings/lengths.h"
+
+#include <algorithm>
+
+namespace inkedge::settings {
+namespace {
+
+constexpr double widestStroke = 1.5;  // of its pen, where widths vary
+
+}  // namespace
+
+double inkReach(const RenderSettings& settings) {
+    const PictureSettings& picture = settings.picture;
+    if (settings.style.style == Style::Sumi) return settings.style.sumiWidth;
+    double widest = 0.0;
+    for (std::size_t i = 0; i < lineTypeCount; ++i) {
+        if (!picture.lines.contains(static_cast<LineType>(1U << i))) continue;
+        widest = std::max(widest, pixelsOf(picture.pens[i].width.value_or(picture.lineWidth), picture.pixelsPerInch()));
+    }
+    if (settings.lines.strokeWidth != StrokeWidth::Constant) widest *= widestStroke;
+    return 0.5 * widest + (settings.style.style == Style::Pencil ? settings.style.pencilLooseness : 0.0);
+}
+
+bool isSizedOnPaper(const FrameSettings& frame) noexcept {
+    return frame.scale || (frame.size && frame.size->millimetres) || (frame.crop && frame.crop->millimetres);
+}
+
+}  // namespace inkedge::settings
