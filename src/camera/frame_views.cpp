@@ -262,7 +262,10 @@ void expectOnPage(Size size, const Wanted& wanted, const std::optional<PageSize>
 FramedView framed(Camera camera, Size first, const Window& window, const Wanted& wanted, const Settings& settings) {
     const glm::dvec2 size{window.size.width, window.size.height};
     const double focalLength = camera.focalLength(first) * window.magnification;  // or pixels a scene unit
-    if (camera.orthographic()) {
+    const bool same = window.size == first && window.magnification == 1.0 && window.middle == glm::dvec2{0.0};
+    if (same) {
+        // Nothing is to be rounded.
+    } else if (camera.orthographic()) {
         camera.orthographicHeight = size.y / focalLength;
         camera.view[3] -= glm::dvec4{window.middle / focalLength, 0.0, 0.0};
     } else {

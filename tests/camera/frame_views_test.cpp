@@ -89,6 +89,7 @@ TEST(FrameViews, areThoseOfFrameCameraWhereNothingElseIsAskedFor) {
             const Camera expected = frameCamera(scene, each[i].camera, {160, 90});
             EXPECT_EQ(found[i].camera.view, expected.view);
             EXPECT_EQ(found[i].camera.projection({160, 90}), expected.projection({160, 90}));
+            EXPECT_EQ(found[i].camera.viewAngle, expected.viewAngle);
             EXPECT_EQ(found[i].picture.size, (Size{160, 90}));
             EXPECT_EQ(found[i].picture.dpi, std::nullopt);
         }
