@@ -132,7 +132,9 @@ DecodedPicture decodeJpeg(std::span<const std::uint8_t> bytes, std::uint64_t max
 
 extern "C" INKEDGE_API const ImageFormats* inkedge_image_formats_6() noexcept {
     static constexpr ImageFormats formats{
-        [](const Layer& layer, SampleType type) { return modules::guarded([&] { return encodeFile(layer, type); }); },
+        [](const Layer& layer, SampleType type, std::optional<double> dpi) {
+            return modules::guarded([&] { return encodeFile(layer, type, dpi); });
+        },
         [](const std::filesystem::path& path) { return modules::guarded([&] { return readFile(path); }); },
         [](std::span<const std::uint8_t> bytes, std::uint64_t maxPixels) {
             return modules::guarded([&] { return decodeJpeg(bytes, maxPixels); });
