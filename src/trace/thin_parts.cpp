@@ -263,7 +263,8 @@ private:
             const double middle = begin + 0.5 * step;
             if (!map_.mayHaveOpposite(glm::mix(contour.ends[0], contour.ends[1], middle), contour.across)) continue;
             const scene::SceneFace face = faceOf(contour);
-            if (opposite(contour, face, middle)) addStretches(contour, face, begin, begin + step, step * length);
+            if (const std::optional<Opposite> there = opposite(contour, face, middle))
+                addStretches(contour, face, *there, begin, begin + step, step * length);
         }
     }
 
@@ -293,13 +294,18 @@ private:
         return Opposite{exit->t * pixel_, exit->end == ScreenTriangles::End::Border};
     }
 
-    void addStretches(const Contour& contour, scene::SceneFace face, double from, double to, double length) {
+    // @param there  in the middle; on a short way it is the same at both ends
+    void addStretches(const Contour& contour, scene::SceneFace face, const Opposite& there, double from, double to,
+                      double length) {
         const int count = std::max(1, static_cast<int>(std::ceil(length / pixel_)));
-        std::optional<Opposite> before = opposite(contour, face, from);
+        const auto oppositeAt = [&](double share) {
+            return count == 1 ? std::optional{there} : opposite(contour, face, share);
+        };
+        std::optional<Opposite> before = oppositeAt(from);
         for (int i = 0; i < count; ++i) {
             const double begin = from + i * (to - from) / count;
             const double end = from + (i + 1) * (to - from) / count;
-            const std::optional<Opposite> after = opposite(contour, face, end);
+            const std::optional<Opposite> after = oppositeAt(end);
             if (before && after) {
                 const auto at = [&](double share) { return glm::mix(contour.ends[0], contour.ends[1], share); };
                 const auto middle = [&](double share, const Opposite& side) {
