@@ -12,7 +12,7 @@ std::vector<std::string> idleSettings(const Job& job) {
     OutputKinds kinds{.views = views.size()};
     kinds.pictures = job.outputs.empty();
     for (const std::string& output : job.outputs) {
-        const std::filesystem::path file = job::outputOf(job, output, views.front());
+        const std::filesystem::path file = job::filesOfOutput(job, output, views.front()).front();
         const std::string extension = base::lowerCaseExtension(file);
         const bool lines = holdsLines(file);
         kinds.svg = kinds.svg || (lines && extension == ".svg");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -31,7 +32,7 @@ struct PolygonFile {
         if (size < 3) {
             if (size == 2) lines.insert(lines.end(), corners.end() - 2, corners.end());
             if (size == 1) ++points;
-            corners.resize(corners.size() - size);
+            corners.erase(corners.end() - static_cast<std::ptrdiff_t>(size), corners.end());
             return;
         }
         if (size != 3 && faceSizes.empty()) faceSizes.resize(faceCount, 3);
