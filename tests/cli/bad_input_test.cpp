@@ -100,7 +100,7 @@ TEST_F(BadInput, CamerasBeyondWhatCanBeDrawn) {
               Arguments{"--camera-orthographic", "1e-300"}, Arguments{"--camera-orthographic", "1e-30"},
               Arguments{"--camera-orthographic", "1e300"}, Arguments{"--camera-direction", "1e300,1e300,0"},
               Arguments{"--up", "1e300,1,0"}, Arguments{"--dpi", "1e300"}, Arguments{"--line-width", "1e300mm"}}) {
-            Arguments flags{"--lines-from", from};
+            Arguments flags{"--lines-from", from, "-q"};
             flags.insert(flags.end(), camera.begin(), camera.end());
             expectUsageFailure(flags, ": expected ");
         }

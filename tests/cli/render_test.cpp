@@ -139,8 +139,8 @@ TEST_F(Render, WarnsOnceOfWhatIsNotDrawnUnlessQuiet) {
     const Outcome loud = render(asset("primitives.glb"));
     expectSuccess(loud);
     EXPECT_THAT(loud.error, StartsWith("inkedge: warning: "));
-    EXPECT_THAT(loud.error, HasSubstr("points or lines"));
-    EXPECT_EQ(std::ranges::count(loud.error, '\n'), 1);
+    EXPECT_THAT(loud.error, HasSubstr("primitives of points are not drawn"));
+    EXPECT_EQ(std::ranges::count(loud.error, '\n'), 2) << "and one of lines";
     for (const char* flag : {"-q", "--quiet"}) {
         const Outcome quiet = render(asset("primitives.glb"), {flag});
         expectSuccess(quiet);

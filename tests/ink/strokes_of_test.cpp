@@ -101,13 +101,13 @@ TEST(StrokesOf, dashesAreThoseOfTheHiddenPen) {
     ASSERT_EQ(dashed.size(), 4U);
     EXPECT_NEAR(lengthOf(dashed), 60.0, 1e-3);
     EXPECT_EQ(dashed[1].from, glm::vec2(35, 10));
-    const settings::Pen& pen = settings::pens(wanted)[dashed[0].pen];
+    const settings::Pen pen = settings::pens(wanted)[dashed[0].pen];
     EXPECT_EQ(pen.width, 3.0);
     EXPECT_EQ(pen.color, (Color{9, 9, 9}));
     wanted.dpi = 254.0;  // ten pixels a millimetre
     wanted.hiddenPen.dash = DashPattern{{1.5, true}, {1.0, true}};
-    EXPECT_EQ(settings::pens(wanted)[dashed[0].pen].dash, 15.0);
-    EXPECT_EQ(settings::pens(wanted)[dashed[0].pen].gap, 10.0);
+    EXPECT_DOUBLE_EQ(settings::pens(wanted)[dashed[0].pen].dash, 15.0);
+    EXPECT_DOUBLE_EQ(settings::pens(wanted)[dashed[0].pen].gap, 10.0);
 }
 
 TEST(StrokesOf, leadDashesAroundCorners) {

@@ -89,7 +89,7 @@ TEST(ChooseNodes, saysWhatNoNodeIsNamed) {
                 ElementsAre("--only: no node is named 'leg'", "--hide: no node is named 'wing*'"));
     expectError(
         Error::Kind::Usage,
-        StrEq("--only: expected a node to draw, found none for 'leg;a?b'; there are arm, body, finger 1, finger "
+        StrEq("--only: expected a node to draw, found none for 'leg;a\\tb'; there are arm, body, finger 1, finger "
               "2, hand, lamp, robot"),
         [] {
             (void)sceneOf({.only = {"leg", "a\tb"}, .hide = {}});

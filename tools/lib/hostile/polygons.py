@@ -32,7 +32,7 @@ def objs():
     obj("obj_index_a_fraction", "found", TRIANGLE + "f 1 2 2.5\n")
     obj("obj_index_of_slashes", "found", TRIANGLE + "f 1/2/3/4 2 3\n")
     obj("obj_normal_over", "a normal", TRIANGLE + "f 1//1 2//1 3//1\n")
-    obj("obj_face_of_two", "triangle", TRIANGLE + "f 1 2\n")
+    obj("obj_face_of_two", PICTURE, TRIANGLE + "f 1 2\n")
     obj("obj_face_of_one_vertex", PICTURE, TRIANGLE + "f 1 1 1\n")
     obj("obj_position_nan", "finite", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     obj("obj_position_1e39", "finite", "v 1e39 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
