@@ -171,8 +171,8 @@ void appendLayers(const Scene& scene, const Item& item, GLuint index, Geometry& 
 }
 
 // Numbers of patches, negative where layers overlap: draw_planes.vert looks at the sign. Those of other patches are so
-// large that the number of a layer, which is under 2^24, is lost in rounding when it is added. A patch that a seam joins
-// to a layer has the same number as the layer.
+// large that the number of a layer, which is under 2^24, is lost in rounding when it is added. A patch that a seam
+// joins to a layer has the same number as the layer.
 std::vector<float> signedPatchNumbers(const scene::PatchNumbers& patches) {
     std::vector<bool> ofLayers(std::size_t{patches.count} + 1, false);
     for (std::size_t p = 0; p < patches.number.size(); ++p)

@@ -86,10 +86,10 @@ struct JobOptions {
 [[nodiscard]] INKEDGE_API std::vector<std::filesystem::path> filesOf(const Job&, const View&);
 
 /// Finds before the work what would fail after it. Messages name outputs and settings by the command's flags.
-/// @throws Error  (Kind::Usage) if validate() refuses a setting, as filesOf(), if one file is asked for twice or is read
-///                for one of the jobs, by whatever spelling or link, or an output takes lines and a setting asks for
-///                what is no line; (Kind::Output) if a file's folder is not there, or the file is a folder, protected
-///                or a link to nothing
+/// @throws Error  (Kind::Usage) if validate() refuses a setting, as filesOf(), if one file is asked for twice or is
+///                read for one of the jobs, by whatever spelling or link, or an output takes lines and a setting asks
+///                for what is no line; (Kind::Output) if a file's folder is not there, or the file is a folder,
+///                protected or a link to nothing
 INKEDGE_API void checkJobs(std::span<const Job>);
 
 /// Checks the jobs and draws their views, in this order, by several renderers at once: a software driver leaves cores

@@ -33,7 +33,7 @@ struct SceneSource {
     LengthUnit unit = LengthUnit::None;   ///< of world space; None: the file does not say
     bool knowsSides = false;              ///< a surface is single-sided unless its Material says that it is not
     std::vector<std::filesystem::path> files = {};  ///< buffers and pictures that it names, as far as they are there
-    glm::dvec3 up{0.0, 1.0, 0.0};         ///< world space, unit length: what users of the format call up
+    glm::dvec3 up{0.0, 1.0, 0.0};                   ///< world space, unit length: what users of the format call up
 };
 
 /// What the file says of a surface.

@@ -26,8 +26,8 @@ inline constexpr double scrapReach = 1.5;
 void leaveOutSpecks(std::vector<Line>&);
 
 /// Leaves out scraps: lines that mayBeScrap(), are shorter than minScrapLength together with those like them that reach
-/// their ends within scrapReach, and whose ends no other line reaches. The outline of an object stays if it has no other
-/// line that does: it is something tiny. The order of the others stays.
+/// their ends within scrapReach, and whose ends no other line reaches. The outline of an object stays if it has no
+/// other line that does: it is something tiny. The order of the others stays.
 /// O(pixels of length + n log n) for n short lines.
 void leaveOutScraps(std::vector<Line>&);
 

@@ -14,9 +14,9 @@ namespace inkedge::mesh {
 ///
 /// - Creases::Angle: a crease bends by more than the crease angle.
 /// - Creases::Normals: a crease is where the normals are split. Where an edge has none, its bend decides.
-/// - Creases::Auto: where the normals are shared, the author drew the edge smooth: a crease bends by more than twice the
-///   crease angle. Where they are split about as much as the faces bend, it bends by 9 degrees at least; but not in a
-///   component that is made of facets, where split normals say nothing, nor where up to three such edges stand alone.
+/// - Creases::Auto: where the normals are shared, the author drew the edge smooth: a crease bends by more than twice
+///   the crease angle. Where they are split about as much as the faces bend, it bends by 9 degrees at least; but not in
+///   a component that is made of facets, where split normals say nothing, nor where up to three such edges stand alone.
 ///   There, where normals are missing, not believed, or split much more or less than the faces bend, the crease angle
 ///   decides.
 ///

@@ -23,8 +23,8 @@ namespace inkedge::mesh {
 /// O(half-edges + n log n) for n doubtful edges; O(1) if there are none.
 void followCreases(const Mesh&, std::span<const std::uint32_t> doubtful, MeshTopology&);
 
-/// Carries lines of creases on where they end, along the straightest of the weak edges there, within 60 degrees of their
-/// direction: line by line, so that no net of edges grows.
+/// Carries lines of creases on where they end, along the straightest of the weak edges there, within 60 degrees of
+/// their direction: line by line, so that no net of edges grows.
 /// @param weak  as doubtful
 /// O(half-edges + n log n) for n weak edges.
 void extendCreases(const Mesh&, std::span<const std::uint32_t> weak, MeshTopology&);

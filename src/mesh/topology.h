@@ -91,9 +91,9 @@ void turnOver(Mesh&, std::size_t first);
 }
 
 /// Fills patches and surfaces. A surface is a set of faces that are connected across edges that are no creases; a patch
-/// is one of the same that bend by no more than the crease angle there, which is less where an author's normals make the
-/// edge smooth. Faces too thin to have a normal only connect their neighbours, if these bend by no more than the crease
-/// angle; what they keep apart becomes a crease, too. O(n).
+/// is one of the same that bend by no more than the crease angle there, which is less where an author's normals make
+/// the edge smooth. Faces too thin to have a normal only connect their neighbours, if these bend by no more than the
+/// crease angle; what they keep apart becomes a crease, too. O(n).
 /// @param topology  with its creases
 void buildPatches(double creaseAngle, MeshTopology& topology);
 

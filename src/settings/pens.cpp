@@ -10,8 +10,7 @@ std::array<Pen, penCount> pens(const PictureSettings& picture) {
     const auto& [hiddenPenWidth, hiddenPenColor, hiddenPenDash] = picture.hiddenPen;
     for (std::size_t i = 0; i < lineTypeCount; ++i) {
         const PenSettings& pen = picture.pens[i];
-        const Pen seen{pixelsOf(pen.width.value_or(picture.lineWidth), dpi),
-                       pen.color.value_or(picture.lineColor)};
+        const Pen seen{pixelsOf(pen.width.value_or(picture.lineWidth), dpi), pen.color.value_or(picture.lineColor)};
         const double width = hiddenPenWidth ? pixelsOf(*hiddenPenWidth, dpi) : hiddenWidth * seen.width;
         all[i] = seen;
         all[i + lineTypeCount] = {width, hiddenPenColor.value_or(seen.color),

@@ -27,7 +27,8 @@ TEST(TracedScraps, areShortLinesThatReachNoOther) {
     EXPECT_EQ(keptOf({longCrease}), 5U);
     EXPECT_EQ(keptOf({longCrease, pieces(LineType::Occlusion, {{5, 5}, {6, 5}, {7, 5.5}})}), 5U);
     EXPECT_EQ(keptOf({longCrease, pieces(LineType::Marked, {{5, 5}, {6, 5}, {7, 5.5}})}), 7U);
-    EXPECT_EQ(keptOf({longCrease, pieces(LineType::Crease, {{5, 5}, {5.9F, 5}, {5.9F, 5.8F}, {5, 5}})}), 5U) << "closed";
+    EXPECT_EQ(keptOf({longCrease, pieces(LineType::Crease, {{5, 5}, {5.9F, 5}, {5.9F, 5.8F}, {5, 5}})}), 5U)
+        << "closed";
     EXPECT_EQ(keptOf({longCrease, pieces(LineType::Crease, {{5, 5}, {5, 5}})}), 5U) << "a point";
 }
 

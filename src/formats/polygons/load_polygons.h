@@ -17,8 +17,8 @@ namespace inkedge::polygons {
 /// all of whose corners have them, of PLY those of the vertices.
 ///
 /// Text and doubles far from the origin keep their precision. If the file has floats that are too coarse so far from
-/// the origin there is a warning. Lines are OBJ's l, edges of PLY and faces of two corners. Points are left out with one
-/// warning. A file without triangles and lines gives no meshes and no instances.
+/// the origin there is a warning. Lines are OBJ's l, edges of PLY and faces of two corners. Points are left out with
+/// one warning. A file without triangles and lines gives no meshes and no instances.
 ///
 /// @throws Error  (Kind::Input) if the file is missing, unreadable, over the limits, not of the format, truncated, or
 ///                has a position that is not finite or a face without its vertices; the message starts with the name as

@@ -10,7 +10,8 @@ namespace inkedge::polygons {
 /// Reads a PLY file, text or binary; its elements may come in any order. Of vertices the positions, the normals and, if
 /// they are needed, the texture coordinates are read; of faces and triangle strips the vertices, which may be out of
 /// range. O(n).
-/// @throws Error  (Kind::Input) if the file is no PLY, is truncated or over the limit, or its header or a number is malformed
+/// @throws Error  (Kind::Input) if the file is no PLY, is truncated or over the limit, or its header or a number is
+///                malformed
 /// @param maxElements  limits.vertices
 [[nodiscard]] PolygonFile readPly(std::string_view content, Coordinates, std::uint64_t maxElements);
 

@@ -26,7 +26,8 @@ public:
 
     [[nodiscard]] bool areOne() const noexcept { return areOne_; }
 
-    /// Whether a component other than that of a face may come near a point: so say their boxes, of up to manyComponents.
+    /// Whether a component other than that of a face may come near a point: so say their boxes, of up to
+    /// manyComponents.
     /// @param point   world space less the middle of Scene::bounds()
     /// @param within  world units
     [[nodiscard]] bool mayBeNear(scene::SceneFace, glm::dvec3 point, double within) const noexcept;

@@ -82,8 +82,8 @@ Touch Touching::atBorder(const Segment& segment, glm::dvec3 point) const {
     return runsOn ? Touch::RunsOn : Touch::Begins;
 }
 
-// Looks in front of points beside the edge, where a ray meets no two faces at once: one on each of its faces, or to both
-// sides of faces that are seen as a line.
+// Looks in front of points beside the edge, where a ray meets no two faces at once: one on each of its faces, or to
+// both sides of faces that are seen as a line.
 bool Touching::isBehindFace(const Segment& segment, glm::dvec3 point) const {
     if (components_ == nullptr || segment.faces[0].triangle == noTriangle) return false;
     const glm::dvec3 view = screen_.ray(point);

@@ -37,8 +37,7 @@ std::vector<SettingDescription> cameraRows() {
               .help = "vertical view angle, degrees",
               .defaultInWords = "35",
               .idle = idleViewAngle},
-             Number{.min = 0.001, .max = 179.0, .unit = "DEG"},
-             [](auto& s) -> auto& { return s.camera.viewAngle; }),
+             Number{.min = 0.001, .max = 179.0, .unit = "DEG"}, [](auto& s) -> auto& { return s.camera.viewAngle; }),
          row(
              {.name = "camera-orthographic",
               .help = "orthographic view, HEIGHT scene units tall; 0 frames the model",
