@@ -41,8 +41,9 @@ public:
     void forEachWithinReach(glm::dvec2 pixel, Visit visit) const {
         const std::uint64_t cell = cellOf(pixel, 0, 0);
         if (!occupied_.test(slotOf(cell))) return;  // almost always
-        for (const Entry& entry : std::ranges::equal_range(entries_, cell, {}, &Entry::cell))
-            if (glm::distance(entry.pixel, pixel) <= scrapReach) visit(entry.number);
+        auto entry = std::ranges::lower_bound(entries_, cell, {}, &Entry::cell);
+        for (; entry != entries_.end() && entry->cell == cell; ++entry)
+            if (glm::distance(entry->pixel, pixel) <= scrapReach) visit(entry->number);
     }
 
 private:

@@ -46,7 +46,7 @@ bool isFaceted(const Counts& counts) {
 template <class T>
 void sortOnce(std::vector<T>& values) {
     std::ranges::sort(values);
-    values.erase(std::ranges::unique(values).begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 }  // namespace

@@ -29,6 +29,10 @@ std::array<End, 2> endsOf(const Mesh& mesh, const MeshTopology& topology, std::u
     return {End{topology.points[h], h, direction}, End{topology.points[next], h, -direction}};
 }
 
+std::vector<End>::const_iterator firstAt(const std::vector<End>& ends, std::uint32_t point) {
+    return std::ranges::lower_bound(ends, point, {}, &End::point);
+}
+
 }  // namespace
 
 std::vector<bool> standAlone(const MeshTopology& topology, std::span<const std::uint32_t> halfEdges) {
@@ -56,9 +60,9 @@ void followCreases(const Mesh& mesh, std::span<const std::uint32_t> doubtful, Me
 
     std::vector<std::uint32_t> sure;  // creases whose ends are yet to be looked at
     const auto carryOn = [&](const End& crease) {
-        for (const End& end : std::ranges::equal_range(ends, crease.point, {}, &End::point)) {
-            const std::uint32_t h = end.halfEdge;
-            if (topology.creases[h] || glm::dot(end.direction, crease.direction) > straightCosine) continue;
+        for (auto end = firstAt(ends, crease.point); end != ends.end() && end->point == crease.point; ++end) {
+            const std::uint32_t h = end->halfEdge;
+            if (topology.creases[h] || glm::dot(end->direction, crease.direction) > straightCosine) continue;
             topology.creases[h] = topology.creases[topology.twins[h]] = true;
             sure.push_back(h);
         }
@@ -92,10 +96,13 @@ void extendCreases(const Mesh& mesh, std::span<const std::uint32_t> weak, MeshTo
         sure.pop_back();
         for (const End& tip : endsOf(mesh, topology, last)) {
             if (creasesAt[tip.point] > 1) continue;
-            const auto candidates = std::ranges::equal_range(ends, tip.point, {}, &End::point);
-            const auto best = std::ranges::min_element(
-                candidates, {}, [&](const End& end) { return glm::dot(end.direction, tip.direction); });
-            if (best == candidates.end() || glm::dot(best->direction, tip.direction) > straightCosine) continue;
+            const End* best = nullptr;
+            double straightest = straightCosine;
+            for (auto end = firstAt(ends, tip.point); end != ends.end() && end->point == tip.point; ++end) {
+                const double cosine = glm::dot(end->direction, tip.direction);
+                if (cosine <= straightest) straightest = cosine, best = &*end;
+            }
+            if (best == nullptr) continue;
             const std::uint32_t h = best->halfEdge;
             topology.creases[h] = topology.creases[topology.twins[h]] = true;
             for (const End& end : endsOf(mesh, topology, h)) count(end.point);

@@ -89,8 +89,10 @@ private:
         for (const End& end : free_) {
             for (int dx = -1; dx <= 1; ++dx) {
                 for (int dy = -1; dy <= 1; ++dy) {
-                    for (const End& other : std::ranges::equal_range(ends_, cellKey(end.pixel, dx, dy), {}, &End::key))
-                        if (glm::distance(end.pixel, other.pixel) <= reach) sets_.unite(end.piece, other.piece);
+                    const std::uint64_t cell = cellKey(end.pixel, dx, dy);
+                    auto other = std::ranges::lower_bound(ends_, cell, {}, &End::key);
+                    for (; other != ends_.end() && other->key == cell; ++other)
+                        if (glm::distance(end.pixel, other->pixel) <= reach) sets_.unite(end.piece, other->piece);
                 }
             }
         }

@@ -18,7 +18,6 @@ using testing::Each;
 using testing::ElementsAre;
 
 constexpr std::uint8_t outline = 0;  // styles, by the bits of LineType
-constexpr std::uint8_t occlusion = 1;
 constexpr std::uint8_t crease = 3;
 
 PictureSettings pictureOf(Size size, double width) {

@@ -36,8 +36,8 @@ FileLines findFileLines(const Mesh& mesh) {
         if (lesser != greater) pieces.push_back({lesser, greater});
     }
     std::ranges::sort(pieces);
-    const auto repeats = std::ranges::unique(pieces);
-    pieces.erase(repeats.begin(), repeats.end());
+    const auto repeats = std::unique(pieces.begin(), pieces.end());
+    pieces.erase(repeats, pieces.end());
     return pieces;
 }
 
