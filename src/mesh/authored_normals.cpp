@@ -67,15 +67,13 @@ private:
         std::size_t count = 0;
         faces[count++] = own;
         const auto add = [&](const glm::dvec3& face) { faces[count++] = face; };
-        if (!walk(corner, corner, add)) walk(corner, previous(corner), add);
+        if (!walk(corner, corner, add)) walk(corner, previousHalfEdge(corner), add);
         glm::dvec3 mean{0.0};
         for (std::size_t i = 0; i < count; ++i) mean += faces[i];
         double spread = 0.0;
         for (std::size_t i = 0; i < count; ++i) spread = std::max(spread, angleBetween(mean, faces[i]));
         return angleOfLines(authored, mean) > spread + slack;
     }
-
-    static std::uint32_t previous(std::uint32_t h) { return nextHalfEdge(nextHalfEdge(h)); }
 
     // Visits the faces around a point that share a corner's normal, as if all were wound alike.
     // @param across  the half-edge at the corner that is crossed first
@@ -94,7 +92,7 @@ private:
             if (next == corner) return true;
             if (angleBetween(normal(next), authored) > sameNormal) return false;
             if (topology_.faceNormals[next / 3] != glm::dvec3{0.0}) visit(side * topology_.faceNormals[next / 3]);
-            across = startsHere ? previous(next) : next;
+            across = startsHere ? previousHalfEdge(next) : next;
             at = next;
         }
         return false;

@@ -135,7 +135,7 @@ void addFaces(ControlMesh& control, const Mesh& mesh, const MeshTopology& topolo
 double cornerAngle(const Mesh& mesh, std::uint32_t corner) {
     const auto at = [&](std::uint32_t c) { return glm::dvec3{mesh.positions[mesh.indices[c]]}; };
     const glm::dvec3 a = at(nextHalfEdge(corner)) - at(corner);
-    const glm::dvec3 b = at(nextHalfEdge(nextHalfEdge(corner))) - at(corner);
+    const glm::dvec3 b = at(previousHalfEdge(corner)) - at(corner);
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 

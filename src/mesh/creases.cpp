@@ -9,9 +9,9 @@
 #include <glm/trigonometric.hpp>
 
 #include "mesh/authored_normals.h"
+#include "mesh/bends.h"
 #include "mesh/facets.h"
 #include "mesh/follow_creases.h"
-#include "mesh/roughness.h"
 
 namespace inkedge::mesh {
 namespace {

@@ -43,15 +43,14 @@ public:
                     c, [&](std::uint32_t corner) { return nextHalfEdge(topology_.twins[corner]); },
                     [](std::uint32_t corner) { return corner; });
                 follow(
-                    c, [&](std::uint32_t corner) { return topology_.twins[previous(corner)]; }, previous);
+                    c, [&](std::uint32_t corner) { return topology_.twins[previousHalfEdge(corner)]; },
+                    previousHalfEdge);
             }
         });
         return std::move(first_);
     }
 
 private:
-    static std::uint32_t previous(std::uint32_t h) { return nextHalfEdge(nextHalfEdge(h)); }
-
     // Marks the corners that are reached from a corner, until none is new.
     template <class Across, class HalfEdge>
     void follow(std::uint32_t group, Across across, HalfEdge halfEdge) {

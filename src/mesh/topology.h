@@ -20,6 +20,9 @@ inline constexpr std::uint32_t manyHalfEdges = ~0U - 1;
 /// The next half-edge of the same triangle; also: the corner where half-edge h ends.
 [[nodiscard]] constexpr std::uint32_t nextHalfEdge(std::uint32_t h) noexcept { return h % 3 == 2 ? h - 2 : h + 1; }
 
+/// The half-edge before it in the same triangle; also: the corner opposite half-edge h.
+[[nodiscard]] constexpr std::uint32_t previousHalfEdge(std::uint32_t h) noexcept { return h % 3 == 0 ? h + 2 : h - 1; }
+
 /// How the triangles of a mesh are connected once vertices at one position are one point.
 ///
 /// Half-edge 3t + k of triangle t runs from its corner k to its corner (k + 1) % 3.

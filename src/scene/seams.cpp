@@ -33,7 +33,7 @@ std::vector<BorderEdge> collectBorders(
             if (topology.originals[h / 3] != h / 3) continue;  // a face that repeats another has no twins of its own
             const glm::dvec3 a = triangles.corner(h);
             const glm::dvec3 b = triangles.corner(mesh::nextHalfEdge(h));
-            const glm::dvec3 third = triangles.corner(mesh::nextHalfEdge(mesh::nextHalfEdge(h)));
+            const glm::dvec3 third = triangles.corner(mesh::previousHalfEdge(h));
             const double length = glm::length(b - a);
             if (length == 0.0) continue;
             const glm::dvec3 along = (b - a) / length;

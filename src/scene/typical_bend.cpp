@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "mesh/bends.h"
 #include "mesh/topology.h"
 #include "scene/prepared.h"
 
@@ -32,12 +33,8 @@ double bendBetween(const glm::dvec3& one, const glm::dvec3& other) {
     return glm::degrees(std::min(angle, glm::radians(180.0) - angle));
 }
 
-struct Edge {
-    double bend;  // degrees
-    double length;
-};
-
-void collect(const Mesh& mesh, const mesh::MeshTopology& topology, std::size_t stride, std::vector<Edge>& edges) {
+void collect(const Mesh& mesh, const mesh::MeshTopology& topology, std::size_t stride,
+             std::vector<mesh::EdgeBend>& edges) {
     for (std::size_t h = 0; h < topology.twins.size(); h += stride) {
         const std::uint32_t twin = topology.twins[h];
         if (!mesh::isHalfEdge(twin) || topology.creases[h]) continue;
@@ -54,20 +51,11 @@ void collect(const Mesh& mesh, const mesh::MeshTopology& topology, std::size_t s
 double typicalBend(const Scene& scene) {
     std::size_t all = 0;
     for (std::size_t i = 0; i < scene.meshes().size(); ++i) all += topologyOf(scene, i).twins.size();
-    std::size_t stride = all / maxSamples + 1;
-    if (stride % 3 == 0) ++stride;  // else one side only of every triangle
-    std::vector<Edge> edges;
+    const std::size_t stride = mesh::strideOf(all, maxSamples);
+    std::vector<mesh::EdgeBend> edges;
     for (std::size_t i = 0; i < scene.meshes().size(); ++i)
         collect(scene.meshes()[i], topologyOf(scene, i), stride, edges);
-    std::ranges::sort(edges, {}, &Edge::bend);
-    double sum = 0.0;
-    for (const Edge& edge : edges) sum += edge.length;
-    double before = 0.0;
-    for (const Edge& edge : edges) {
-        before += edge.length;
-        if (before >= 0.5 * sum) return edge.bend;
-    }
-    return 1.0;
+    return mesh::medianOf(std::move(edges), 1.0);
 }
 
 }  // namespace inkedge::scene

@@ -173,7 +173,7 @@ ScreenTriangles::Walk ScreenTriangles::walk(scene::SceneFace from, glm::dvec2 st
         if (twin == mesh::noHalfEdge) return {Exit{End::Border, t}, {}, at.triangle};
         const bool ends = over == Over::Patch && topology.creases[exit];
         if (twin == mesh::manyHalfEdges || ends) return {Exit{End::Crease, t}, {}, at.triangle};
-        const glm::dvec3 third = corner(at.instance, mesh::nextHalfEdge(mesh::nextHalfEdge(twin)));
+        const glm::dvec3 third = corner(at.instance, mesh::previousHalfEdge(twin));
         const glm::dvec3& line = lines.line[exit % 3];
         // A surface ends at faces seen edge-on: rounding alone would say whether they are seen.
         const double seen = over == Over::Surface ? edgeOn * glm::length(glm::dvec2{line}) * third.z : 0.0;

@@ -190,7 +190,7 @@ private:
             Faces faces;
             for (const std::uint32_t half : {h, twin}) {
                 if (!mesh::isHalfEdge(half) || turns[half / 3] == edgeOn) continue;
-                const std::uint32_t third = mesh::nextHalfEdge(mesh::nextHalfEdge(half));
+                const std::uint32_t third = mesh::previousHalfEdge(half);
                 if (!isBehindEye(third)) faces.add({{instance, half / 3}, at(third)});
             }
             if (const auto contour = contourOf({at(h), at(end)}, faces, isBorder)) contours_.push_back(*contour);

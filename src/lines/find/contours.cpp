@@ -114,7 +114,7 @@ private:
         if (!hidesItsBack(t)) return false;
         const std::uint32_t other = topology_.twins[h];
         if (edges_.faceNormals[other / 3] == glm::dvec3{0.0}) return false;  // too thin to say
-        const glm::dvec3 opposite = position(mesh::nextHalfEdge(mesh::nextHalfEdge(other)));
+        const glm::dvec3 opposite = position(mesh::previousHalfEdge(other));
         const double height = glm::dot(edges_.faceNormals[t], opposite - position(h)) * edges_.closed[t];
         if (!isEdgeOn(t) && !isEdgeOn(edges_.shared.faces[2 * e + 1])) return height > 0.0;
         // Two faces of one plane, of which only one counts as edge-on, are no fold.
@@ -164,8 +164,8 @@ private:
     [[nodiscard]] glm::dvec3 innerOf(std::uint32_t h) const {
         const glm::dvec3 from = position(h);
         const glm::dvec3 side = glm::cross(position(mesh::nextHalfEdge(h)) - from, view(from));
-        const glm::dvec3 one = position(mesh::nextHalfEdge(mesh::nextHalfEdge(h)));
-        const glm::dvec3 other = position(mesh::nextHalfEdge(mesh::nextHalfEdge(topology_.twins[h])));
+        const glm::dvec3 one = position(mesh::previousHalfEdge(h));
+        const glm::dvec3 other = position(mesh::previousHalfEdge(topology_.twins[h]));
         const bool first = std::abs(glm::dot(side, one - from)) >= std::abs(glm::dot(side, other - from));
         return toWorld(first ? one : other);
     }
@@ -258,8 +258,7 @@ private:
         const std::uint32_t h = part.halfEdge;
         const std::array<glm::dvec3, 2> edge{toWorld(position(h)), toWorld(position(mesh::nextHalfEdge(h)))};
         const glm::dvec3 view = screen_.ray(edge[0]);
-        const BesideEdge own =
-            besideEdge(edge, toWorld(position(mesh::nextHalfEdge(mesh::nextHalfEdge(h)))), view, isEdgeOn(h / 3));
+        const BesideEdge own = besideEdge(edge, toWorld(position(mesh::previousHalfEdge(h))), view, isEdgeOn(h / 3));
         if (part.other == noFace) return {own, {0, false}};
         const glm::dvec3 normal = glm::cross(edge[1] - edge[0], part.otherInner - edge[0]);
         const double sine = std::abs(glm::dot(normal, view)) / (glm::length(normal) * glm::length(view));
@@ -281,8 +280,8 @@ private:
             std::uint32_t inner = first;  // a half-edge of a face that is not seen edge-on, if there is one
             for (std::uint32_t k = begin; k < end; ++k) {
                 const std::uint32_t h = edges_.many[k];
-                const BesideEdge at = besideEdge(edge, position(mesh::nextHalfEdge(mesh::nextHalfEdge(h))),
-                                                 view(edge[0]), isEdgeOn(h / 3));
+                const BesideEdge at =
+                    besideEdge(edge, position(mesh::previousHalfEdge(h)), view(edge[0]), isEdgeOn(h / 3));
                 left = left || at.side > 0;
                 right = right || at.side < 0;
                 marked = marked || isMarked(h);
@@ -297,7 +296,7 @@ private:
             segment.hidden = hidden;
             segment.occludes = segment.occludes && !hidden;
             segment.edgeOn = edgeOn;
-            segment.inner = toWorld(position(mesh::nextHalfEdge(mesh::nextHalfEdge(inner))));
+            segment.inner = toWorld(position(mesh::previousHalfEdge(inner)));
         }
     }
 
