@@ -7,6 +7,7 @@
 
 #include <inkedge/inspect_model.h>
 #include <inkedge/setting_table.h>
+#include <inkedge/write.h>
 
 #include "base/message.h"
 #include "base/stage_clock.h"
@@ -66,7 +67,8 @@ void printJson(const std::string& model, const ModelContents& contents, double m
     }
     ordered_json materials = ordered_json::array();
     for (const Material& material : contents.materials)
-        materials.push_back({{"name", material.name}, {"double_sided", material.doubleSided}});
+        materials.push_back(
+            {{"id", materials.size() + 1}, {"name", material.name}, {"double_sided", material.doubleSided}});
     ordered_json bounds;  // null
     if (!contents.box.empty()) bounds = {{"min", toJson(contents.box.min)}, {"max", toJson(contents.box.max)}};
     const ordered_json all{{"model", model},
@@ -74,7 +76,7 @@ void printJson(const std::string& model, const ModelContents& contents, double m
                            {"triangles", contents.triangles},
                            {"lines", contents.lines},
                            {"not_drawn", contents.undrawn},
-                           {"instances", contents.instances},
+                           {"instances", ordered_json::parse(namesJson({contents.instances, {}})).at("instances")},
                            {"up", toJson(contents.up)},
                            {"bounds", bounds},
                            {"meshes", meshes},
@@ -104,8 +106,8 @@ void printText(const std::string& model, const ModelContents& contents) {
         return name.empty() ? std::string{"(no name)"} : base::printable(name);
     };
     std::string lines = fmt::format("{}: {}\n", base::printable(model), source.format);
-    lines += fmt::format("{:<11}{} in {} instances of {} meshes\n", "triangles", contents.triangles, contents.instances,
-                         contents.meshes.size());
+    lines += fmt::format("{:<11}{} in {} instances of {} meshes\n", "triangles", contents.triangles,
+                         contents.instances.size(), contents.meshes.size());
     if (contents.lines > 0) lines += fmt::format("{:<11}{}, as straight pieces\n", "lines", contents.lines);
     if (!contents.undrawn.empty()) lines += fmt::format("{:<11}{}\n", "not drawn", fmt::join(contents.undrawn, ", "));
     if (!contents.box.empty()) {

@@ -82,11 +82,7 @@ void printSummary(const JobResult& result) {
 void printJson(const RenderArguments& arguments, const std::vector<JobResult>& results) {
     using nlohmann::ordered_json;
     ordered_json all = ordered_json::array();
-    for (const JobResult& result : results) {
-        ordered_json& json = all.emplace_back(ordered_json::parse(result.metadata));
-        json["model"] = arguments.models[result.job];
-        for (const auto& file : result.files) json["files"].push_back(file.string());
-    }
+    for (const JobResult& result : results) all.push_back(ordered_json::parse(result.metadata));
     const bool one = arguments.views.empty() && arguments.models.size() == 1;
     const ordered_json& shown = one ? all.front() : all;
     print(shown.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
@@ -99,7 +95,7 @@ int render(const RenderArguments& arguments) {
     if (!arguments.views.empty()) job.views = viewsOf(arguments.views, job.settings.camera);
     for (const std::string& read : {arguments.views, arguments.settings.configFile()})
         if (!read.empty()) job.inputs.emplace_back(read);
-    JobOptions options{.workers = arguments.jobs};
+    JobOptions options{.workers = arguments.jobs, .metadata = arguments.json};
     if (arguments.output == "-") {
         options.drawn = [](std::size_t, std::size_t, const Maps& maps) {
             const std::vector<std::uint8_t> png = encodePng(maps.picture, maps.dpi);
@@ -129,12 +125,15 @@ void addRender(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<RenderArguments>();
     CLI::App* verb = app.add_subcommand("render", "Draw the outlines of models.");
     addModels(*verb, arguments->models);
-    verb->add_option("-o,--output", arguments->output,
-                     "picture to write, .png .tif .exr, or lines, .svg .json, or - for PNG on stdout; {model}, {view} "
-                     "and {map} are filled in")
+    verb->add_option(
+            "-o,--output", arguments->output,
+            "picture to write, .png .tif .exr .npz, or lines, .svg .json, or - for PNG on stdout; {model}, {view} "
+            "and {map} are filled in")
         ->required()
         ->type_name("FILE");
-    verb->add_option("--metadata", arguments->metadataFile, "write camera, settings, backend and timings as JSON")
+    verb->add_option("--metadata", arguments->metadataFile,
+                     "write camera, names, settings, backend and timings as JSON; without {view} in it "
+                     "one file for all views")
         ->type_name("FILE");
     verb->add_option("--views", arguments->views,
                      "draw several views: names as for --view, turntable:N and sphere:N with commas between them, or a "

@@ -21,6 +21,7 @@
 #include <inkedge/read_lines.h>
 #include <inkedge/renderer.h>
 #include <inkedge/scene.h>
+#include <inkedge/scene_names.h>
 #include <inkedge/setting_table.h>
 #include <inkedge/settings.h>
 #include <inkedge/stage_time.h>

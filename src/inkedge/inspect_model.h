@@ -8,6 +8,7 @@
 #include <inkedge/bounds.h>
 #include <inkedge/export.h>
 #include <inkedge/scene.h>
+#include <inkedge/scene_names.h>
 #include <inkedge/settings.h>
 
 namespace inkedge {
@@ -26,13 +27,13 @@ struct ModelContents {
     std::vector<MeshContents> meshes;
     std::vector<SceneCamera> cameras;
     std::vector<Material> materials;
-    std::vector<std::string> warnings;  ///< as Scene::warnings()
-    std::vector<std::string> undrawn;   ///< as Scene::Data::undrawn
-    std::uint64_t instances = 0;
-    std::uint64_t triangles = 0;  ///< of all instances; 0 is no error
-    std::uint64_t lines = 0;      ///< straight pieces, of all instances
-    glm::dvec3 up{0.0};           ///< as Scene::up()
-    Box box;                      ///< of all drawn vertices, in world space; empty where nothing is drawn
+    std::vector<std::string> warnings;     ///< as Scene::warnings()
+    std::vector<std::string> undrawn;      ///< as Scene::Data::undrawn
+    std::vector<NamedInstance> instances;  ///< all that are drawn
+    std::uint64_t triangles = 0;           ///< of all instances; 0 is no error
+    std::uint64_t lines = 0;               ///< straight pieces, of all instances
+    glm::dvec3 up{0.0};                    ///< as Scene::up()
+    Box box;                               ///< of all drawn vertices, in world space; empty where nothing is drawn
 };
 
 /// Reads a model and says what it holds, whether or not loadScene() finds something to draw.

@@ -31,7 +31,8 @@ struct Job {
     std::vector<View> views = {};           ///< empty: one, of settings.camera, whose name is "0"
     std::vector<std::string> outputs = {};  ///< pictures, as writeMaps() takes them, and lines, as writeLines() does;
                                             ///< none: pictures are drawn for JobOptions::drawn alone
-    std::string metadata = {};              ///< for metadataJson(), of the first output; empty: none
+    /// File for metadataJson(), of the first output; without "{view}" in it one of all views. Empty: none.
+    std::string metadata = {};
     /// What was read for the job beside the model, its brush and its functions (a list of views, a configuration): no
     /// output may replace it.
     std::vector<std::filesystem::path> inputs = {};
@@ -42,16 +43,18 @@ struct JobResult {
     std::size_t job = 0;                       ///< counts the jobs that were given
     std::size_t view = 0;                      ///< counts the job's views
     std::vector<std::filesystem::path> files;  ///< what was written, in the order of Job::outputs; without metadata
-    std::string metadata;                      ///< metadataJson(), whether or not a file is asked for
+    std::string metadata;                      ///< metadataJson(); empty unless JobOptions::metadata asks for it
     BackendInfo backend;                       ///< empty: drawn without OpenGL
     std::vector<StageTime> times;              ///< of the job's first view: "load" and "prepare" among them
 };
 
 /// What could not be drawn or written.
 struct JobFailure {
-    std::size_t job = 0;              ///< counts the jobs that were given
-    std::optional<std::size_t> view;  ///< counts the job's views; none: the model could not be read, so none is drawn
-    std::exception_ptr error;         ///< an Error, unless memory ran out
+    std::size_t job = 0;  ///< counts the jobs that were given
+    /// Counts the job's views; none: the model could not be read, so none is drawn, or metadata of all views could not
+    /// be written.
+    std::optional<std::size_t> view;
+    std::exception_ptr error;  ///< an Error, unless memory ran out
 };
 
 /// The settings that cannot act on any output of a job, as idleSettings() of its settings gives them; of a job without
@@ -64,6 +67,7 @@ struct JobOptions {
     /// Renderers that draw at the same time, 1 to 1024; 0: as many as there are cores. Each costs a context and a copy
     /// of its scene on the graphics side: no more are made than one for every four views.
     int workers = 0;
+    bool metadata = false;  ///< fill in JobResult::metadata
     /// A job's scene is there; none of its views is drawn yet.
     std::function<void(std::size_t job, const Scene&)> loaded = {};
     /// A picture is drawn, and neither it nor metadata are written yet. Not called for a job all of whose outputs are

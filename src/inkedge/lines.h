@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include <inkedge/camera.h>
 #include <inkedge/image.h>
 #include <inkedge/scene.h>
+#include <inkedge/scene_names.h>
 #include <inkedge/settings.h>
 #include <inkedge/stage_time.h>
 
@@ -34,7 +34,7 @@ struct Line {
     /// the same line the same id, unless ContourFinder::Random looked for it: that finds other lines each time. With
     /// other settings, or another camera, lines are numbered anew.
     std::uint32_t id = 0;
-    std::uint32_t object = 0;  ///< the node that the line lies on, as in Maps::ids: from 1
+    std::uint32_t object = 0;  ///< the instance that the line lies on, as in Maps::ids: from 1
     /// The patch that the line lies on, as in Maps::ids: from 1. Between two patches, the nearer one.
     std::uint32_t patch = 0;
     std::vector<LinePoint> points;  ///< two or more
@@ -59,7 +59,7 @@ struct Lines {
     Camera camera;
     Sphere bounds;  ///< world space, around the whole model: Scene::bounds()
     LinesSource source;
-    std::map<std::uint32_t, std::string> objects;  ///< names of the nodes that lines lie on, by Line::object
+    SceneNames names;        ///< of the instances that lines lie on, and of all materials
     double tolerance = 0.0;  ///< pixels by which points may stray from the lines found: over 0 where a file was read
     BackendInfo backend;     ///< the renderer's; empty while it has no context, for nothing was drawn to find them
     std::vector<StageTime> times;

@@ -8,6 +8,7 @@
 #include <inkedge/backends.h>
 #include <inkedge/camera.h>
 #include <inkedge/image.h>
+#include <inkedge/scene_names.h>
 #include <inkedge/stage_time.h>
 
 namespace inkedge {
@@ -20,7 +21,7 @@ struct Maps {
     Image<std::uint8_t> picture;
     Image<float> depth;        ///< eye-space depth, scene units; background: camera.far
     Image<float> windowDepth;  ///< 0 at near, 1 at far; background: 1
-    /// 3 channels, -1..1, unit length, turned to the side that is seen; background: 0.
+    /// 3 channels, -1..1, unit length, turned to the side that is seen, in RenderSettings::normalSpace; background: 0.
     Image<float> normal;
     Image<float> depthMagnitude;      ///< Hertzmann 1999, equation 6, of the depth map
     Image<float> normalMagnitude;     ///< equation 6 of the normal map: the largest of the three channels
@@ -29,9 +30,10 @@ struct Maps {
     /// Depth edges or normal edges: Figure 1(e). With the planes detector: pixels on a line.
     Image<std::uint8_t> edges;
     Image<std::uint16_t> types;  ///< LineTypes::bits() at pixels on the nearer side of a line, else 0
-    /// 4 channels: the patch of the pixel; the patch across the line, 0 off lines; the node; the material. Each counts
-    /// from 1; 0 is none or background.
+    /// 4 channels: the patch of the pixel; the patch across the line, 0 off lines; the instance; the material. Each
+    /// counts from 1; 0 is none or background.
     Image<std::uint32_t> ids;
+    SceneNames names;  ///< what the ids stand for: namesOf() the scene; empty unless ids were asked for
 
     Camera camera;
     std::optional<double> dpi;  ///< pixels per inch that files of it tell: PictureSettings::dpi

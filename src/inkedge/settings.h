@@ -331,6 +331,9 @@ inline constexpr int mapCount = 7;
 /// The name of a map on the command line, in file names and as EXR layer: "depth", "normal", "depth-edges", ...
 [[nodiscard]] INKEDGE_API std::string_view name(Map) noexcept;
 
+/// The axes of Maps::normal: x right, y up, z towards the eye; or those of the world.
+enum class NormalSpace { Camera, World };
+
 enum class Backend { Auto, Egl, Osmesa };
 
 struct BackendSettings {
@@ -345,6 +348,7 @@ struct RenderSettings {
     LineSettings lines;
     StyleSettings style;
     std::vector<Map> maps;
+    NormalSpace normalSpace = NormalSpace::Camera;
 };
 
 /// Everything that can be set, from the file to the context. settingTable() describes each field once.

@@ -16,32 +16,49 @@
 
 namespace inkedge {
 
-/// What a render was asked for and what it did, as one JSON object: camera (view and projection as row-major 4 x 4 for
-/// column vectors, OpenGL clip space; near, far), size, bounds, settings, backend, GL strings, milliseconds of each
-/// stage.
-[[nodiscard]] INKEDGE_API std::string metadataJson(const Scene&, const Maps&, const Settings&);
+/// What metadata name besides.
+struct ViewFiles {
+    std::string model;                         ///< its file, as it was given; empty: none
+    std::string view;                          ///< View::name; empty: none
+    std::vector<std::filesystem::path> files;  ///< that hold what was drawn
+};
 
-/// The same for lines.
-[[nodiscard]] INKEDGE_API std::string metadataJson(const Lines&, const Settings&);
+/// What a render was asked for and what it did, as one JSON object: the names given; camera (view and projection as
+/// row-major 4 x 4 for column vectors, OpenGL clip space; world_to_camera and K as OpenCV has them; near, far); size,
+/// dpi, bounds, up, instances and materials by id, settings, backend, GL strings, milliseconds of each stage. README.md
+/// describes it.
+[[nodiscard]] INKEDGE_API std::string metadataJson(const Scene&, const Maps&, const Settings&, const ViewFiles& = {});
 
-/// The files that writeMaps() writes: first the picture's, then one for each map if the format holds one map a file.
-/// "{map}" in output stands for "outline" or the map's name; without it a map's name goes before the extension
-/// ("gear.png", "gear.depth.png"). Formats by extension: .png, .tif, .tiff; .exr holds every map in one file.
+/// The same for lines, which know no up; instances are those that lines lie on.
+[[nodiscard]] INKEDGE_API std::string metadataJson(const Lines&, const Settings&, const ViewFiles& = {});
+
+/// Instances and materials as one JSON object on one line, as metadata have them and EXR's inkedge:names.
+[[nodiscard]] INKEDGE_API std::string namesJson(const SceneNames&);
+
+/// The files that writeMaps() writes: first the picture's, then one for each map if the format holds one map a file,
+/// four for the ids: "ids-patch", "ids-across", "ids-object", "ids-material". "{map}" in output stands for "outline" or
+/// the map's name; without it a map's name goes before the extension ("gear.png", "gear.depth.png"). Formats by
+/// extension: .png, .tif, .tiff; .exr and .npz hold every map in one file.
 /// @throws Error  (Kind::Usage) if the extension is none of these: the message lists them, and those of lines
 [[nodiscard]] INKEDGE_API std::vector<std::filesystem::path> outputFiles(const std::filesystem::path& output,
                                                                          std::span<const Map> maps);
 
-/// Writes the picture and the named maps; every file appears whole or not at all. 8-bit files are for looking: depth as
-/// grey from near (black) to far (white), normals as (n + 1) / 2, edges black on white, types and ids as colours
-/// (encodePng(maps.types) keeps the types' bits). EXR holds the maps in layers depth.Z (scene units), normal.X/Y/Z,
-/// depth-edges.Y, normal-edges.Y, edges.Y, types.V (the bits) and, for the ids, patch.V, across.V, object.V and
-/// material.V, beside the picture's R, G, B and, of four channels, A (linear light, premultiplied). All are floats,
-/// which hold ids up to 16777216 exactly. Its header has inkedge:near, inkedge:far, inkedge:view and
-/// inkedge:projection.
+/// Writes the picture and the named maps; every file appears whole or not at all. README.md's "Maps" says what each
+/// format makes of each map. PNG: depth as grey of 16 bits from near (0) to far (65535), types and ids as grey of 16
+/// bits, normals as (n + 1) / 2 of 8 bits, edges black on white. TIFF: floats. EXR: floats, in layers depth.Z,
+/// normal.X/Y/Z, depth-edges.Y, normal-edges.Y, edges.Y, types.V, patch.V, across.V, object.V and material.V, beside
+/// the picture's R, G, B and, of four channels, A (linear light, premultiplied); inkedge:near, inkedge:far,
+/// inkedge:view, inkedge:projection and, with ids, inkedge:names in its header. NPZ: arrays named as the maps, with _
+/// for -, and "picture", "view", "projection", "world_to_camera", "K", "near", "far" and, with ids, "instance_names"
+/// and "material_names" by id.
 /// @return        the files written, as outputFiles() gives them
-/// @throws Error  (Kind::Output) if one cannot be written, or an EXR's ids are larger; none is left half-written
+/// @throws Error  (Kind::Output) if one cannot be written, or ids are over 65535 in a PNG, or over 16777216 in an EXR
+///                or TIFF; none is left half-written
 INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<const Map> maps,
                                                          const std::filesystem::path& output);
+
+/// The maps that a file of this name holds where none are asked for: of an .npz all that belong to a data set.
+[[nodiscard]] INKEDGE_API std::vector<Map> defaultMaps(const std::filesystem::path& output);
 
 /// The lines as an SVG document: those whose types settings.picture.lines names, hidden ones if settings.lines.hidden
 /// wants them, cut at the picture's edges (and half a width beyond), as polylines or curves within
@@ -50,8 +67,8 @@ INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<
 /// another shape the drawing is moved to the middle. One group a type and visibility, what covers last, with the
 /// classes "inkedge", the type's name, "visible" or "hidden", and both as in "crease-hidden", by which it is a layer of
 /// Inkscape's, too; in it one path an object, or more where one would have over 32,000 points, whose data-object is
-/// Line::object. Where widths vary a path is the filled outline of its strokes, all straight. Metadata holds a JSON
-/// object: camera, size, bounds, settings.
+/// Line::object and whose data-name is NamedInstance::node. Where widths vary a path is the filled outline of its
+/// strokes, all straight. Metadata holds a JSON object: camera, size, bounds, settings.
 /// @param title  UTF-8; what is not becomes U+FFFD
 /// @throws Error  (Kind::Usage) if lines.size has no pixel, or settings.lines.brush is given: it needs pixels
 [[nodiscard]] INKEDGE_API std::string linesSvg(const Lines&, const Settings&, std::string_view title = "Line drawing");

@@ -13,6 +13,7 @@
 
 #include "curves/simplify.h"
 #include "io/metadata.h"
+#include "io/names_json.h"
 #include "settings/names.h"
 #include "settings/pens.h"
 
@@ -77,12 +78,6 @@ Json sourceJson(const LinesSource& source) {
     return json;
 }
 
-Json objectsJson(const std::map<std::uint32_t, std::string>& objects) {
-    Json list = Json::array();
-    for (const auto& [object, name] : objects) list.push_back({{"object", object}, {"name", name}});
-    return list;
-}
-
 void expectWritable(const Lines& lines) {
     if (lines.size.width < 1 || lines.size.height < 1) {
         throw Error{Error::Kind::Usage,
@@ -122,7 +117,8 @@ std::string linesJson(const Lines& lines, const Settings& settings) {
                     {"camera", io::cameraJson(lines.camera, lines.size)},
                     {"bounds", io::boundsJson(lines.bounds)},
                     {"source", sourceJson(lines.source)},
-                    {"objects", objectsJson(lines.objects)},
+                    {"instances", io::instancesJson(lines.names)},
+                    {"materials", io::materialsJson(lines.names)},
                     {"tolerance", tolerance},
                     {"settings", io::settingsJson(settings)}};
     std::string text = io::textOf(head, 2);

@@ -9,7 +9,7 @@
 namespace inkedge::io {
 
 inline constexpr std::string_view linesFormat = "inkedge lines";
-inline constexpr int linesVersion = 2;
+inline constexpr int linesVersion = 3;
 
 /// In the order of LengthUnit.
 inline constexpr std::array<std::string_view, 3> lengthUnitNames{"unknown", "metre", "millimetre"};

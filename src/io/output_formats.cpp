@@ -21,7 +21,8 @@ struct Extension {
 constexpr std::array extensions{
     Extension{".png", PictureFormat::Png},   Extension{".tif", PictureFormat::Tiff},
     Extension{".tiff", PictureFormat::Tiff}, Extension{".exr", PictureFormat::OpenExr},
-    Extension{".svg", LinesFormat::Svg},     Extension{".json", LinesFormat::Json},
+    Extension{".npz", PictureFormat::Npz},   Extension{".svg", LinesFormat::Svg},
+    Extension{".json", LinesFormat::Json},
 };
 
 template <class Format>

@@ -7,7 +7,7 @@
 
 namespace inkedge::io {
 
-enum class PictureFormat { Png, Tiff, OpenExr };
+enum class PictureFormat { Png, Tiff, OpenExr, Npz };
 enum class LinesFormat { Svg, Json };
 using OutputFormat = std::variant<PictureFormat, LinesFormat>;
 
@@ -20,6 +20,11 @@ template <class Format>
     const std::optional<OutputFormat> format = outputFormat(file);
     if (!format || !std::holds_alternative<Format>(*format)) return {};
     return std::get<Format>(*format);
+}
+
+/// Whether a file of the format holds the picture and all maps; else each has a file of its own.
+[[nodiscard]] constexpr bool holdsAllMaps(PictureFormat format) noexcept {
+    return format == PictureFormat::OpenExr || format == PictureFormat::Npz;
 }
 
 /// The extensions of all formats of one kind, as in ".png, .tif, .tiff or .exr".

@@ -13,6 +13,7 @@
 #include "base/staged_files.h"
 #include "images/encode_exr.h"
 #include "images/image_formats.h"
+#include "io/npz.h"
 #include "io/output_formats.h"
 
 namespace inkedge::io {
@@ -51,15 +52,6 @@ const std::array<Light, 256>& linearLights() {
     return table;
 }
 
-std::vector<std::uint8_t> encodeTiff(const Image<std::uint8_t>& picture, const std::filesystem::path& target,
-                                     std::optional<double> dpi) {
-    const images::Layer layer{&picture, channelNames(picture.channels())};
-    images::EncodedPicture encoded =
-        images::imageFormats(Error::Kind::Output).encodeTiff(layer, images::SampleType::Uint8, dpi);
-    if (!encoded.failure.empty()) base::failToWrite(target, encoded.failure);
-    return std::move(encoded.bytes);
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> encodePicture(const Image<std::uint8_t>& picture, const std::filesystem::path& target,
@@ -68,14 +60,26 @@ std::vector<std::uint8_t> encodePicture(const Image<std::uint8_t>& picture, cons
         case PictureFormat::Png:
             break;
         case PictureFormat::Tiff:
-            return encodeTiff(picture, target, dpi);
+            return encodeTiff({&picture, channelNames(picture.channels())}, images::SampleType::Uint8, dpi, target);
         case PictureFormat::OpenExr: {
             const Image<float> linear = linearPicture(picture);
             const images::Layer layer{&linear, channelNames(linear.channels())};
             return images::encodeExr({&layer, 1}, {});
         }
+        case PictureFormat::Npz: {
+            NpzWriter arrays;
+            arrays.add("picture", picture);
+            return std::move(arrays).take();
+        }
     }
     return encodePng(picture, dpi);
+}
+
+std::vector<std::uint8_t> encodeTiff(const images::Layer& layer, images::SampleType type, std::optional<double> dpi,
+                                     const std::filesystem::path& target) {
+    images::EncodedPicture encoded = images::imageFormats(Error::Kind::Output).encodeTiff(layer, type, dpi);
+    if (!encoded.failure.empty()) base::failToWrite(target, encoded.failure);
+    return std::move(encoded.bytes);
 }
 
 Image<float> linearPicture(const Image<std::uint8_t>& picture) {

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -17,6 +16,7 @@
 #include "base/read_file.h"
 #include "io/json_object.h"
 #include "io/lines_json.h"
+#include "io/names_json.h"
 #include "io/parse_json.h"
 #include "settings/names.h"
 
@@ -41,21 +41,10 @@ Size readSize(const JsonObject& all) {
     return {static_cast<int>(size.x), static_cast<int>(size.y)};
 }
 
-glm::dmat4 readMatrix(const JsonObject& json, std::string_view key) {
-    const Json& rows = json.list(key);
-    if (rows.size() != 4) io::refuseValue(json.path(key), "four rows", &rows);
-    glm::dmat4 matrix;
-    for (int row = 0; row < 4; ++row) {
-        const auto values = io::vectorOf<glm::dvec4>(rows[static_cast<std::size_t>(row)], json.path(key));
-        for (int column = 0; column < 4; ++column) matrix[column][row] = values[column];
-    }
-    return matrix;
-}
-
 // What follows from these, as projection and eye do, is not read.
 Camera readCamera(const JsonObject& json, Size size) {
     Camera camera;
-    camera.view = readMatrix(json, "view");
+    camera.view = io::readMatrix(json, "view");
     camera.near = json.number("near");
     camera.far = json.number("far");
     if (json.at("orthographic_height") != nullptr) {
@@ -92,17 +81,6 @@ LinesSource readSource(const JsonObject& json) {
         source.detector = static_cast<Detector>(json.choice("detector", settings::detectorNames));
     }
     return source;
-}
-
-std::map<std::uint32_t, std::string> readObjects(const Json& list) {
-    std::map<std::uint32_t, std::string> objects;
-    for (const Json& entry : list) {
-        const JsonObject json{&entry, fmt::format("objects[{}]", objects.size())};
-        const std::uint32_t object = json.whole32("object");
-        if (!objects.emplace(object, json.text("name")).second)
-            base::refuse(fmt::format("{}: expected each number once, found {} again", json.path("object"), object));
-    }
-    return objects;
 }
 
 Line readLine(const JsonObject& json) {
@@ -154,7 +132,7 @@ Lines linesFromJson(std::string_view text) {
     const JsonObject bounds = all.object("bounds");
     lines.bounds = {bounds.vector<glm::dvec3>("centre"), bounds.notNegative("radius")};
     lines.source = readSource(all.object("source"));
-    lines.objects = readObjects(all.list("objects"));
+    lines.names = io::readNames(all);
     lines.tolerance = all.notNegative("tolerance");
     return lines;
 }

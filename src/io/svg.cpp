@@ -71,6 +71,13 @@ std::string escaped(std::string_view text) {
     return result;
 }
 
+// The same for the value of an attribute.
+std::string quoted(std::string_view text) {
+    std::string value = escaped(text);
+    for (std::size_t at = 0; (at = value.find('"', at)) != std::string::npos;) value.replace(at, 1, "&quot;");
+    return '"' + value + '"';
+}
+
 // The size and the coordinates of the document. They are of one shape: not all readers know preserveAspectRatio.
 std::string documentSize(const io::Sheet& sheet) {
     const std::string viewBox = fmt::format("viewBox=\"0 0 {} {}\"", number(sheet.size.x), number(sheet.size.y));
@@ -143,7 +150,8 @@ io::SvgPath::Step stepFor(const LineSettings& settings) {
     return tolerance >= coarse && !varies(settings) ? io::SvgPath::Step::Tenth : io::SvgPath::Step::Hundredth;
 }
 
-using Paths = std::map<std::uint32_t, io::SvgPath>;  // by object
+using Paths = std::map<std::uint32_t, io::SvgPath>;       // by object
+using Names = std::map<std::uint32_t, std::string_view>;  // likewise
 
 struct Drawing {
     std::array<Paths, settings::penCount> paths;  // by pen
@@ -211,15 +219,18 @@ std::string inkOf(const settings::Pen& pen, bool isHidden, const LineSettings& s
 
 // A group is a layer of Inkscape's, and of the DXF files that it writes. The class of type and visibility together is
 // for style sheets: LibreOffice reads selectors of one class alone.
-std::string group(std::size_t pen, const std::string& ink, const std::string& attributes, const Paths& paths) {
+std::string group(std::size_t pen, const std::string& ink, const std::string& attributes, const Paths& paths,
+                  const Names& names) {
     const std::string_view type = name(static_cast<LineType>(1U << (pen % lineTypeCount)));
     const std::string_view visibility = pen < lineTypeCount ? "visible" : "hidden";
     std::string text = fmt::format(
         "<g class=\"inkedge {0} {1} {0}-{1}\" inkscape:groupmode=\"layer\" inkscape:label=\"{0}-{1}\" {2}{3}>\n", type,
         visibility, ink, attributes);
     for (const auto& [object, path] : paths) {
+        const auto known = names.find(object);
+        const std::string name = known == names.end() ? std::string{} : " data-name=" + quoted(known->second);
         for (const std::string& data : path.texts())
-            text += fmt::format("<path data-object=\"{}\" d=\"{}\"/>\n", object, data);
+            text += fmt::format("<path data-object=\"{}\"{} d=\"{}\"/>\n", object, name, data);
     }
     return text + "</g>\n";
 }
@@ -275,10 +286,12 @@ std::string linesSvg(const Lines& lines, const Settings& settings, std::string_v
                             size.height);
         attributes += " clip-path=\"url(#picture)\"";
     }
+    Names names;
+    for (const NamedInstance& instance : lines.names.instances) names.emplace(instance.id, instance.node);
     const auto allPens = settings::pens(picture);
     for (std::size_t i = drawing.paths.size(); i-- > 0;) {  // the first covers the others, and is written last
         if (drawing.paths[i].empty()) continue;
-        text += group(i, inkOf(allPens[i], i >= lineTypeCount, settings.lines), attributes, drawing.paths[i]);
+        text += group(i, inkOf(allPens[i], i >= lineTypeCount, settings.lines), attributes, drawing.paths[i], names);
     }
     return text + "</svg>\n";
 }

@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <string_view>
+#include <utility>
 
 #include <inkedge/error.h>
 
 #include "base/staged_files.h"
 #include "images/encode_exr.h"
+#include "io/camera_matrices.h"
+#include "io/map_layers.h"
+#include "io/map_pictures.h"
+#include "io/npz.h"
 #include "io/output_formats.h"
 #include "io/picture.h"
 #include "io/write_map_files.h"
@@ -20,6 +24,8 @@ namespace fs = std::filesystem;
 
 namespace inkedge {
 namespace {
+
+using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::string_view placeholder = "{map}";
 constexpr std::string_view pictureName = "outline";
@@ -48,114 +54,18 @@ fs::path pictureFile(const fs::path& output) {
     return text;
 }
 
-fs::path mapFile(const fs::path& output, Map map) {
+fs::path layerFile(const fs::path& output, std::string_view layer) {
     std::string text = output.string();
-    if (substitute(text, name(map))) return text;
-    return output.parent_path() /
-           fmt::format("{}.{}{}", output.stem().string(), name(map), output.extension().string());
+    if (substitute(text, layer)) return text;
+    return output.parent_path() / fmt::format("{}.{}{}", output.stem().string(), layer, output.extension().string());
 }
 
-/// A share from 0 to 1 as a level from 0 to 255, rounded; NaN counts as 0.
-std::uint8_t level(double share) {
-    return static_cast<std::uint8_t>(share > 0.0 ? 255.0 * std::min(share, 1.0) + 0.5 : 0.0);
-}
-
-Image<std::uint8_t> depthPicture(const Image<float>& depth, const Camera& camera) {
-    const double range = camera.far - camera.near;
-    Image<std::uint8_t> picture{depth.size(), 1};
-    std::transform(depth.pixels().begin(), depth.pixels().end(), picture.mutablePixels().begin(),
-                   [&](float value) { return level((value - camera.near) / range); });
-    return picture;
-}
-
-Image<std::uint8_t> normalPicture(const Image<float>& normal) {
-    Image<std::uint8_t> picture{normal.size(), normal.channels()};
-    std::transform(normal.pixels().begin(), normal.pixels().end(), picture.mutablePixels().begin(),
-                   [](float value) { return level((value + 1.0) / 2.0); });
-    return picture;
-}
-
-Image<std::uint8_t> edgePicture(const Image<std::uint8_t>& mask) {
-    Image<std::uint8_t> picture{mask.size(), 1};
-    std::transform(mask.pixels().begin(), mask.pixels().end(), picture.mutablePixels().begin(),
-                   [](std::uint8_t value) { return static_cast<std::uint8_t>(255 - value); });
-    return picture;
-}
-
-/// One colour for each combination of bits: outlines red, occlusions green, creases blue and so on; white off lines.
-Image<std::uint8_t> typesPicture(const Image<std::uint16_t>& types) {
-    constexpr std::array<std::array<int, 3>, lineTypeCount> inks{{{220, 30, 30},
-                                                                  {20, 150, 40},
-                                                                  {230, 140, 0},
-                                                                  {30, 70, 220},
-                                                                  {160, 40, 180},
-                                                                  {20, 170, 180},
-                                                                  {120, 120, 120},
-                                                                  {90, 60, 30}}};
-    Image<std::uint8_t> picture{types.size(), 3, std::uint8_t{255}};
-    for (std::size_t i = 0; i < types.pixels().size(); ++i) {
-        const LineTypes known = LineTypes::fromBits(types.pixels()[i]) & allLineTypes;
-        if (known.empty()) continue;
-        const auto& ink = inks[static_cast<std::size_t>(bitIndex(known.first()))];
-        for (std::size_t k = 0; k < 3; ++k) picture.mutablePixels()[3 * i + k] = static_cast<std::uint8_t>(ink[k]);
+std::vector<io::MapLayer> layersOf(const Maps& maps, std::span<const Map> wanted) {
+    std::vector<io::MapLayer> layers;
+    for (const Map map : wanted) {
+        for (io::MapLayer& layer : io::layersOf(maps, map)) layers.push_back(std::move(layer));
     }
-    return picture;
-}
-
-/// A colour for each patch, scattered so that neighbours differ; white on the background.
-Image<std::uint8_t> patchPicture(const Image<std::uint32_t>& ids) {
-    Image<std::uint8_t> picture{ids.size(), 3, std::uint8_t{255}};
-    for (std::size_t i = 0; 4 * i < ids.pixels().size(); ++i) {
-        const std::uint32_t patch = ids.pixels()[4 * i];
-        if (patch == 0) continue;
-        const std::uint32_t scattered = patch * 2654435761U;
-        for (std::size_t k = 0; k < 3; ++k) {
-            picture.mutablePixels()[3 * i + k] = static_cast<std::uint8_t>(64 + ((scattered >> (8 * k + 8)) & 127U));
-        }
-    }
-    return picture;
-}
-
-Image<std::uint8_t> mapPicture(const Maps& maps, Map map) {
-    switch (map) {
-        case Map::Depth:
-            return depthPicture(maps.depth, maps.camera);
-        case Map::Normal:
-            return normalPicture(maps.normal);
-        case Map::DepthEdges:
-            return edgePicture(maps.depthEdges);
-        case Map::NormalEdges:
-            return edgePicture(maps.normalEdges);
-        case Map::Types:
-            return typesPicture(maps.types);
-        case Map::Ids:
-            return patchPicture(maps.ids);
-        case Map::Edges:
-            break;
-    }
-    return edgePicture(maps.edges);
-}
-
-/// A layer of an EXR. The names of its channels end in one letter: Blender drops other layers. Ids are floats: beside
-/// floats OpenImageIO reads integers as shares of the largest one, unless it is told not to.
-images::Layer mapLayer(const Maps& maps, Map map) {
-    switch (map) {
-        case Map::Depth:
-            return {&maps.depth, {"depth.Z"}};
-        case Map::Normal:
-            return {&maps.normal, {"normal.X", "normal.Y", "normal.Z"}};
-        case Map::DepthEdges:
-            return {&maps.depthEdges, {"depth-edges.Y"}};
-        case Map::NormalEdges:
-            return {&maps.normalEdges, {"normal-edges.Y"}};
-        case Map::Types:
-            return {&maps.types, {"types.V"}};
-        case Map::Ids:
-            return {&maps.ids, {"patch.V", "across.V", "object.V", "material.V"}};
-        case Map::Edges:
-            break;
-    }
-    return {&maps.edges, {"edges.Y"}};
+    return layers;
 }
 
 std::array<float, 16> rowMajor(const glm::dmat4& matrix) {
@@ -165,48 +75,80 @@ std::array<float, 16> rowMajor(const glm::dmat4& matrix) {
     return values;
 }
 
-std::vector<images::HeaderEntry> cameraEntries(const Camera& camera, Size size) {
-    return {{"inkedge:near", static_cast<float>(camera.near)},
-            {"inkedge:far", static_cast<float>(camera.far)},
-            {"inkedge:view", rowMajor(camera.view)},
-            {"inkedge:projection", rowMajor(camera.projection(size))}};
+std::vector<images::HeaderEntry> headerOf(const Maps& maps, std::span<const Map> wanted) {
+    const Camera& camera = maps.camera;
+    std::vector<images::HeaderEntry> entries{{"inkedge:near", static_cast<float>(camera.near)},
+                                             {"inkedge:far", static_cast<float>(camera.far)},
+                                             {"inkedge:view", rowMajor(camera.view)},
+                                             {"inkedge:projection", rowMajor(camera.projection(maps.picture.size()))}};
+    if (std::ranges::find(wanted, Map::Ids) != wanted.end())
+        entries.push_back({"inkedge:names", namesJson(maps.names)});
+    return entries;
 }
 
-void expectExactIds(const Image<std::uint32_t>& ids, const fs::path& target) {
-    constexpr std::uint32_t largest = 1U << std::numeric_limits<float>::digits;  // with all below it exact as a float
-    const auto found = std::max_element(ids.pixels().begin(), ids.pixels().end());
-    if (found == ids.pixels().end() || *found <= largest) return;
-    constexpr std::array names{"patch", "patch", "node", "material"};
-    throw Error{Error::Kind::Output,
-                fmt::format("{}: map ids: expected numbers up to {}, which the floats of an EXR hold exactly, found {} "
-                            "{}; leave ids out of the maps, or load a part of the model",
-                            target.string(), largest, names[static_cast<std::size_t>(found - ids.pixels().begin()) % 4],
-                            *found)};
-}
-
-std::vector<std::uint8_t> encodeLayers(const Maps& maps, std::span<const Map> wanted, const fs::path& target) {
-    if (std::find(wanted.begin(), wanted.end(), Map::Ids) != wanted.end()) expectExactIds(maps.ids, target);
+Bytes exrOf(const Maps& maps, std::span<const Map> wanted, const fs::path& target) {
+    const std::vector<io::MapLayer> layers = layersOf(maps, wanted);
+    for (const io::MapLayer& layer : layers)
+        io::expectIdsUpTo(io::maxExactFloat, "which the floats of an EXR hold exactly", layer, target);
     const int channels = std::max(maps.picture.channels(), 3);
     raster::expectMemory(maps.picture.size(), sizeof(float) * static_cast<std::uint64_t>(channels));
     const Image<float> picture = io::linearPicture(maps.picture);
-    std::vector<images::Layer> layers{{&picture, io::channelNames(picture.channels())}};
-    for (const Map map : wanted) layers.push_back(mapLayer(maps, map));
-    return images::encodeExr(layers, cameraEntries(maps.camera, picture.size()));
+    std::vector<images::Layer> all{{&picture, io::channelNames(picture.channels())}};
+    for (const io::MapLayer& layer : layers) all.push_back(layer.values);
+    return images::encodeExr(all, headerOf(maps, wanted));
 }
 
-void expectSize(Size found, Size expected, std::string_view map) {
-    if (found == expected) return;
-    throw Error{Error::Kind::Usage, fmt::format("map {}: expected {} x {} pixels, found {} x {}; was it rendered?", map,
-                                                expected.width, expected.height, found.width, found.height)};
+template <class Matrix>
+void addMatrix(io::NpzWriter& arrays, std::string_view name, const Matrix& matrix) {
+    constexpr auto size = static_cast<std::size_t>(Matrix::length());
+    std::vector<double> values;
+    for (int row = 0; row < Matrix::length(); ++row) {
+        for (int column = 0; column < Matrix::length(); ++column) values.push_back(matrix[column][row]);
+    }
+    arrays.add<double>(name, {size, size}, values);
+}
+
+void addCamera(io::NpzWriter& arrays, const Camera& camera, Size size) {
+    addMatrix(arrays, "view", camera.view);
+    addMatrix(arrays, "projection", camera.projection(size));
+    addMatrix(arrays, "world_to_camera", io::worldToCamera(camera));
+    addMatrix(arrays, "K", io::intrinsics(camera, size));
+    arrays.add<double>("near", {}, std::span{&camera.near, 1});
+    arrays.add<double>("far", {}, std::span{&camera.far, 1});
+}
+
+// By id, so that names[ids] are the names: 0 stands for none.
+void addNames(io::NpzWriter& arrays, const SceneNames& names) {
+    std::vector<std::string> nodes(names.instances.empty() ? 1 : names.instances.back().id + 1);
+    for (const NamedInstance& instance : names.instances) nodes[instance.id] = instance.node;
+    arrays.addTexts("instance_names", nodes);
+    std::vector<std::string> materials{""};
+    materials.insert(materials.end(), names.materials.begin(), names.materials.end());
+    arrays.addTexts("material_names", materials);
+}
+
+Bytes npzOf(const Maps& maps, std::span<const Map> wanted) {
+    io::NpzWriter arrays;
+    arrays.add("picture", maps.picture);
+    for (const Map map : wanted) {
+        const images::AnyImage image = io::layersOf(maps, map).front().values.image;
+        std::visit([&](const auto* each) { arrays.add(io::arrayName(map), *each); }, image);
+    }
+    addCamera(arrays, maps.camera, maps.picture.size());
+    if (std::ranges::find(wanted, Map::Ids) != wanted.end()) addNames(arrays, maps.names);
+    return std::move(arrays).take();
 }
 
 void expectRendered(const Maps& maps, std::span<const Map> wanted) {
-    if (maps.picture.empty()) {
+    const Size expected = maps.picture.size();
+    if (maps.picture.empty())
         throw Error{Error::Kind::Usage, "picture: expected at least one pixel, found none; was it rendered?"};
-    }
     for (const Map map : wanted) {
-        const Size size = std::visit([](const auto* image) { return image->size(); }, mapLayer(maps, map).image);
-        expectSize(size, maps.picture.size(), name(map));
+        const Size found = io::layersOf(maps, map).front().values.size();
+        if (found != expected)
+            throw Error{Error::Kind::Usage,
+                        fmt::format("map {}: expected {} x {} pixels, found {} x {}; was it rendered?", name(map),
+                                    expected.width, expected.height, found.width, found.height)};
     }
 }
 
@@ -214,11 +156,17 @@ void expectRendered(const Maps& maps, std::span<const Map> wanted) {
 
 std::vector<fs::path> outputFiles(const fs::path& output, std::span<const Map> maps) {
     io::expectOutputFormat(output);
-    const io::PictureFormat format = io::pictureFormat(output);
     std::vector<fs::path> files{pictureFile(output)};
-    if (format == io::PictureFormat::OpenExr) return files;
-    for (const Map map : distinct(maps)) files.push_back(mapFile(output, map));
+    if (io::holdsAllMaps(io::pictureFormat(output))) return files;
+    for (const Map map : distinct(maps)) {
+        for (const std::string& layer : io::layerFiles(map)) files.push_back(layerFile(output, layer));
+    }
     return files;
+}
+
+std::vector<Map> defaultMaps(const fs::path& output) {
+    if (io::formatOf<io::PictureFormat>(output) != io::PictureFormat::Npz) return {};
+    return {Map::Depth, Map::Normal, Map::Types, Map::Ids, Map::Edges};
 }
 
 void io::writeMapFiles(const Maps& maps, std::span<const Map> wanted, std::span<const fs::path> files) {
@@ -226,12 +174,17 @@ void io::writeMapFiles(const Maps& maps, std::span<const Map> wanted, std::span<
     expectRendered(maps, each);
 
     base::StagedFiles staged;
-    if (io::pictureFormat(files.front()) == io::PictureFormat::OpenExr) {
-        staged.add(files.front(), encodeLayers(maps, each, files.front()));
+    const io::PictureFormat format = io::pictureFormat(files.front());
+    if (io::holdsAllMaps(format)) {
+        const fs::path& file = files.front();
+        staged.add(file, format == io::PictureFormat::Npz ? npzOf(maps, each) : exrOf(maps, each, file));
     } else {
         staged.add(files.front(), io::encodePicture(maps.picture, files.front(), maps.dpi));
-        for (std::size_t i = 0; i < each.size(); ++i) {
-            staged.add(files[i + 1], io::encodePicture(mapPicture(maps, each[i]), files[i + 1], maps.dpi));
+        std::size_t next = 1;
+        for (const io::MapLayer& layer : ::inkedge::layersOf(maps, each)) {
+            const fs::path& file = files[next++];
+            staged.add(file, format == io::PictureFormat::Tiff ? io::tiffOf(layer, maps.dpi, file)
+                                                               : io::pngOf(maps, layer, file));
         }
     }
     staged.commit();

@@ -29,10 +29,10 @@ void expectFolderFor(const fs::path& file) {
                             exists ? "a file in its way; choose another place" : "none; create it first")};
 }
 
-void expectViewIn(std::string_view flag, const std::string& file, std::size_t views) {
-    if (views < 2 || file.find("{view}") != std::string::npos) return;
+void expectViewIn(const std::string& output, std::size_t views) {
+    if (views < 2 || output.find("{view}") != std::string::npos) return;
     throw Error{Error::Kind::Usage,
-                fmt::format("{}: expected {{view}} in it for {} views, found '{}'", flag, views, file)};
+                fmt::format("--output: expected {{view}} in it for {} views, found '{}'", views, output)};
 }
 
 // What makes no lines does not go into a file of lines.
@@ -58,21 +58,24 @@ void check(const Job& job, std::size_t& viewsBefore, FilesApart& files) {
     validate(job.settings);
     const std::vector<View> views = viewsOf(job);
     for (const std::string& output : job.outputs) {
-        expectViewIn("--output", output, views.size());
+        expectViewIn(output, views.size());
         if (holdsLines(output)) expectLinesOnly(job, output);
     }
-    if (!job.metadata.empty()) expectViewIn("--metadata", job.metadata, views.size());
+    const std::string model = job.model.string();
+    const auto add = [&](const fs::path& file, const FilesApart::Owner& owner) {
+        expectFolderFor(file);
+        files.addOutput(file, owner);
+    };
     for (const View& view : views) {
-        const std::string who = fmt::format("view {} of {}", view.name, job.model.string());
-        const auto add = [&](const fs::path& file, std::string_view flag) {
-            expectFolderFor(file);
-            files.addOutput(file, {viewsBefore, who, flag});
-        };
+        const std::string who = fmt::format("view {} of {}", view.name, model);
         for (const std::string& output : job.outputs)
-            for (const fs::path& file : filesOfOutput(job, output, view)) add(file, "--output");
-        if (!job.metadata.empty()) add(metadataFileOf(job, view), "--metadata");
+            for (const fs::path& file : filesOfOutput(job, output, view)) add(file, {viewsBefore, who, "--output"});
+        if (!job.metadata.empty() && !hasOneMetadataFile(job))
+            add(metadataFileOf(job, view), {viewsBefore, who, "--metadata"});
         ++viewsBefore;
     }
+    if (hasOneMetadataFile(job))
+        add(metadataFileOf(job, views.front()), {viewsBefore - 1, fmt::format("all views of {}", model), "--metadata"});
 }
 
 void addInputs(const Job& job, FilesApart& files) {

@@ -23,7 +23,7 @@ Drawn draw(const Job& job, const Scene& scene, const Camera& camera, const Setti
     Drawn drawn;
     if (linesAmong > 0) drawn.lines = renderer.lines(scene, camera, settings);
     if (linesAmong == 0 || static_cast<std::size_t>(linesAmong) < job.outputs.size())
-        drawn.maps = renderer.render(scene, camera, settings);
+        drawn.maps = renderer.render(scene, camera, withMapsOf(job.outputs, settings));
     return drawn;
 }
 
@@ -35,16 +35,21 @@ std::vector<std::filesystem::path> write(const Drawn& drawn, const Job& job, con
         if (holdsLines(output))
             writeLines(*drawn.lines, settings, written.front());
         else
-            io::writeMapFiles(*drawn.maps, settings.maps, written);
+            io::writeMapFiles(*drawn.maps, mapsIn(output, settings), written);
         for (auto& file : written) files.push_back(std::move(file));
     }
     return files;
 }
 
+void writeText(const std::filesystem::path& file, const std::string& text) {
+    writeFile(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
 }  // namespace
 
-JobResult drawView(const Job& job, const View& view, const FramedView& framed, const Scene& scene, Renderer& renderer,
-                   const std::vector<StageTime>& before, const std::function<void(const Maps&)>& reportDrawn) {
+ViewOutcome drawView(const Job& job, const View& view, const FramedView& framed, const Scene& scene, Renderer& renderer,
+                     const std::vector<StageTime>& before, const std::function<void(const Maps&)>& reportDrawn,
+                     bool metadata) {
     Settings settings = job.settings;
     settings.camera = view.camera;
     settings.picture = framed.picture;
@@ -66,13 +71,20 @@ JobResult drawView(const Job& job, const View& view, const FramedView& framed, c
 
     const bool startsWithLines = !job.outputs.empty() && holdsLines(job.outputs.front());
     (startsWithLines ? drawn.lines->times : drawn.maps->times) = result.times;
-    result.metadata =
-        startsWithLines ? metadataJson(*drawn.lines, settings) : metadataJson(scene, *drawn.maps, settings);
-    if (!job.metadata.empty()) {
-        writeFile(metadataFileOf(job, view),
-                  {reinterpret_cast<const std::uint8_t*>(result.metadata.data()), result.metadata.size()});
-    }
-    return result;
+    const ViewFiles named{job.model.string(), view.name, result.files};
+    io::Json json = startsWithLines ? io::viewMetadata(*drawn.lines, settings, named)
+                                    : io::viewMetadata(*drawn.maps, settings, named);
+    const bool ownFile = !job.metadata.empty() && !hasOneMetadataFile(job);
+    if (metadata || ownFile) result.metadata = io::metadataText(io::modelMetadata(scene, settings, named.model), json);
+    if (ownFile) writeText(metadataFileOf(job, view), result.metadata);
+    return {std::move(result), std::move(json)};
+}
+
+void writeMetadataOfViews(const Job& job, const Scene& scene, std::vector<io::Json> views) {
+    std::erase_if(views, [](const io::Json& view) { return view.is_null(); });
+    if (views.empty()) return;
+    writeText(metadataFileOf(job, viewsOf(job).front()),
+              io::metadataText(io::modelMetadata(scene, job.settings, job.model.string()), std::move(views)));
 }
 
 }  // namespace inkedge::job

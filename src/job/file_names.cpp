@@ -76,13 +76,31 @@ std::vector<fs::path> filesOfOutput(const Job& job, const std::string& output, c
         const std::array outline{Field{"{map}", "outline"}};
         files.emplace_back(expanded(output, outline));
     } else {
-        files = outputFiles(output, job.settings.maps);
+        files = outputFiles(output, mapsIn(output, job.settings));
     }
     for (fs::path& file : files) file = expandTemplate(file.string(), job, view);
     return files;
 }
 
 fs::path metadataFileOf(const Job& job, const View& view) { return expandTemplate(job.metadata, job, view); }
+
+bool hasOneMetadataFile(const Job& job) {
+    return viewsOf(job).size() > 1 && !job.metadata.empty() && job.metadata.find("{view}") == std::string::npos;
+}
+
+std::vector<Map> mapsIn(const std::string& output, const Settings& settings) {
+    return settings.maps.empty() ? defaultMaps(output) : settings.maps;
+}
+
+Settings withMapsOf(const std::vector<std::string>& outputs, Settings settings) {
+    const Settings asked = settings;
+    for (const std::string& output : outputs) {
+        if (holdsLines(output)) continue;
+        for (const Map map : mapsIn(output, asked))
+            if (std::ranges::find(settings.maps, map) == settings.maps.end()) settings.maps.push_back(map);
+    }
+    return settings;
+}
 
 }  // namespace job
 

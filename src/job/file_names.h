@@ -19,4 +19,13 @@ namespace inkedge::job {
 /// @throws Error  (Kind::Usage) as filesOf()
 [[nodiscard]] std::filesystem::path metadataFileOf(const Job&, const View&);
 
+/// Whether the metadata of several views go into one file.
+[[nodiscard]] bool hasOneMetadataFile(const Job&);
+
+/// The maps that go into an output of pixels.
+[[nodiscard]] std::vector<Map> mapsIn(const std::string& output, const Settings&);
+
+/// The settings with all maps that go into these outputs.
+[[nodiscard]] Settings withMapsOf(const std::vector<std::string>& outputs, Settings);
+
 }  // namespace inkedge::job

@@ -20,7 +20,7 @@ std::vector<std::string> idleSettings(const Job& job) {
         kinds.exr = kinds.exr || extension == ".exr";
         kinds.pictures = kinds.pictures || (!lines && extension != ".exr");
     }
-    return idleSettings(job.settings, kinds);
+    return idleSettings(job::withMapsOf(job.outputs, job.settings), kinds);
 }
 
 }  // namespace inkedge

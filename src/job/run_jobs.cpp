@@ -33,8 +33,9 @@ struct JobState {
     std::vector<FramedView> framed{};  // one a view if they are framed together; else empty
     std::mutex loading{};
     std::optional<Scene> scene{};
-    std::vector<StageTime> times{};  // of loading
-    bool failed = false;             // to load
+    std::vector<StageTime> times{};    // of loading
+    bool failed = false;               // to load
+    std::vector<io::Json> metadata{};  // of each view; null: not drawn
     std::atomic<std::size_t> left{0};
 };
 
@@ -71,6 +72,7 @@ public:
             states_[j].job = &jobs[j];
             states_[j].views = viewsOf(jobs[j]);
             states_[j].left = states_[j].views.size();
+            states_[j].metadata.resize(states_[j].views.size());
             for (std::size_t v = 0; v < states_[j].views.size(); ++v) tasks_.push_back({j, v});
         }
     }
@@ -112,7 +114,7 @@ private:
                 const Task task = tasks_[i];
                 JobState& state = states_[task.job];
                 if (isLoaded(state, task.job)) drawView(state, task, renderer);
-                if (--state.left == 0) state.scene.reset();
+                if (--state.left == 0) finish(state, task.job);
                 const std::scoped_lock lock{calling_};
                 ++ended_;
                 if (options_.progress) options_.progress(ended_, tasks_.size());
@@ -155,8 +157,11 @@ private:
             const FramedView framed = state.framed.empty()
                                           ? frameViews(*state.scene, {&view, 1}, state.job->settings).front()
                                           : state.framed[task.view];
-            result = job::drawView(*state.job, view, framed, *state.scene, renderer.of(state.job->settings.backend),
-                                   task.view == 0 ? state.times : std::vector<StageTime>{}, reportDrawn);
+            ViewOutcome drawn =
+                job::drawView(*state.job, view, framed, *state.scene, renderer.of(state.job->settings.backend),
+                              task.view == 0 ? state.times : std::vector<StageTime>{}, reportDrawn, options_.metadata);
+            result = std::move(drawn.result);
+            if (hasOneMetadataFile(*state.job)) state.metadata[task.view] = std::move(drawn.metadata);
         } catch (...) {
             return fail({task.job, task.view, std::current_exception()});
         }
@@ -164,6 +169,17 @@ private:
         result.view = task.view;
         const std::scoped_lock lock{calling_};
         if (options_.finished) options_.finished(result);
+    }
+
+    // After a job's last view.
+    void finish(JobState& state, std::size_t number) {
+        try {
+            if (state.scene && hasOneMetadataFile(*state.job))
+                writeMetadataOfViews(*state.job, *state.scene, std::move(state.metadata));
+        } catch (...) {
+            fail({number, std::nullopt, std::current_exception()});
+        }
+        state.scene.reset();
     }
 
     void fail(const JobFailure& failure) {

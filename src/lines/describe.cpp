@@ -1,5 +1,11 @@
 #include "lines/describe.h"
 
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "scene/names.h"
+
 namespace inkedge::lines {
 
 void describe(Lines& lines, const Scene& scene, const RenderSettings& settings, LinesFrom space) {
@@ -14,10 +20,12 @@ void describe(Lines& lines, const Scene& scene, const RenderSettings& settings, 
                     .finder = settings.lines.contourFinder,
                     .detector = settings.detector.detector};
     std::uint32_t id = 0;
+    std::set<std::uint32_t> instances;
     for (Line& line : lines.lines) {
         line.id = ++id;
-        lines.objects.try_emplace(line.object, scene.instances()[line.object - 1].name);
+        instances.insert(line.object);
     }
+    lines.names = scene::namesOf(scene, std::vector(instances.begin(), instances.end()));
 }
 
 }  // namespace inkedge::lines

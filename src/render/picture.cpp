@@ -67,6 +67,7 @@ Maps drawPicture(const Scene& scene, const Camera& camera, const RenderSettings&
     if (graphics != nullptr) graphics->gpu().textures.trim();
     maps.camera = camera;
     maps.dpi = settings.picture.dpi;
+    if (wants(settings, Map::Ids)) maps.names = namesOf(scene);
     maps.backend = kept.backend();
     maps.times = std::move(times);
     return maps;

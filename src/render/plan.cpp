@@ -35,7 +35,10 @@ void planLines(const RenderSettings& settings, Plan& plan) {
     plan.lineMask = edges && detector == Detector::Planes;
     plan.inkMask = edges;
     plan.ids = ids ? trace::TraceIds::Keep : trace::TraceIds::Drop;
-    plan.tracesLines = plan.lines == LineSource::Planes || plan.types || ids || plan.lineMask;
+    // All maps show what lies at the middle of each pixel, which is no sample's middle where there are several.
+    const bool mapsOfLines = plan.types || ids || plan.lineMask;
+    plan.planesOfPixels = mapsOfLines && settings.picture.supersampling > 1;
+    plan.tracesLines = plan.lines == LineSource::Planes || (mapsOfLines && !plan.planesOfPixels);
     const bool magnitudes = plan.edgeMaps.depth || plan.edgeMaps.normal;
     plan.magnitudes = magnitudes ? passes::Magnitudes::Keep : passes::Magnitudes::Drop;
     plan.detectsEdges = plan.lines == LineSource::Classic || plan.edgeMaps.either || magnitudes;
@@ -48,8 +51,8 @@ void planGeometry(const RenderSettings& settings, Plan& plan) {
     plan.planes = plan.tracesLines || style.planes;
     plan.surface = plan.detectsEdges || plan.lines == LineSource::Profiles || style.surface || plan.surfaceMaps.depth ||
                    plan.surfaceMaps.normal;
-    plan.together =
-        plan.planes && plan.surface && samples == 1 && settings.detector.normalLights == NormalLights::Single;
+    plan.together = plan.surface && (plan.planesOfPixels || (plan.planes && samples == 1)) &&
+                    settings.detector.normalLights == NormalLights::Single;
     plan.functions = !settings.detector.functions.empty();
     if (style.reach != nullptr) plan.margin = std::max(raster::tileMargin, style.reach(settings.style) * samples);
 }

@@ -28,12 +28,13 @@ struct Plan {
     // What the triangles are drawn into, tile by tile.
     bool planes = false;
     bool surface = false;
-    bool together = false;            ///< planes and surface by one pass over the triangles
+    bool planesOfPixels = false;      ///< planes for the maps, where those for lines are of smaller samples
+    bool together = false;            ///< the surface and the planes that the maps come from by one pass
     bool functions = false;           ///< DetectorSettings::functions, one after the other
     int margin = raster::tileMargin;  ///< samples around a tile that its passes need
 
     // What is found in it.
-    bool tracesLines = false;  ///< lines between planes: Maps::types, Maps::ids, strokes
+    bool tracesLines = false;  ///< lines between planes: strokes, Maps::types, Maps::ids, Maps::edges
     trace::TraceIds ids = trace::TraceIds::Drop;
     bool detectsEdges = false;  ///< edges of the depth map and of the normal map
     passes::Magnitudes magnitudes = passes::Magnitudes::Drop;
@@ -48,7 +49,7 @@ struct Plan {
     settings::Paper paper = settings::Paper::Background;  ///< of what is drawn before the style's last step
 
     [[nodiscard]] bool drawsTiles() const noexcept {
-        return planes || surface || functions || style->tileInk != nullptr;
+        return planes || planesOfPixels || surface || functions || style->tileInk != nullptr;
     }
     /// Lines from object space, and pictures of nothing else, need none.
     [[nodiscard]] bool needsContext() const noexcept { return drawsTiles() || style->redraw != nullptr; }

@@ -15,8 +15,9 @@ namespace inkedge::render {
 
 /// What the triangles of a tile are drawn into.
 struct Geometry {
-    std::optional<passes::PlaneBuffers> planes;     ///< in samples
-    std::optional<passes::SurfaceBuffers> surface;  ///< in pixels
+    std::optional<passes::PlaneBuffers> planes;          ///< in samples
+    std::optional<passes::PlaneBuffers> planesOfPixels;  ///< of Plan::planesOfPixels
+    std::optional<passes::SurfaceBuffers> surface;       ///< in pixels
 };
 
 /// The frames of a tile: for passes that work in samples, and for those that work in pixels.

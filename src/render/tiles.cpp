@@ -1,7 +1,12 @@
 #include "render/tiles.h"
 
 #include <optional>
+#include <span>
 #include <utility>
+
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
 
 #include "gl/read_back.h"
 #include "lines/specks.h"
@@ -20,17 +25,26 @@
 namespace inkedge::render {
 namespace {
 
+// What lines are traced of, beside the planes of a tile: in samples or pixels of the whole picture.
+struct Traceable {
+    trace::ScreenTriangles triangles;
+    std::vector<trace::ThinStretch> thinParts;
+};
+
+Traceable traceable(const passes::Frame& picture, Size whole, int samplesPerPixel) {
+    trace::ScreenTriangles triangles{picture.scene, picture.upload.firstTriangles(), picture.camera, whole};
+    std::vector<trace::ThinStretch> thinParts = trace::findThinParts(picture.scene, triangles, whole, samplesPerPixel);
+    return {std::move(triangles), std::move(thinParts)};
+}
+
 class TilePainter {
 public:
     TilePainter(const passes::Frame& picture, gl::FunctionInputs& inputs, const RenderSettings& settings,
                 const Plan& plan, gl::StageClock& clock)
         : inputs_{inputs}, settings_{settings}, plan_{plan}, clock_{clock} {
-        if (plan.tracesLines) {
-            triangles_.emplace(picture.scene, picture.upload.firstTriangles(), picture.camera, picture.tile.whole);
-            thinParts_ =
-                trace::findThinParts(picture.scene, *triangles_, picture.tile.whole, settings.picture.supersampling);
-            clock.finish("thin parts");
-        }
+        if (plan.tracesLines) samples_.emplace(traceable(picture, picture.tile.whole, settings.picture.supersampling));
+        if (plan.planesOfPixels) pixels_.emplace(traceable(picture, settings.picture.size, 1));
+        if (samples_ || pixels_) clock.finish("thin parts");
         if (plan.style->tileInk != nullptr) {
             styleInk_ = plan.style->tileInk(picture.scene, settings);
             clock.finish(plan.style->stage);
@@ -41,7 +55,13 @@ public:
         const raster::Tile& pixels = tile.pixels.tile;
         Maps maps;
         const Geometry geometry = drawGeometry(tile);
-        if (geometry.planes && triangles_) traceTile(tile.samples, *geometry.planes, maps, all.pieces);
+        if (geometry.planesOfPixels) keepMaps(traced(tile.pixels, *geometry.planesOfPixels, *pixels_, 1), maps);
+        if (geometry.planes && samples_) {
+            trace::TracedLines lines =
+                traced(tile.samples, *geometry.planes, *samples_, settings_.picture.supersampling);
+            all.pieces.insert(all.pieces.end(), lines.pieces.begin(), lines.pieces.end());
+            if (!plan_.planesOfPixels) keepMaps(std::move(lines), maps);
+        }
         if (geometry.surface) readTile(tile.pixels, *geometry.surface, maps);
         raster::keep(ink(tile, geometry), pixels, all.ink);
         raster::keep(std::move(maps), pixels, all.maps);
@@ -50,51 +70,60 @@ public:
 private:
     Geometry drawGeometry(const TileFrames& tile) {
         Geometry geometry;
+        std::optional<passes::PlaneBuffers>& ofMaps = plan_.planesOfPixels ? geometry.planesOfPixels : geometry.planes;
         if (plan_.together) {
-            passes::PlanesAndSurface both = passes::drawPlanesAndSurface(tile.samples, settings_.detector.lightSpace);
+            passes::PlanesAndSurface both = passes::drawPlanesAndSurface(tile.pixels, settings_.detector.lightSpace);
+            ofMaps = std::move(both.planes);
+            geometry.surface = std::move(both.surface);
             clock_.finish("geometry");
-            return {std::move(both.planes), std::move(both.surface)};
+        } else if (plan_.planesOfPixels) {
+            ofMaps = passes::drawPlanes(tile.pixels);
+            clock_.finish("planes");
         }
-        if (plan_.planes) {
+        if (plan_.planes && !geometry.planes) {
             geometry.planes = passes::drawPlanes(tile.samples);
             clock_.finish("planes");
         }
-        if (plan_.surface) {
+        if (plan_.surface && !geometry.surface) {
             geometry.surface = passes::drawSurface(tile.pixels, settings_.detector);
             clock_.finish("surface");
         }
         return geometry;
     }
 
-    // The lines between planes, and their types and ids.
-    void traceTile(const passes::Frame& frame, const passes::PlaneBuffers& buffers, Maps& maps,
-                   std::vector<trace::TracedPiece>& pieces) {
-        const PictureSettings& picture = settings_.picture;
+    // The lines between planes of samples, or of pixels for maps alone.
+    trace::TracedLines traced(const passes::Frame& frame, const passes::PlaneBuffers& buffers,
+                              const Traceable& onPlanes, int samplesPerPixel) {
         const gl::Api& api = frame.gpu.api;
+        const trace::TraceIds ids = samplesPerPixel == 1 ? plan_.ids : trace::TraceIds::Drop;
         trace::LineBuffers lines;
         lines.tile = frame.tile;
         lines.marks = passes::detectLines(frame, buffers.planes, scene::minCreaseBend(frame.scene));
         clock_.finish("lines");
         const std::vector<raster::Rectangle> regions =
-            plan_.ids == trace::TraceIds::Keep ? std::vector<raster::Rectangle>{{0, 0, lines.marks.size()}}
-                                               : passes::regionsAround(trace::withThinParts(
-                                                     lines.marks, thinParts_, lines.tile, picture.supersampling));
+            ids == trace::TraceIds::Keep ? std::vector<raster::Rectangle>{{0, 0, lines.marks.size()}}
+                                         : passes::regionsAround(trace::withThinParts(lines.marks, onPlanes.thinParts,
+                                                                                      lines.tile, samplesPerPixel));
         lines.planes = gl::readFloats(api, buffers.planes, 4, regions);
         lines.triangles = gl::readIntegers(api, buffers.triangles, regions);
         clock_.finish("read-back");
         trace::TracedLines traced =
-            trace::traceLines(std::move(lines), frame.scene, *triangles_, thinParts_, frame.camera, frame.unit,
-                              trace::drawnTypes(picture), picture.supersampling, plan_.ids);
-        pieces.insert(pieces.end(), traced.pieces.begin(), traced.pieces.end());
-        if (plan_.lineMask) maps.edges = passes::mask(traced.types, picture.lines);
-        if (plan_.types) maps.types = std::move(traced.types);
-        maps.ids = std::move(traced.ids);
+            trace::traceLines(std::move(lines), frame.scene, onPlanes.triangles, onPlanes.thinParts, frame.camera,
+                              frame.unit, trace::drawnTypes(settings_.picture), samplesPerPixel, ids);
         clock_.finish("trace");
+        return traced;
+    }
+
+    void keepMaps(trace::TracedLines lines, Maps& maps) const {
+        if (plan_.lineMask) maps.edges = passes::mask(lines.types, settings_.picture.lines);
+        if (plan_.types) maps.types = std::move(lines.types);
+        maps.ids = std::move(lines.ids);
     }
 
     // Depth and normal maps, their edges and, if those are the picture's lines, the picture.
     void readTile(const passes::Frame& frame, const passes::SurfaceBuffers& buffers, Maps& maps) {
         passes::readSurface(frame.gpu.api, buffers, plan_.surfaceMaps, maps);
+        turnNormals(frame.camera, maps.normal);
         if (plan_.detectsEdges) {
             const passes::EdgeBuffers edges =
                 passes::detectEdges(frame.gpu, buffers.surface, frame.camera, settings_.detector, plan_.magnitudes);
@@ -107,6 +136,19 @@ private:
             passes::readEdges(frame.gpu.api, edges, plan_.edgeMaps, maps);
         }
         clock_.finish("read-back");
+    }
+
+    // From the axes of the lights to those that are asked for.
+    void turnNormals(const Camera& camera, Image<float>& normals) const {
+        const bool fromWorld = settings_.detector.lightSpace == LightSpace::World;
+        if (fromWorld == (settings_.normalSpace == NormalSpace::World)) return;
+        const glm::mat3 view{camera.view};
+        const glm::mat3 turn = fromWorld ? view : glm::transpose(view);
+        const std::span<float> values = normals.mutablePixels();
+        for (std::size_t i = 0; i < values.size(); i += 3) {
+            const glm::vec3 turned = turn * glm::vec3{values[i], values[i + 1], values[i + 2]};
+            for (std::size_t k = 0; k < 3; ++k) values[i + k] = turned[static_cast<int>(k)];
+        }
     }
 
     // What covers pixels besides strokes: edges of functions, profiles, and what the style adds.
@@ -133,8 +175,8 @@ private:
     const RenderSettings& settings_;
     const Plan& plan_;
     gl::StageClock& clock_;
-    std::optional<trace::ScreenTriangles> triangles_;
-    std::vector<trace::ThinStretch> thinParts_;
+    std::optional<Traceable> samples_;
+    std::optional<Traceable> pixels_;  // of Plan::planesOfPixels
     TileInk styleInk_;
 };
 

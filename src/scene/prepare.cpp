@@ -124,10 +124,11 @@ PreparedScene prepare(Scene::Data data, const LoadSettings& settings) {
     dropEmptyInstances(data);
     chooseNodes(data, settings);
     checkLineCount(data, settings.limits.vertices);
+    PreparedScene scene;
+    for (const Instance& instance : data.instances) scene.transforms.push_back(instance.transform);
     bakeDistortedInstances(data, settings.limits.vertices);
     if (settings.subdivide > 0) mesh::subdivideMeshes(data.meshes, settings);
 
-    PreparedScene scene;
     for (Mesh& mesh : data.meshes) {
         PreparedMesh made = prepareMesh(mesh, data, settings);
         scene.topologies.push_back(std::move(made.topology));

@@ -26,6 +26,7 @@ struct PreparedScene {
     Box box;                                     ///< of everything drawn, in world space
     Sphere bounds;                               ///< around everything drawn, in world space
     LoadSettings loadedWith;                     ///< what the constructor was given
+    std::vector<glm::dmat4> transforms;          ///< one per instance, as the data had them
     std::uint64_t triangleCount = 0;             ///< of all instances
     scene::PatchNumbers patchNumbers;
     /// Degrees: creases within a patch bend by this at least; those between patches may bend by less.

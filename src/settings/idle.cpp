@@ -169,14 +169,22 @@ Why idleGradients(const Settings& settings, const OutputKinds& kinds) {
 
 Why idleLightSpace(const Settings& settings, const OutputKinds& kinds) {
     if (!anyPicture(kinds)) return forPictures;
-    const bool normals = wants(settings, Map::Normal) || settings.style.style == Style::Sumi;
-    if (normals || mapsGradients(settings) || drawsLinesOf(settings, Detector::Classic)) return acts;
-    return "it is for maps of normals and their edges, --detector classic and --style sumi";
+    const bool sumi = settings.style.style == Style::Sumi;
+    if (sumi || mapsGradients(settings) || drawsLinesOf(settings, Detector::Classic)) return acts;
+    return "it is for edges of normals, --detector classic and --style sumi";
+}
+
+Why idleNormalSpace(const Settings& settings, const OutputKinds& kinds) {
+    if (!anyPicture(kinds)) return forPictures;
+    return wants(settings, Map::Normal) ? acts : "it is for maps of normals";
 }
 
 Why idleLights(const Settings& settings, const OutputKinds& kinds) {
-    return drawsLinesOf(settings, Detector::SaitoTakahashi) && anyPicture(kinds) ? acts
-                                                                                 : idleLightSpace(settings, kinds);
+    if (!anyPicture(kinds)) return forPictures;
+    if (wants(settings, Map::Normal) || drawsLinesOf(settings, Detector::SaitoTakahashi)) return acts;
+    return idleLightSpace(settings, kinds).empty()
+               ? acts
+               : "it is for maps of normals and their edges, --detector classic or saito-takahashi and --style sumi";
 }
 
 Why idleProfiles(const Settings& settings, const OutputKinds& kinds) {

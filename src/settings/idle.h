@@ -35,9 +35,10 @@ namespace inkedge::settings {
 
 // Detector and style
 [[nodiscard]] std::string_view idleDetector(const Settings&, const OutputKinds&);
-[[nodiscard]] std::string_view idleGradients(const Settings&, const OutputKinds&);   ///< edges of depth and normals
-[[nodiscard]] std::string_view idleLightSpace(const Settings&, const OutputKinds&);  ///< what normals are drawn for
-[[nodiscard]] std::string_view idleLights(const Settings&, const OutputKinds&);      ///< what surfaces are drawn for
+[[nodiscard]] std::string_view idleGradients(const Settings&, const OutputKinds&);    ///< edges of depth and normals
+[[nodiscard]] std::string_view idleLightSpace(const Settings&, const OutputKinds&);   ///< edges of normals
+[[nodiscard]] std::string_view idleNormalSpace(const Settings&, const OutputKinds&);  ///< maps of normals
+[[nodiscard]] std::string_view idleLights(const Settings&, const OutputKinds&);       ///< what surfaces are drawn for
 [[nodiscard]] std::string_view idleProfiles(const Settings&, const OutputKinds&);
 template <Style style>
 [[nodiscard]] std::string_view idleStyle(const Settings& settings, const OutputKinds&) {

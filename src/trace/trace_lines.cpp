@@ -44,10 +44,6 @@ TracedLines traceLines(LineBuffers buffers, const Scene& scene, const ScreenTria
     Image<std::uint16_t> typesOfSamples = tracer.takeTypes();
     addThinLines(thinLines, tile, types, samplesPerPixel, typesOfSamples, traced.pieces);
     traced.types = raster::cropped(std::move(typesOfSamples), tile.keptInDrawn());
-    if (samplesPerPixel > 1) {
-        if (ids == TraceIds::Keep) traced.ids = idsOfPixels(traced.ids, traced.types, samplesPerPixel);
-        traced.types = typesOfPixels(traced.types, samplesPerPixel);
-    }
     return traced;
 }
 

@@ -19,7 +19,7 @@ namespace inkedge::trace {
 /// What was found in a tile.
 struct TracedLines {
     std::vector<TracedPiece> pieces;  ///< of cells that the tile keeps, in rows from the top
-    Image<std::uint16_t> types;       ///< as Maps::types, of what the tile keeps
+    Image<std::uint16_t> types;       ///< as Maps::types, of the samples that the tile keeps
     Image<std::uint32_t> ids;         ///< as Maps::ids, likewise; empty unless asked for
 };
 

@@ -1,7 +1,5 @@
 #include "trace/trace_maps.h"
 
-#include <algorithm>
-
 #include "scene/prepared.h"
 
 namespace inkedge::trace {
@@ -31,35 +29,6 @@ Image<std::uint32_t> traceIds(const LineBuffers& buffers, const Scene& scene, co
             };
             if ((marks & 15U) != 0) across(x + 1, y);
             if ((marks >> 4U) != 0) across(x, y + 1);
-        }
-    }
-    return ids;
-}
-
-Image<std::uint16_t> typesOfPixels(const Image<std::uint16_t>& samples, int samplesPerPixel) {
-    Image<std::uint16_t> types{{samples.size().width / samplesPerPixel, samples.size().height / samplesPerPixel}, 1};
-    for (int y = 0; y < samples.size().height; ++y) {
-        for (int x = 0; x < samples.size().width; ++x) types(x / samplesPerPixel, y / samplesPerPixel) |= samples(x, y);
-    }
-    return types;
-}
-
-Image<std::uint32_t> idsOfPixels(const Image<std::uint32_t>& samples, const Image<std::uint16_t>& types,
-                                 int samplesPerPixel) {
-    const Size size{samples.size().width / samplesPerPixel, samples.size().height / samplesPerPixel};
-    Image<std::uint32_t> ids{size, samples.channels()};
-    for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) {
-            int fromX = x * samplesPerPixel + samplesPerPixel / 2;
-            int fromY = y * samplesPerPixel + samplesPerPixel / 2;
-            for (int i = samplesPerPixel * samplesPerPixel - 1; i >= 0; --i) {
-                const int sampleX = x * samplesPerPixel + i % samplesPerPixel;
-                const int sampleY = y * samplesPerPixel + i / samplesPerPixel;
-                if (types(sampleX, sampleY) == 0 && samples(sampleX, sampleY, 1) == 0) continue;
-                fromX = sampleX;
-                fromY = sampleY;
-            }
-            std::copy_n(&samples(fromX, fromY), ids.channels(), &ids(x, y));
         }
     }
     return ids;

@@ -145,7 +145,7 @@ TEST_F(BadInput, WhatMarksPixelsForAFileOfLines) {
 TEST_F(BadInput, OutputOfAnUnknownKind) {
     for (const std::string name : {"picture.jpg", "picture.pdf", "picture", "picture.png.gz"}) {
         expectFailure(run({"render", roof(), "-o", name}), 2,
-                      HasSubstr(name + ": expected a name that ends in .png, .tif, .tiff or .exr, or for lines in .svg "
+                      HasSubstr(name + ": expected a name that ends in .png, .tif, .tiff, .exr or .npz, or for lines in .svg "
                                        "or .json, found "));
     }
 }

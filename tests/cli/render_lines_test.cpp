@@ -198,9 +198,9 @@ TEST_F(RenderLines, JsonIsWhatTheReadmeSays) {
     EXPECT_THAT(folder_.names(), ElementsAre("teapot.json"));
     const json all = lines("teapot.json");
     EXPECT_THAT(keysOf(all), UnorderedElementsAre("format", "version", "units", "size", "camera", "bounds", "source",
-                                                  "objects", "tolerance", "settings", "lines"));
+                                                  "instances", "materials", "tolerance", "settings", "lines"));
     EXPECT_EQ(all.at("format"), "inkedge lines");
-    EXPECT_EQ(all.at("version"), 2);
+    EXPECT_EQ(all.at("version"), 3);
     EXPECT_EQ(all.at("size"), json({64, 48}));
     EXPECT_EQ(all.at("settings").at("hidden"), "solid");
     ASSERT_GT(all.at("lines").size(), 10U);
@@ -225,8 +225,8 @@ TEST_F(RenderLines, JsonIsWhatTheReadmeSays) {
     EXPECT_EQ(all.at("source").at("triangles"), 5340);
     EXPECT_EQ(all.at("source").at("contour_finder"), "every");
     std::set<std::string> names;
-    for (const json& object : all.at("objects")) names.insert(object.at("name").get<std::string>());
-    EXPECT_EQ(names, (std::set<std::string>{"body", "handle", "lid", "spout"}));
+    for (const json& instance : all.at("instances")) names.insert(instance.at("node").get<std::string>());
+    EXPECT_EQ(names, (std::set<std::string>{"teapot/body", "teapot/handle", "teapot/lid", "teapot/spout"}));
     EXPECT_EQ(all.at("tolerance"), 0.25);
 }
 
@@ -302,7 +302,7 @@ TEST_F(RenderLines, HaveNoMapsInAFileOfLines) {
 TEST_F(RenderLines, FromObjectSpaceLeaveTheMapsAsTheyAre) {
     expectSuccess(draw("gear.glb", "image.png", {"--maps", "types,depth,ids"}));
     expectSuccess(draw("gear.glb", "object.png", {"--maps", "types,depth,ids", "--lines-from", "object"}));
-    for (const char* map : {".types.png", ".depth.png", ".ids.png"}) {
+    for (const char* map : {".types.png", ".depth.png", ".ids-patch.png", ".ids-object.png"}) {
         EXPECT_GT(text(std::string{"image"} + map).size(), 100U) << map;
         EXPECT_EQ(text(std::string{"image"} + map), text(std::string{"object"} + map)) << map;
     }

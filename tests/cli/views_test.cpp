@@ -44,6 +44,25 @@ TEST_F(Views, HaveMetadataAndJsonEach) {
     EXPECT_EQ(folder_.names().size(), 15U);
 }
 
+TEST_F(Views, ShareMetadataWhoseNameIsOne) {
+    const std::string views = file("views.json", R"([{"name": "a"}, {"name": "b", "camera-azimuth-angle": 40}])");
+    const Outcome outcome = run({"render", asset("cube.glb"), asset("gear.glb"), "-o", "{model}_{view}.png", "--size",
+                                 "32x32", "--views", views, "--metadata", "{model}.json", "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.error;
+    const json printed = json::parse(outcome.out);
+    for (const auto& [model, first] : {std::pair{"cube", 0}, std::pair{"gear", 2}}) {
+        const json all = json::parse(contents(folder_ / (std::string{model} + ".json")));
+        EXPECT_EQ(all.at("model"), asset(std::string{model} + ".glb"));
+        ASSERT_EQ(all.at("views").size(), 2U);
+        for (const int i : {0, 1}) {
+            const json& view = all.at("views").at(static_cast<std::size_t>(i));
+            const json& alone = printed.at(static_cast<std::size_t>(first + i));
+            for (const char* key : {"view", "files", "camera", "size", "dpi"}) EXPECT_EQ(view.at(key), alone.at(key));
+            EXPECT_EQ(view.at("files").at(0), std::string{model} + (i == 0 ? "_a.png" : "_b.png"));
+        }
+    }
+}
+
 TEST_F(Views, NeedAFileNameEach) {
     const auto refused = [&](Arguments more, const std::string& message) {
         Arguments arguments{"render", asset("cube.glb"), "--views", "turntable:2"};
@@ -54,8 +73,8 @@ TEST_F(Views, NeedAFileNameEach) {
         EXPECT_THAT(folder_.names(), testing::IsEmpty());
     };
     refused({"-o", "a.png"}, "--output: expected {view} in it for 2 views, found 'a.png'");
-    refused({"-o", "{view}.png", "--metadata", "m.json"},
-            "--metadata: expected {view} in it for 2 views, found 'm.json'");
+    refused({"-o", "{view}.png", "--metadata", "001.png"},
+            "001.png: expected a file for --output 001.png alone, found it asked for by --metadata too");
     refused({"-o", "-"}, "--views: expected --output FILE, found -");
     refused({"-o", "{view}.png", "--jobs", "0"}, "--jobs");
 }

@@ -37,6 +37,38 @@ TEST(MetadataJson, hasTheHeightOfAnOrthographicCamera) {
     EXPECT_FALSE(camera.contains("view_angle"));
 }
 
+TEST(MetadataJson, hasTheCameraAsOpenCvHasIt) {
+    Maps maps = smallMaps();
+    maps.picture = Image<std::uint8_t>{{640, 480}, 1};
+    const auto camera = nlohmann::json::parse(metadataJson(triangle(), maps, {})).at("camera");
+    EXPECT_EQ(camera.at("world_to_camera").dump(),
+              "[[1.0,0.0,0.0,1.0],[0.0,-1.0,0.0,-2.0],[0.0,0.0,-1.0,3.0],[0.0,0.0,0.0,1.0]]");
+    const double focal = maps.camera.focalLength({640, 480});
+    EXPECT_EQ(camera.at("K"), (nlohmann::json{{focal, 0.0, 319.5}, {0.0, focal, 239.5}, {0.0, 0.0, 1.0}}));
+    maps.camera.axis = {0.5, -0.25};  // of a view that was cut out of a larger one
+    const auto cut = nlohmann::json::parse(metadataJson(triangle(), maps, {})).at("camera");
+    EXPECT_EQ(cut.at("K"), (nlohmann::json{{focal, 0.0, 479.5}, {0.0, focal, 299.5}, {0.0, 0.0, 1.0}}));
+}
+
+TEST(MetadataJson, namesModelViewFilesInstancesAndTheScaleOfDepth) {
+    Settings settings;
+    const ViewFiles files{"a/part.glb", "front", {"out/a.png", "out/a.depth.png"}};
+    auto json = nlohmann::json::parse(metadataJson(triangle(), smallMaps(), settings, files));
+    EXPECT_EQ(json.at("model"), "a/part.glb");
+    EXPECT_EQ(json.at("view"), "front");
+    EXPECT_EQ(json.at("files"), (nlohmann::json{"out/a.png", "out/a.depth.png"}));
+    EXPECT_EQ(json.at("instances").at(0).at("node"), "triangle");
+    EXPECT_EQ(json.at("materials"), nlohmann::json::array());
+    EXPECT_FALSE(json.contains("depth_png"));
+    EXPECT_EQ(json.at("dpi"), nullptr);
+    settings.maps = {Map::Depth};
+    Maps maps = smallMaps();
+    maps.dpi = 300.0;
+    json = nlohmann::json::parse(metadataJson(triangle(), maps, settings, files));
+    EXPECT_EQ(json.at("dpi"), 300.0);
+    EXPECT_EQ(json.at("depth_png"), (nlohmann::json{{"offset", 2.0}, {"scale", 2.0 / 65535.0}}));
+}
+
 TEST(MetadataJson, hasEverySettingAndNullWhereNoneIsGiven) {
     Settings settings;
     settings.picture.lineColor = {255, 0, 0};
@@ -81,7 +113,11 @@ TEST(MetadataJson, saysOfLinesWhatItSaysOfAPicture) {
     lines.source.warnings = triangle().warnings();
     lines.backend = maps.backend;
     lines.times = maps.times;
-    EXPECT_EQ(metadataJson(lines, {}), metadataJson(triangle(), maps, {}));
+    lines.names = namesOf(triangle());
+    nlohmann::ordered_json ofPicture = nlohmann::ordered_json::parse(metadataJson(triangle(), maps, {}));
+    EXPECT_EQ(ofPicture.at("up"), (nlohmann::ordered_json{0.0, 1.0, 0.0}));
+    ofPicture.erase("up");  // which lines do not know
+    EXPECT_EQ(metadataJson(lines, {}), ofPicture.dump(2) + '\n');
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 
 #include <OpenImageIO/imageio.h>
@@ -16,6 +17,7 @@
 #include "base/temporary_folder.h"
 #include "images/image_formats.h"
 #include "io/decoded_files.h"
+#include "io/zip.h"
 
 namespace {
 
@@ -28,6 +30,12 @@ using testing::ElementsAreArray;
 using testing::FloatEq;
 using testing::HasSubstr;
 using testing::IsEmpty;
+
+std::vector<int> levels(const DecodedFile& file) {
+    std::vector<int> result;
+    for (const float value : file.image.pixels()) result.push_back(static_cast<int>(std::lround(value * 65535.0F)));
+    return result;
+}
 
 TEST(OutputFiles, putAMapsNameBeforeTheExtension) {
     EXPECT_THAT(outputFiles("out/gear.v2.png", std::array{Map::Depth, Map::NormalEdges}),
@@ -50,22 +58,24 @@ TEST(OutputFiles, nameAMapOnceThatIsAskedForTwice) {
 }
 
 TEST(OutputFiles, refuseAnUnknownExtensionAndListTheKnown) {
-    expectError(Error::Kind::Usage,
-                testing::StrEq("a.jpg: expected a name that ends in .png, .tif, .tiff or .exr, or for lines in .svg or "
-                               ".json, found .jpg"),
-                [] { static_cast<void>(outputFiles("a.jpg", {})); });
+    expectError(
+        Error::Kind::Usage,
+        testing::StrEq("a.jpg: expected a name that ends in .png, .tif, .tiff, .exr or .npz, or for lines in .svg or "
+                       ".json, found .jpg"),
+        [] { static_cast<void>(outputFiles("a.jpg", {})); });
     expectError(Error::Kind::Usage, HasSubstr("found no extension"), [] { static_cast<void>(outputFiles("a", {})); });
     expectError(Error::Kind::Usage,
-                testing::StrEq("a.svg: expected a name that ends in .png, .tif, .tiff or .exr, found .svg"),
+                testing::StrEq("a.svg: expected a name that ends in .png, .tif, .tiff, .exr or .npz, found .svg"),
                 [] { static_cast<void>(outputFiles("a.svg", {})); });
 }
 
 TEST(WriteMaps, writesDepthFromNearBlackToFarWhite) {
     const TemporaryFolder folder;
     writeMaps(smallMaps(), std::array{Map::Depth}, folder / "a.png");
-    const DecodedPng depth = decodePng(contents(folder / "a.depth.png"));
-    EXPECT_EQ(depth.colorType, PNG_COLOR_TYPE_GRAY);
-    EXPECT_THAT(depth.image.pixels(), ElementsAre(64, 255));  // 255 / 4, rounded
+    const DecodedFile depth = decodeFile(folder / "a.depth.png");
+    EXPECT_EQ(depth.spec.format, OIIO::TypeUInt16);
+    EXPECT_EQ(depth.spec.nchannels, 1);
+    EXPECT_THAT(levels(depth), ElementsAre(16384, 65535));  // 65535 / 4, rounded
 }
 
 TEST(WriteMaps, writesDepthsThatAreNoNumberAsBlack) {
@@ -73,7 +83,7 @@ TEST(WriteMaps, writesDepthsThatAreNoNumberAsBlack) {
     Maps maps = smallMaps();
     maps.depth = Image<float>{maps.depth.size(), 1, {NAN, 100.0F}};
     writeMaps(maps, std::array{Map::Depth}, folder / "a.png");
-    EXPECT_THAT(decodePng(contents(folder / "a.depth.png")).image.pixels(), ElementsAre(0, 255));
+    EXPECT_THAT(levels(decodeFile(folder / "a.depth.png")), ElementsAre(0, 65535));
 }
 
 TEST(WriteMaps, writesNormalsAsHalfOfNPlusOne) {
@@ -182,19 +192,82 @@ TEST(WriteMaps, keepsIdsExactlyInAnExrAndRefusesThoseThatFloatsDoNotHold) {
     maps.ids.at(1, 0, 2) = 16777217;  // the first that is none as a float
     expectError(Error::Kind::Output,
                 HasSubstr("b.exr: map ids: expected numbers up to 16777216, which the floats of an EXR hold exactly, "
-                          "found node 16777217; "),
+                          "found object 16777217; "),
                 [&] { writeMaps(maps, std::array{Map::Ids}, folder / "b.exr"); });
     writeMaps(maps, {}, folder / "c.exr");  // has no ids
-    writeMaps(maps, std::array{Map::Ids}, folder / "d.png");
-    EXPECT_THAT(folder.names(), ElementsAre("a.exr", "c.exr", "d.ids.png", "d.png"));
+    EXPECT_THAT(folder.names(), ElementsAre("a.exr", "c.exr"));
 }
 
-TEST(WriteMaps, writesTypesAsTheColourOfTheFirst) {
+TEST(WriteMaps, writesTypesAndIdsAsGreyNumbers) {
     const TemporaryFolder folder;
     Maps maps = smallMaps();
     maps.types = Image<std::uint16_t>{maps.picture.size(), 1, {0, 2 | 32}};  // an occlusion between two objects
-    writeMaps(maps, std::array{Map::Types}, folder / "a.png");
-    EXPECT_THAT(decodePng(contents(folder / "a.types.png")).image.pixels(), ElementsAre(255, 255, 255, 20, 150, 40));
+    maps.ids = Image<std::uint32_t>{maps.picture.size(), 4, {65535, 2, 3, 0, 5, 6, 7, 8}};
+    const auto files = writeMaps(maps, std::array{Map::Types, Map::Ids}, folder / "a.png");
+    EXPECT_THAT(files,
+                ElementsAre(folder / "a.png", folder / "a.types.png", folder / "a.ids-patch.png",
+                            folder / "a.ids-across.png", folder / "a.ids-object.png", folder / "a.ids-material.png"));
+    const std::array<std::vector<int>, 5> expected{{{0, 34}, {65535, 5}, {2, 6}, {3, 7}, {0, 8}}};
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        const DecodedFile file = decodeFile(files[i + 1]);
+        EXPECT_EQ(file.spec.format, OIIO::TypeUInt16) << files[i + 1];
+        EXPECT_EQ(file.spec.nchannels, 1) << files[i + 1];
+        EXPECT_EQ(levels(file), expected[i]) << files[i + 1];
+    }
+    maps.ids.at(0, 0, 0) = 65536;
+    expectError(Error::Kind::Output,
+                HasSubstr("b.ids-patch.png: map ids: expected numbers up to 65535, which the 16 bits of a PNG hold, "
+                          "found patch 65536; write an .npz"),
+                [&] { writeMaps(maps, std::array{Map::Ids}, folder / "b.png"); });
+    EXPECT_FALSE(fs::exists(folder / "b.png"));
+}
+
+TEST(WriteMaps, writesMapsToTiffAsFloats) {
+    const TemporaryFolder folder;
+    Maps maps = smallMaps();
+    maps.ids = Image<std::uint32_t>{maps.picture.size(), 4, {16777216, 2, 3, 0, 5, 6, 7, 8}};
+    const auto files = writeMaps(maps, std::array{Map::Depth, Map::Normal, Map::Edges, Map::Ids}, folder / "a.tif");
+    ASSERT_EQ(files.size(), 8U);
+    for (std::size_t i = 1; i < files.size(); ++i) EXPECT_EQ(decodeFile(files[i]).spec.format, OIIO::TypeFloat);
+    EXPECT_EQ(decodeFile(files[1]).image.pixels(), maps.depth.pixels());
+    EXPECT_EQ(decodeFile(files[2]).image.pixels(), maps.normal.pixels());
+    EXPECT_THAT(decodeFile(files[3]).image.pixels(), ElementsAre(1.0F, 1.0F));
+    EXPECT_THAT(decodeFile(files[4]).image.pixels(), ElementsAre(16777216.0F, 5.0F));
+}
+
+TEST(WriteMaps, putsNamesIntoTheHeaderOfAnExrWithIds) {
+    const TemporaryFolder folder;
+    Maps maps = smallMaps();
+    maps.ids = Image<std::uint32_t>{maps.picture.size(), 4};
+    maps.names = namesOf(triangle());
+    writeMaps(maps, std::array{Map::Ids}, folder / "a.exr");
+    const auto names =
+        nlohmann::json::parse(std::string{decodeFile(folder / "a.exr").spec.get_string_attribute("inkedge:names")});
+    EXPECT_EQ(names.at("instances").at(0).at("node"), "triangle");
+    EXPECT_EQ(names.at("instances").at(0).at("id"), 1);
+    writeMaps(maps, {}, folder / "b.exr");
+    EXPECT_EQ(decodeFile(folder / "b.exr").spec.get_string_attribute("inkedge:names"), "");
+}
+
+TEST(ZipWriter, makesTheSameEntriesWithAndWithoutZip64) {
+    const TemporaryFolder folder;
+    const std::vector<std::uint8_t> repeated(100000, 7);
+    const std::vector<std::uint8_t> random = noise({100, 10}, 1).pixels();
+    for (const std::uint64_t maxPlain : {std::uint64_t{5000}, std::uint64_t{1} << 31U}) {
+        io::ZipWriter zip;
+        zip.add("repeated", repeated);
+        zip.add("random", random);
+        zip.add("none", {});
+        const std::vector<std::uint8_t> file = std::move(zip).take(maxPlain);
+        EXPECT_LT(file.size(), 2000U);
+        writeFile(folder / "a.zip", file);
+        const std::string script = fmt::format(
+            "import sys, zipfile; z = zipfile.ZipFile('{}'); assert z.testzip() is None; "
+            "assert z.read('repeated') == bytes([7]) * 100000; assert len(z.read('random')) == 1000; "
+            "assert z.read('none') == b''; assert (z.infolist()[0].extract_version == 45) == {}",
+            (folder / "a.zip").string(), maxPlain == 5000 ? "True" : "False");
+        EXPECT_EQ(std::system(("/usr/bin/python3 -c \"" + script + "\"").c_str()), 0);
+    }
 }
 
 TEST(WriteMaps, keepsRowsOfATallExrInOrder) {

@@ -78,6 +78,25 @@ TEST_F(CheckJobs, refusesViewsWithoutFilesOfTheirOwn) {
     expectRefused(Kind::Usage, {several}, "0.png: expected a file for view 0 of models/gear.glb alone, found it asked");
 }
 
+TEST_F(CheckJobs, takesOneFileOfMetadataForAllViews) {
+    Job several = job({"{view}.png"});
+    several.views = views({"0", "1"});
+    several.metadata = folder_ / "all.json";
+    EXPECT_NO_THROW(checkJobs({&several, 1}));
+    Job other = job({"other_{view}.png"}, "other.glb");
+    other.views = several.views;
+    other.metadata = several.metadata;
+    expectRefused(Kind::Usage, {several, other},
+                  "all.json: expected a file for all views of models/gear.glb alone, found it asked for by all views "
+                  "of models/other.glb too; put {model} and {view} in its name");
+    for (const char* view : {"0.png", "1.png"}) {
+        several.metadata = folder_ / view;
+        expectRefused(Kind::Usage, {several}, std::string{view} + ": expected a file for ");
+    }
+    several.metadata = folder_ / "none/all.json";
+    expectRefused(Kind::Output, {several}, "none/all.json: cannot be written");
+}
+
 TEST_F(CheckJobs, refusesModelsThatShareAFile) {
     expectRefused(Kind::Usage, {job({"{view}.png"}, "a.glb"), job({"{view}.png"}, "b.glb")},
                   "0.png: expected a file for view 0 of models/a.glb alone, found it asked for by view 0 of "

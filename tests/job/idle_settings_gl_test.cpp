@@ -117,6 +117,7 @@ std::map<std::string_view, std::string> samples(const std::string& brush) {
             {"normal-threshold", "0"},
             {"normal-lights", "two-pass"},
             {"light-space", "world"},
+            {"normal-space", "world"},
             {"profile-limit", "1"},
             {"edge-limit", "0.01"},
             {"function", "height:levels=5"}};

@@ -132,6 +132,7 @@ TEST_P(DetectEdges, equalsItsDefinitionOnEightBitNormalsAndWorldLights) {
     Settings settings = classic(size, classicMaps);
     settings.detector.normalLights = NormalLights::TwoPass;
     settings.detector.lightSpace = LightSpace::World;
+    settings.normalSpace = NormalSpace::World;  // the map that the edges are found in
     for (const Kernel kernel : {Kernel::Sobel, Kernel::Farid}) {
         settings.detector.kernel = kernel;
         (void)expectEqualsReference(renderer().render(scene, frameCamera(scene, {}, size), settings),

@@ -39,6 +39,7 @@ Maps draw(Renderer& renderer, const Scene& scene, const Camera& camera, Size siz
     Settings settings = classic(size, {Map::Depth, Map::Normal});
     settings.detector.normalLights = lights;
     settings.detector.lightSpace = space;
+    settings.normalSpace = space == LightSpace::World ? NormalSpace::World : NormalSpace::Camera;
     return renderer.render(scene, camera, settings);
 }
 

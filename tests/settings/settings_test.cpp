@@ -132,6 +132,8 @@ TEST(Set, appliesEveryChoice) {
     EXPECT_EQ(with("normal-lights", "two-pass").detector.normalLights, NormalLights::TwoPass);
     EXPECT_EQ(with("light-space", "camera").detector.lightSpace, LightSpace::Camera);
     EXPECT_EQ(with("light-space", "world").detector.lightSpace, LightSpace::World);
+    EXPECT_EQ(with("normal-space", "camera").normalSpace, NormalSpace::Camera);
+    EXPECT_EQ(with("normal-space", "world").normalSpace, NormalSpace::World);
     EXPECT_EQ(with("backend", "auto").backend.backend, Backend::Auto);
     EXPECT_EQ(with("backend", "egl").backend.backend, Backend::Egl);
     EXPECT_EQ(with("backend", "osmesa").backend.backend, Backend::Osmesa);

@@ -13,34 +13,6 @@ std::vector<std::uint32_t> idsAt(const Image<std::uint32_t>& ids, int x, int y) 
     return {ids(x, y, 0), ids(x, y, 1), ids(x, y, 2), ids(x, y, 3)};
 }
 
-TEST(TypesOfPixels, AreThoseOfAllTheirSamples) {
-    Image<std::uint16_t> samples{{4, 2}, 1};
-    samples(0, 0) = 1;
-    samples(1, 1) = 4;
-    samples(1, 0) = 4;
-    samples(3, 1) = 8;
-    const Image<std::uint16_t> types = typesOfPixels(samples, 2);
-    EXPECT_EQ(types.size(), (Size{2, 1}));
-    EXPECT_EQ(types(0, 0), 5);
-    EXPECT_EQ(types(1, 0), 8);
-    EXPECT_EQ(typesOfPixels(samples, 1).pixels(), samples.pixels());
-}
-
-TEST(IdsOfPixels, AreThoseOfTheFirstSampleBesideALineElseOfTheMiddleOne) {
-    Image<std::uint32_t> samples{{4, 4}, 4};
-    for (std::uint32_t i = 0; i < 16; ++i) samples(static_cast<int>(i % 4), static_cast<int>(i / 4), 0) = i + 1;
-    Image<std::uint16_t> types{{4, 4}, 1};
-    types(3, 0) = 1;       // pixel (1, 0): its second sample has a type
-    samples(0, 3, 1) = 7;  // pixel (0, 1): its third sample has a patch across a line
-    samples(1, 3, 1) = 9;  // and so has its fourth, which comes after
-    const Image<std::uint32_t> ids = idsOfPixels(samples, types, 2);
-    EXPECT_EQ(ids.size(), (Size{2, 2}));
-    EXPECT_THAT(idsAt(ids, 0, 0), ElementsAre(6, 0, 0, 0));  // (1, 1), the middle
-    EXPECT_THAT(idsAt(ids, 1, 0), ElementsAre(4, 0, 0, 0));
-    EXPECT_THAT(idsAt(ids, 0, 1), ElementsAre(13, 7, 0, 0));
-    EXPECT_THAT(idsAt(ids, 1, 1), ElementsAre(16, 0, 0, 0));
-}
-
 TEST(TraceIds, NamePatchNodeAndMaterialAndThePatchAcrossALine) {
     Mesh first = scenes::quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});  // triangles 0 and 1
     first.materials = {5, 6};

@@ -11,6 +11,7 @@ namespace inkedge::settings {
 namespace {
 
 constexpr std::array samplesAlongAnAxis{1, 2, 4};
+constexpr std::array<std::string_view, 2> normalSpaceNames{"camera", "world"};
 
 SettingDescription::Field maps() {
     return {[](const Constraint& c, Settings& s, std::string_view text) {
@@ -102,8 +103,15 @@ std::string penWidths() { return rangeOf(penWidth) + ", or millimetres: 0.35mm";
 std::vector<SettingDescription> outputRows() {
     return inGroup(
         "output",
-        {described({.name = "maps", .help = "maps to write beside the picture; layers of one file if it is an EXR"},
-                   List{mapNames, "MAP"}, maps())});
+        {described({.name = "maps",
+                    .help = "maps to write beside the picture; in one file if it is an .exr, or an .npz, which without "
+                            "this flag holds depth, normal, types, ids and edges"},
+                   List{mapNames, "MAP"}, maps()),
+         row(
+             {.name = "normal-space",
+              .help = "the axes of the normal map: x right, y up, z towards the eye; or the world's",
+              .idle = idleNormalSpace},
+             Choice{normalSpaceNames}, [](auto& s) -> auto& { return s.normalSpace; })});
 }
 
 std::vector<SettingDescription> pictureRows() {

@@ -1,0 +1,83 @@
+#include "io/map_pictures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <inkedge/encode_png.h>
+
+#include "base/staged_files.h"
+#include "images/image_formats.h"
+#include "io/camera_matrices.h"
+#include "io/picture.h"
+
+namespace inkedge::io {
+namespace {
+
+constexpr std::uint16_t max16 = std::numeric_limits<std::uint16_t>::max();
+
+/// NaN counts as near.
+Image<std::uint16_t> depthPicture(const Image<float>& depth, const Camera& camera) {
+    const double perUnit = 1.0 / depthScale(camera);
+    Image<std::uint16_t> picture{depth.size(), 1};
+    std::ranges::transform(depth.pixels(), picture.mutablePixels().begin(), [&](float value) {
+        const double level = (value - camera.near) * perUnit;
+        return static_cast<std::uint16_t>(level > 0.0 ? std::min(level, double{max16}) + 0.5 : 0.0);
+    });
+    return picture;
+}
+
+Image<std::uint8_t> normalPicture(const Image<float>& normal) {
+    Image<std::uint8_t> picture{normal.size(), normal.channels()};
+    std::ranges::transform(normal.pixels(), picture.mutablePixels().begin(), [](float value) {
+        const double share = (value + 1.0) / 2.0;
+        return static_cast<std::uint8_t>(share > 0.0 ? 255.0 * std::min(share, 1.0) + 0.5 : 0.0);
+    });
+    return picture;
+}
+
+Image<std::uint8_t> edgePicture(const Image<std::uint8_t>& mask) {
+    Image<std::uint8_t> picture{mask.size(), 1};
+    std::ranges::transform(mask.pixels(), picture.mutablePixels().begin(),
+                           [](std::uint8_t value) { return static_cast<std::uint8_t>(255 - value); });
+    return picture;
+}
+
+Image<std::uint16_t> idPicture(const Image<std::uint32_t>& ids, int channel) {
+    Image<std::uint16_t> picture{ids.size(), 1};
+    for (int y = 0; y < ids.size().height; ++y) {
+        for (int x = 0; x < ids.size().width; ++x) picture(x, y) = static_cast<std::uint16_t>(ids(x, y, channel));
+    }
+    return picture;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> pngOf(const Maps& maps, const MapLayer& layer, const std::filesystem::path& target) {
+    expectIdsUpTo(max16, "which the 16 bits of a PNG hold", layer, target);
+    switch (layer.map) {
+        case Map::Depth:
+            return encodePng(depthPicture(maps.depth, maps.camera), maps.dpi);
+        case Map::Normal:
+            return encodePng(normalPicture(maps.normal), maps.dpi);
+        case Map::Types:
+            return encodePng(maps.types, maps.dpi);
+        case Map::Ids:
+            return encodePng(idPicture(maps.ids, layer.values.first), maps.dpi);
+        case Map::DepthEdges:
+            return encodePng(edgePicture(maps.depthEdges), maps.dpi);
+        case Map::NormalEdges:
+            return encodePng(edgePicture(maps.normalEdges), maps.dpi);
+        case Map::Edges:
+            break;
+    }
+    return encodePng(edgePicture(maps.edges), maps.dpi);
+}
+
+std::vector<std::uint8_t> tiffOf(const MapLayer& layer, std::optional<double> dpi,
+                                 const std::filesystem::path& target) {
+    expectIdsUpTo(maxExactFloat, "which the floats of a TIFF hold exactly", layer, target);
+    return encodeTiff(layer.values, images::SampleType::Float, dpi, target);
+}
+
+}  // namespace inkedge::io
