@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <random>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -144,6 +145,73 @@ TEST(Intersections, WhereAnEdgeLiesInAFaceAreOneLineOfTwo) {
     for (const Scene& scene :
          bothWays(lines::views::sheet(4.0), cube(1.0), rotation(45.0, {0, 0, 1}) * rotation(90.0, {1, 0, 0})))
         EXPECT_NEAR(totalLength(findIntersections(scene)), 2.0 * std::sqrt(2.0), 1e-5);
+}
+
+// Corners of a face in the space of the segments' ends.
+std::array<glm::dvec3, 3> cornersOf(const Scene& scene, scene::SceneFace face) {
+    const Instance& instance = scene.instances()[face.instance];
+    const Mesh& mesh = scene.meshes()[instance.mesh];
+    std::array<glm::dvec3, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 position{mesh.positions[mesh.indices[3 * std::size_t{face.triangle} + k]]};
+        corners[k] = glm::dvec3{instance.transform * glm::dvec4{mesh.origin + position, 1.0}} - scene.bounds().centre;
+    }
+    return corners;
+}
+
+// Unit normals of an instance's faces that hold a point, but for roundings.
+std::vector<glm::dvec3> normalsAt(const Scene& scene, std::uint32_t instance, glm::dvec3 point) {
+    constexpr double rounding = 1e-4;  // of positions in floats and of ends that are joined, some weld tolerances
+    const std::size_t faces = scene.meshes()[scene.instances()[instance].mesh].indices.size() / 3;
+    std::vector<glm::dvec3> normals;
+    for (std::uint32_t i = 0; i < faces; ++i) {
+        const auto [a, b, c] = cornersOf(scene, {instance, i});
+        const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
+        const auto beside = [&](glm::dvec3 from, glm::dvec3 to) {
+            return glm::dot(glm::cross(normal, glm::normalize(to - from)), point - from) < -rounding;
+        };
+        if (std::abs(glm::dot(normal, point - a)) > rounding || beside(a, b) || beside(b, c) || beside(c, a)) continue;
+        normals.push_back(normal);
+    }
+    return normals;
+}
+
+bool meetAtASmallAngle(const Scene& scene, glm::dvec3 point) {
+    const double limit = std::cos(glm::radians(minIntersectionAngle)) - 1e-4;  // faces that are equal but for roundings
+    for (const glm::dvec3& a : normalsAt(scene, 0, point))
+        for (const glm::dvec3& b : normalsAt(scene, 1, point))
+            if (std::abs(glm::dot(a, b)) >= limit) return true;
+    return false;
+}
+
+TEST(Intersections, OfSmoothBodiesAtExactDistancesEndOnlyWhereFacesAreNearlyParallel) {
+    std::mt19937 random{5};
+    const auto pick = [&](const auto& of) { return of[random() % of.size()]; };
+    LoadSettings noCreases;
+    noCreases.creaseAngle = 180.0F;
+    std::size_t segmentsInAll = 0;
+    for (int i = 0; i < 300; ++i) {
+        const auto body = [&] {
+            const std::uint32_t around = pick(std::array{8U, 12U, 16U, 24U});
+            return pick(std::array{true, false}) ? sphere(1.0, around) : views::torus(1.0, 0.5, around, 12);
+        };
+        const std::array steps{-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0};
+        const glm::dvec3 step{pick(steps), pick(steps), pick(steps)};
+        const glm::dvec3 axis{pick(std::array{0, 1}), pick(std::array{0, 1}), 1};
+        const glm::dmat4 moved = translation(step) * rotation(pick(std::array{0.0, 30.0, 45.0, 90.0}), axis);
+        // A sheet's faces lie exactly where rings of a body's edges do.
+        const Mesh other = pick(std::array{true, false}) ? body() : views::sheet(6.0, pick(std::array{1U, 4U, 6U}));
+        const Scene scene = sceneOf({{body(), glm::dmat4{1.0}}, {other, moved}}, noCreases);
+        const std::vector<IntersectionSegment> segments = findIntersections(scene);
+        const std::map<std::uint32_t, int> ends = endsAtNodes(segments);
+        segmentsInAll += segments.size();
+        for (const IntersectionSegment& s : segments)
+            for (std::size_t k = 0; k < 2; ++k)
+                if (ends.at(s.nodes[k]) % 2 != 0) {
+                    EXPECT_TRUE(meetAtASmallAngle(scene, s.ends[k])) << "scene " << i << ", node " << s.nodes[k];
+                }
+    }
+    EXPECT_GT(segmentsInAll, 10000U);
 }
 
 TEST(Intersections, KeepToTheirInstances) {
