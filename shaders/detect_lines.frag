@@ -17,12 +17,14 @@ layout(location = 0) out uvec4 marks;
 #include "shared/marks.glsl"
 #include "shared/planes.glsl"
 
+const float WITHIN_PATCH = 0.02;  // the mesh says whether so small a jump is one
+
 uint pairMarks(vec4 p, vec4 q, vec3 np, vec3 nq, float gp, float gq) {
     if (p.w == 0.0 || q.w == 0.0) return p.w == q.w ? 0u : BACKGROUND;
     float d = dot(np, nq);
     uint found = p.w == q.w ? 0u : PATCH;
     if (d * abs(d) < creaseCosine * dot(np, np) * dot(nq, nq)) found |= BEND;
-    if (jumps(p.x, q.x, gp, gq)) found |= JUMP;
+    if (jumps(p.x, q.x, gp, gq, p.w == q.w ? WITHIN_PATCH : 1.0)) found |= JUMP;
     return found;
 }
 
@@ -30,18 +32,20 @@ uint pairMarks(vec4 p, vec4 q, vec3 np, vec3 nq, float gp, float gq) {
 vec4 above[5];
 vec3 aboveNormal[5];
 
-// The marks of the pixels above row y. Row y then becomes the row above.
+// The marks of the pixels above row y. Row y then becomes the row above. Samples beyond the planes are those at their
+// border again: no pairs.
 uint marksAbove(int y, vec4 row[5]) {
     ivec2 size = textureSize(planes, 0);
+    ivec2 inside = size - 4 * ivec2(gl_FragCoord.xy);
     uint found = 0u;
-    for (int x = 0; x < 4 && y > 0; ++x) {
+    for (int x = 0; x < 4 && y > 0 && x + 1 < inside.x; ++x) {
         found |= pairMarks(above[x], above[x + 1], aboveNormal[x], aboveNormal[x + 1], above[x].y, above[x + 1].y)
                  << (8 * x);
     }
     for (int x = 0; x < 5; ++x) {
         ivec2 pixel = min(4 * ivec2(gl_FragCoord.xy) + ivec2(x, y), size - 1);
         vec3 normal = normalOf(row[x], vec2(pixel) + 0.5 - centre);
-        if (x < 4 && y > 0) {
+        if (x < 4 && y > 0 && y < inside.y) {
             found |= pairMarks(above[x], row[x], aboveNormal[x], normal, above[x].z, row[x].z) << (8 * x + 4);
         }
         above[x] = row[x];

@@ -10,11 +10,12 @@ vec3 normalOf(vec4 plane, vec2 fromCentre) {
                         : vec3(plane.yz * focalLength, plane.x - dot(plane.yz, fromCentre));
 }
 
-// Whether the surface jumps from p to q. The slopes of w along the step are gp and gq.
-bool jumps(float wp, float wq, float gp, float gq) {
+// Whether the surface jumps from p to q by more than the limit, in footprints. The slopes of w along the step are gp and
+// gq.
+bool jumps(float wp, float wq, float gp, float gq, float limit) {
     float rp = wq - (wp + gp);
     float rq = wp - (wq - gq);
     if (rp * rq >= 0.0) return false;  // the planes meet between p and q
     float footprints = orthographic ? focalLength : focalLength / max(wp, wq);
-    return min(abs(rp), abs(rq)) * footprints > 1.0 + min(abs(gp), abs(gq)) * footprints;
+    return min(abs(rp), abs(rq)) * footprints > limit * (1.0 + min(abs(gp), abs(gq)) * footprints);
 }

@@ -32,6 +32,10 @@ struct PlaneView {
     return {plane.slope * view.focalLength, along};
 }
 
+/// The smallest jump within one patch, as a share of the one between patches. There the mesh has the last word: only
+/// where the patch does not go on from the one sample to the other is it a jump. What is smaller is rounding.
+inline constexpr double minJumpWithinPatch = 0.02;
+
 /// The definition of reference::detectLines() for one pair of samples.
 /// @param axis  along which q follows p: 0 to the right, 1 below
 [[nodiscard]] inline unsigned pairMarks(const SeenPlane& p, const SeenPlane& q, int axis, const PlaneView& view) {
@@ -48,7 +52,8 @@ struct PlaneView {
     const double rq = p.w - (q.w - gq);
     const double k = view.orthographic ? view.focalLength : view.focalLength / std::max(p.w, q.w);
     const double slope = std::min(std::abs(gp), std::abs(gq)) * k;
-    if (rp * rq < 0.0 && std::min(std::abs(rp), std::abs(rq)) * k > 1.0 + slope) marks |= PairMark::jump;
+    const double limit = p.patch == q.patch ? minJumpWithinPatch : 1.0;
+    if (rp * rq < 0.0 && std::min(std::abs(rp), std::abs(rq)) * k > limit * (1.0 + slope)) marks |= PairMark::jump;
     return marks;
 }
 

@@ -67,10 +67,11 @@ struct Edges {
 /// the slopes of w over the step from p to q on the planes of p and q. The residuals r_p = w_q - (w_p + g_p) and r_q =
 /// w_p - (w_q - g_q) have one sign where the planes meet on the step: the surface goes on. Else it jumps if
 ///
-///     min(|r_p|, |r_q|) k > 1 + min(|g_p|, |g_q|) k,    k = f / max(w_p, w_q)
+///     min(|r_p|, |r_q|) k > c (1 + min(|g_p|, |g_q|) k),    k = f / max(w_p, w_q)
 ///
-/// where f is the focal length in pixels (orthographic: k = f, pixels per unit length). Differences of w times k are
-/// then pixel footprints, so that no unit, distance or size of the scene matters. GPU twin: shaders/detect_lines.frag.
+/// where c is 1 between patches, within a patch 0.02: a mark there only says where to ask the mesh, and f is the focal
+/// length in pixels (orthographic: k = f, pixels per unit length). Differences of w times k are then pixel footprints,
+/// so that no unit, distance or size of the scene matters. GPU twin: shaders/detect_lines.frag.
 /// @param planes       4 channels: w, dw/dx, dw/dy a pixel, the patch's number; 0: background
 /// @param focalLength  f
 /// @param creaseAngle  degrees
