@@ -10,6 +10,7 @@ layout(location = 2) flat in uvec2 triangles;
 #ifdef SURFACE
 layout(location = 3) in vec3 surfaceNormal;
 layout(location = 4) in float surfaceDepth;
+layout(location = 5) flat in vec4 corner;
 #endif
 
 layout(location = 2) uniform bool orthographic;
@@ -23,6 +24,7 @@ layout(location = 1) out uint triangle;  // R32UI: 1 + the scene's triangle, 0: 
 #ifdef SURFACE
 layout(location = 2) out vec4 surface;  // as draw_surface.frag writes it
 
+#include "shared/edge_on.glsl"
 #include "shared/lights.glsl"
 #endif
 
@@ -35,8 +37,9 @@ void main() {
     // Drivers differ: gl_PrimitiveID starts again with each instance, or does not.
     triangle = triangles.x + uint(gl_PrimitiveID) % triangles.y + 1u;
 #ifdef SURFACE
-    vec3 n = seenSide(surfaceNormal);
-    surface = vec4(positiveLights(n) - negativeLights(n), surfaceDepth);
+    vec4 seen = seenEdgeOn(eyeDepth) ? corner : vec4(surfaceNormal, surfaceDepth);
+    vec3 n = seenSide(seen.xyz);
+    surface = vec4(positiveLights(n) - negativeLights(n), seen.w);
 #endif
 #endif
 }

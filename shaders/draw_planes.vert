@@ -26,6 +26,7 @@ layout(location = 2) flat out uvec2 triangles;  // the instance's first triangle
 #ifdef SURFACE
 layout(location = 3) out vec3 surfaceNormal;  // as in draw_surface.vert
 layout(location = 4) out float surfaceDepth;
+layout(location = 5) flat out vec4 corner;  // as in draw_surface.vert
 #endif
 
 invariant gl_Position;  // in the second pass layers must cover the same pixels as in the first
@@ -44,5 +45,6 @@ void main() {
     vec4 n = vec4(normal, 0.0);
     surfaceNormal = vec3(dot(normalMatrix[0], n), dot(normalMatrix[1], n), dot(normalMatrix[2], n));
     surfaceDepth = eyeDepth * unitLength;
+    corner = vec4(surfaceNormal, surfaceDepth);
 #endif
 }

@@ -8,6 +8,9 @@
 
 layout(location = 0) in vec3 surfaceNormal;
 layout(location = 1) in float eyeDepth;
+layout(location = 2) flat in vec4 corner;
+
+layout(location = 1) uniform float unitLength;  // as in draw_surface.vert
 
 #if LIGHTS == LIGHTS_BOTH
 layout(location = 0) out vec4 surface;  // RGBA32F: light received = normal; eye-space depth, scene units
@@ -15,12 +18,14 @@ layout(location = 0) out vec4 surface;  // RGBA32F: light received = normal; eye
 layout(location = 0) out vec3 light;  // RGBA8
 #endif
 
+#include "shared/edge_on.glsl"
 #include "shared/lights.glsl"
 
 void main() {
-    vec3 n = seenSide(surfaceNormal);
+    vec4 seen = seenEdgeOn(eyeDepth / unitLength) ? corner : vec4(surfaceNormal, eyeDepth);
+    vec3 n = seenSide(seen.xyz);
 #if LIGHTS == LIGHTS_BOTH
-    surface = vec4(positiveLights(n) - negativeLights(n), eyeDepth);
+    surface = vec4(positiveLights(n) - negativeLights(n), seen.w);
 #elif LIGHTS == LIGHTS_POSITIVE
     light = positiveLights(n);
 #else

@@ -11,6 +11,7 @@ layout(location = 1) uniform float unitLength;  // scene units
 
 layout(location = 0) out vec3 surfaceNormal;  // the lights' space, any length
 layout(location = 1) out float eyeDepth;      // scene units
+layout(location = 2) flat out vec4 corner;    // both, at one corner of the triangle
 
 invariant gl_Position;  // the two passes of the two-pass normal map must agree on depth
 
@@ -22,5 +23,6 @@ void main() {
     vec4 n = vec4(normal, 0.0);
     surfaceNormal = vec3(dot(normalMatrix[0], n), dot(normalMatrix[1], n), dot(normalMatrix[2], n));
     eyeDepth = -viewPosition.z * unitLength;
+    corner = vec4(surfaceNormal, eyeDepth);
     gl_Position = inView(projection * vec4(viewPosition, 1.0));
 }

@@ -1,13 +1,17 @@
 // All maps of a picture come from one and the same sample of each pixel.
+#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include <inkedge/load_scene.h>
 
 #include "gl/gl_test.h"
+#include "mesh/shapes.h"
+#include "scenes.h"
 
 namespace inkedge::render {
 namespace {
@@ -101,6 +105,47 @@ TEST_P(MapSamples, normalsAreThoseOfTheOtherSpaceTurned) {
                 ASSERT_LT(glm::length(view * at(world) - at(seen)), 1e-6) << x << ", " << y;
                 if (at(seen) != glm::dvec3{0.0}) {
                     ASSERT_GT(at(seen).z, -0.2) << "turned to the eye";
+                }
+            }
+        }
+    }
+}
+
+// Pixels that show a surface whose depth or normal none of the scene has.
+int impossible(const Maps& maps) {
+    int count = 0;
+    for (int y = 0; y < maps.depth.size().height; ++y) {
+        for (int x = 0; x < maps.depth.size().width; ++x) {
+            if (maps.ids(x, y, 2) == 0) continue;
+            const double depth = maps.depth(x, y);
+            const glm::dvec3 normal{maps.normal(x, y, 0), maps.normal(x, y, 1), maps.normal(x, y, 2)};
+            const bool isUnit = std::abs(glm::length(normal) - 1.0) < 1e-3;  // of floats
+            if (!(depth >= maps.camera.near && depth <= maps.camera.far && isUnit)) ++count;
+        }
+    }
+    return count;
+}
+
+// Its sides are long slivers, some of them seen edge-on in each view along an axis, a diagonal or a dimetric direction.
+TEST_P(MapSamples, ofFacesSeenEdgeOnAreOnTheSurface) {
+    Settings settings = settingsOf(Detector::Planes, 1);
+    settings.picture.size = {500, 500};
+    for (const int sides : {96, 360}) {
+        for (const double turn : {0.0, 45.0, 19.4712206}) {
+            const Scene scene = scenes::sceneOf(mesh::prism(sides), scenes::rotation(turn, {0, 0, 1}));
+            for (const double azimuth : {0.0, 45.0, 90.0}) {
+                for (const double elevation : {0.0, 19.4712206, 35.2643897, 90.0}) {
+                    CameraSettings view;
+                    view.azimuthAngle = azimuth;
+                    view.elevationAngle = elevation;
+                    view.orthographicHeight = 0.0;
+                    for (const Detector detector : {Detector::Planes, Detector::Classic}) {
+                        settings.detector.detector = detector;
+                        const Camera camera = frameCamera(scene, view, settings.picture.size);
+                        EXPECT_EQ(impossible(renderer().render(scene, camera, settings)), 0)
+                            << sides << " sides, turned by " << turn << ", azimuth " << azimuth << ", elevation "
+                            << elevation;
+                    }
                 }
             }
         }
