@@ -25,12 +25,24 @@ def examples(readme):
     return found
 
 
-def run(command, example, model):
+def run(command, example, model, camera=("--azimuth", "200")):
     arguments = example[0].replace("part.glb", model).split()[1:]
-    subprocess.run([command, *arguments, "--size", "120x90", "--azimuth", "200", "--supersampling", "2"], check=True)
+    subprocess.run([command, *arguments, "--size", "120x90", *camera, "--supersampling", "2"], check=True)
     values = {}
     exec(example[1], values)  # pylint: disable=exec-used  # it is ours
     return values
+
+
+def expect_on_model(npz, bounds):
+    """What is unprojected lies on the model: within its bounds, and where OpenGL's matrices have it."""
+    part = npz["part"]
+    far_off = np.linalg.norm(npz["world"] - bounds["centre"], axis=1).max()
+    assert far_off <= bounds["radius"] * (1 + 1e-5), far_off
+    clip = part["projection"] @ part["view"] @ np.vstack([npz["world"].T, np.ones(len(npz["world"]))])
+    height, width = part["depth"].shape
+    ndc = clip[:2] / clip[3]
+    pixels = np.stack([(ndc[0] + 1) / 2 * width - 0.5, (1 - ndc[1]) / 2 * height - 0.5])
+    assert np.abs(pixels - [npz["x"], npz["y"]]).max() < 1e-3, "the middle of each pixel"
 
 
 def main():
@@ -40,6 +52,7 @@ def main():
         arrays, pictures, floats = examples(file.read())
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
+        iso = run(command, arrays, model, ("--view", "iso"))
         npz = run(command, arrays, model)
         png = run(command, pictures, model)
         tif = run(command, floats, model)
@@ -55,15 +68,9 @@ def main():
     assert np.abs(part["depth"] - png["depth"]).max() <= step / 2 + 1e-6, "16 bits round by half a step"
     assert np.array_equal(part["types"] & 8 != 0, png["creases"])
     assert np.array_equal(part["ids"][..., 2] == 0, part["depth"] == np.float32(part["far"]))
-    # What is unprojected lies on the model: within its bounds, and where OpenGL's matrices have it.
-    bounds = png["data"]["bounds"]
-    far_off = np.linalg.norm(npz["world"] - bounds["centre"], axis=1).max()
-    assert far_off <= bounds["radius"] * (1 + 1e-5), far_off
-    clip = part["projection"] @ part["view"] @ np.vstack([npz["world"].T, np.ones(len(npz["world"]))])
-    height, width = part["depth"].shape
-    ndc = clip[:2] / clip[3]
-    pixels = np.stack([(ndc[0] + 1) / 2 * width - 0.5, (1 - ndc[1]) / 2 * height - 0.5])
-    assert np.abs(pixels - [npz["x"], npz["y"]]).max() < 1e-3, "the middle of each pixel"
+    assert iso["part"]["orthographic_height"] > 0 and part["orthographic_height"] == 0
+    for arrays in (npz, iso):
+        expect_on_model(arrays, png["data"]["bounds"])
     print("the README's Python reads what is written")
 
 

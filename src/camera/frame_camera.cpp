@@ -182,6 +182,8 @@ void frameAll(Camera& camera, const Scene& scene, const Axes& axes, Size size) {
 
 void takeFileCamera(Camera& camera, const Scene& scene, int index) {
     if (static_cast<std::size_t>(index) >= scene.cameras().size()) {
+        if (scene.cameras().empty())
+            refuse(fmt::format("--camera-index: expected a camera of the file, found {} for one that has none", index));
         refuse(fmt::format("--camera-index: expected a camera of the file, 0 to below {}, found {}",
                            scene.cameras().size(), index));
     }

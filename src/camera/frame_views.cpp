@@ -41,7 +41,22 @@ struct Wanted {
     }
 };
 
-double millimetresOf(LengthUnit unit) { return unit == LengthUnit::Metre ? 1000.0 : 1.0; }
+double millimetresOf(LengthUnit unit) {
+    switch (unit) {
+        case LengthUnit::Metre:
+            return 1000.0;
+        case LengthUnit::Centimetre:
+            return 10.0;
+        case LengthUnit::Inch:
+            return 25.4;
+        case LengthUnit::Foot:
+            return 304.8;
+        case LengthUnit::Millimetre:
+        case LengthUnit::None:
+            break;
+    }
+    return 1.0;
+}
 
 int side(const Wanted& wanted, const PictureExtent& extent, double length) {
     const double pixels = extent.millimetres ? std::max(std::round(wanted.pixels(length)), 1.0) : length;
@@ -140,7 +155,7 @@ int wholeSide(double pixels, const char* name) {
     if (side > PictureSettings::maxSide)
         refuse(
             fmt::format("--size: expected a picture of at most {} pixels along each side, found a {} of {:.0f}, which "
-                        "what is drawn asks for; give both sides, or a smaller --scale or --dpi",
+                        "what is drawn asks for; give both sides, a smaller --scale or --dpi, or the model's --unit",
                         PictureSettings::maxSide, name, side));
     return static_cast<int>(side);
 }
@@ -159,8 +174,9 @@ void expectToFit(const PicturePart& drawn, Size size, const Wanted& wanted) {
     if (found.x <= size.width + 1.0 && found.y <= size.height + 1.0) return;
     const double perPixel = 1.0 / wanted.pixels(1.0);
     refuse(
-        fmt::format("--scale: expected what is drawn, {:.4g} x {:.4g} mm at this scale, to fit into the picture, found "
-                    "{:.4g} x {:.4g} mm; leave --size out, or make the scale smaller",
+        fmt::format("--scale: expected what is drawn, {:.4g} x {:.4g} mm at this scale, to fit into a picture of "
+                    "{:.4g} x {:.4g} mm, found it larger; make the scale smaller or the picture larger, or say the "
+                    "model's --unit",
                     found.x * perPixel, found.y * perPixel, size.width * perPixel, size.height * perPixel));
 }
 

@@ -187,11 +187,11 @@ View viewFrom(const Json& source, std::string name, const CameraSettings& base, 
                                                        where, value.dump().substr(0, 80)));
             continue;
         }
-        const auto& table = settingTable();
-        const auto row = std::ranges::find(table, key, &SettingDescription::name);
-        if (row == table.end() || row->group != "camera")
-            refuse(Error::Kind::Usage,
-                   fmt::format("{}: expected name or a camera setting, found {}", where, base::quote(key)));
+        const SettingDescription* const row = findSetting(key);
+        if (row == nullptr || row->group != "camera")
+            refuse(Error::Kind::Usage, fmt::format("{}: expected name or a camera setting, as azimuth or "
+                                                   "camera-position, found {}",
+                                                   where, base::quote(key)));
         set(settings, key, textOf(value), where + ": " + key);
     }
     return {std::move(name), settings.camera};

@@ -36,8 +36,17 @@ std::string text(const glm::dvec3& v) { return fmt::format("{:.6g},{:.6g},{:.6g}
 std::string upText(const glm::dvec3& up) {
     Settings settings;
     settings.load.up = up;
-    return std::ranges::find(settingTable(), "up", &SettingDescription::name)->get(settings);
+    return findSetting("up")->get(settings);
 }
+
+// As --unit takes it: "mm".
+std::string unitText(LengthUnit unit) {
+    if (unit == LengthUnit::None) return "not said";
+    Settings settings;
+    settings.load.unit = unit;
+    return findSetting("unit")->get(settings);
+}
+
 ordered_json toJson(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 std::string lens(const SceneCamera& camera) {
@@ -78,6 +87,7 @@ void printJson(const std::string& model, const ModelContents& contents, double m
                            {"not_drawn", contents.undrawn},
                            {"instances", ordered_json::parse(namesJson({contents.instances, {}})).at("instances")},
                            {"up", toJson(contents.up)},
+                           {"unit", unitText(source.unit)},
                            {"bounds", bounds},
                            {"meshes", meshes},
                            {"cameras", cameras},
@@ -91,11 +101,13 @@ void printJson(const std::string& model, const ModelContents& contents, double m
 }
 
 // Prints a heading with the count, and a line for each.
+// @param first  its number: as flags take it, or as ids count
 template <class Line>
-std::string list(std::string_view heading, std::size_t count, Line&& line) {
+std::string list(std::string_view heading, std::size_t count, Line&& line, std::size_t first = 0) {
     if (count == 0) return {};
     std::string lines = fmt::format("{:<11}{}\n", heading, count);
-    for (std::size_t i = 0; i < std::min(count, longestList); ++i) lines += fmt::format("{:>6}  {}\n", i, line(i));
+    for (std::size_t i = 0; i < std::min(count, longestList); ++i)
+        lines += fmt::format("{:>6}  {}\n", first + i, line(i));
     if (count > longestList) lines += fmt::format("        and {} more: --json lists all\n", count - longestList);
     return lines;
 }
@@ -113,6 +125,7 @@ void printText(const std::string& model, const ModelContents& contents) {
     if (!contents.box.empty()) {
         lines += fmt::format("{:<11}{} to {}\n", "bounds", text(contents.box.min), text(contents.box.max));
         lines += fmt::format("{:<11}{}\n", "up", upText(contents.up));
+        lines += fmt::format("{:<11}{}\n", "unit", unitText(source.unit));
     }
     lines += list("meshes", contents.meshes.size(), [&](std::size_t i) {
         const MeshContents& mesh = contents.meshes[i];
@@ -123,10 +136,13 @@ void printText(const std::string& model, const ModelContents& contents) {
     lines += list("cameras", contents.cameras.size(), [&](std::size_t i) {
         return fmt::format("{}: {}", named(contents.cameras[i].name), lens(contents.cameras[i]));
     });
-    lines += list("materials", contents.materials.size(), [&](std::size_t i) {
-        const Material& material = contents.materials[i];
-        return named(material.name) + (material.doubleSided ? ": double-sided" : ": single-sided");
-    });
+    lines += list(
+        "materials", contents.materials.size(),
+        [&](std::size_t i) {
+            const Material& material = contents.materials[i];
+            return named(material.name) + (material.doubleSided ? ": double-sided" : ": single-sided");
+        },
+        1);
     lines += list("scenes", source.scenes.size(), [&](std::size_t i) { return named(source.scenes[i]); });
     lines += list("animations", source.animations.size(), [&](std::size_t i) { return named(source.animations[i]); });
     if (!source.extensions.empty())

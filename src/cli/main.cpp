@@ -3,12 +3,15 @@
 #include <exception>
 #include <new>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include <inkedge/error.h>
 #include <inkedge/version.h>
 
+#include "cli/nearest_name.h"
 #include "cli/streams.h"
 #include "cli/verbs.h"
 #include "process/signals.h"
@@ -23,6 +26,14 @@ int report(std::string_view message, int exitCode) {
     return exitCode;
 }
 
+// The flag of a verb that a misspelt one stands for; empty: none.
+std::string nearestFlag(const CLI::App& verb, const std::string& text) {
+    std::vector<std::string> flags;
+    for (const CLI::Option* option : verb.get_options())
+        for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
+    return text.starts_with("--") ? inkedge::cli::nearestName(text.substr(0, text.find('=')), flags) : std::string{};
+}
+
 // An error of the command line in the words of all our errors, or in the parser's own words if we have none for it.
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
     const auto verbs = app.get_subcommands();
@@ -34,8 +45,9 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
     }
     const std::string remedy = fmt::format("see inkedge {} --help", verbs.front()->get_name());
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !unknown.empty()) {
-        return fmt::format("expected what inkedge {} takes, found '{}'; {}", verbs.front()->get_name(), unknown.front(),
-                           remedy);
+        const std::string nearest = nearestFlag(*verbs.front(), unknown.front());
+        return fmt::format("expected what inkedge {} takes, found '{}'; {}{}", verbs.front()->get_name(),
+                           unknown.front(), nearest.empty() ? "" : fmt::format("is it {}? ", nearest), remedy);
     }
     constexpr std::string_view required = " is required";
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && text.ends_with(required)) {

@@ -58,6 +58,8 @@ void startTimeout(const RenderArguments& arguments) {
 void warnOfIdleSettings(const RenderArguments& arguments, const Job& job) {
     if (arguments.quiet) return;
     for (const std::string& line : idleSettings(job)) report("warning: ", line);
+    for (const std::string& name : SettingsSources::unknownVariables())
+        report("warning: ", fmt::format("{} does nothing: no setting has this name", base::printable(name)));
 }
 
 void warn(const RenderArguments& arguments, const Job& job, const Scene& scene) {

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
+#include <utility>
+
+#include <unistd.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -51,13 +55,28 @@ void SettingsSources::addTo(CLI::App& app, std::initializer_list<std::string_vie
     }
 }
 
+std::vector<std::string> SettingsSources::unknownVariables() {
+    std::set<std::string> known;
+    for (const SettingDescription& row : settingTable())
+        for (const std::string_view name : {row.shortName, row.name}) known.insert(environmentName(name));
+    std::vector<std::string> unknown;
+    for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable) {
+        const std::string_view text{*variable};
+        std::string name{text.substr(0, text.find('='))};
+        if (name.starts_with("INKEDGE_") && !known.contains(name)) unknown.push_back(std::move(name));
+    }
+    return unknown;
+}
+
 Settings SettingsSources::resolve() const {
     Settings settings;
     if (!preset_.empty()) applyPreset(settings, preset_);
     if (!configFile_.empty()) readConfig(settings, configFile_);
     for (const SettingDescription& row : settingTable()) {
-        const std::string variable = environmentName(row.name);
-        if (const char* text = std::getenv(variable.c_str())) set(settings, row.name, text, variable);
+        for (const std::string_view name : {row.shortName, row.name}) {
+            const std::string variable = environmentName(name);
+            if (const char* text = std::getenv(variable.c_str())) set(settings, row.name, text, variable);
+        }
     }
     for (const auto& [name, option] : options_) {
         if (option->count() > 0) set(settings, name, flags_.at(name), fmt::format("--{}", name));

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -23,6 +24,9 @@ public:
     /// @throws Error  (Kind::Usage) if a source has an unknown name or a wrong value: the message names the source;
     ///                (Kind::Input) if the configuration file cannot be read
     [[nodiscard]] Settings resolve() const;
+
+    /// Variables of the environment that begin as those of settings do, and are none's.
+    [[nodiscard]] static std::vector<std::string> unknownVariables();
 
     /// Empty if none is given.
     [[nodiscard]] const std::string& configFile() const noexcept { return configFile_; }

@@ -57,6 +57,17 @@ const Reader& readerOf(const ModelInput& input) {
                              extension.empty() ? "none" : base::printable(extension)));
 }
 
+// What only some formats have to choose from.
+void expectChoices(const SceneSource& source, const LoadSettings& settings) {
+    const auto refuse = [&](std::string_view flag, std::string_view of, const std::string& found) {
+        throw Error{Error::Kind::Usage, fmt::format("--{}: expected {} of the file, found '{}' for {}, which has none",
+                                                    flag, of, found, source.format)};
+    };
+    if (settings.scene && source.scenes.empty()) refuse("scene", "a scene", fmt::format("{}", *settings.scene));
+    if (!settings.animation.empty() && source.animations.empty())
+        refuse("animation", "an animation", base::printable(settings.animation));
+}
+
 Scene load(const ModelInput& input, const LoadSettings& settings) {
     validate(settings);
     Scene::Data data = readModel(input, settings);
@@ -74,6 +85,8 @@ Scene::Data readModel(const ModelInput& input, const LoadSettings& settings) {
     data.source.knowsSides = reader.knowsSides;
     data.source.up = reader.up;
     if (data.source.unit == LengthUnit::None) data.source.unit = reader.unit;
+    if (settings.unit != LengthUnit::None) data.source.unit = settings.unit;
+    expectChoices(data.source, settings);
     return data;
 }
 

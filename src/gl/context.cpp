@@ -28,7 +28,7 @@ std::vector<Candidate> candidates(const BackendSettings& settings, std::vector<s
     const auto count = std::erase_if(all, [&](const Candidate& c) { return c.device != settings.device; });
     if (all.empty()) {
         throw Error{Error::Kind::Usage,
-                    fmt::format("device: expected an EGL device that `inkedge doctor` lists, found {} among {}",
+                    fmt::format("--device: expected an EGL device that `inkedge doctor` lists, found {} among {}",
                                 *settings.device, count == 0 ? 0 : count - 1)};
     }
     return all;
@@ -66,7 +66,7 @@ void Context::load(GLADapiproc (*loader)(const char* name)) {
 
 std::unique_ptr<Context> createContext(const BackendSettings& settings) {
     if (settings.backend == Backend::Osmesa && settings.device) {
-        throw Error{Error::Kind::Usage, "device: expected it with the egl backend only, found it with osmesa"};
+        throw Error{Error::Kind::Usage, "--device: expected it with the egl backend only, found it with osmesa"};
     }
     expectThreads();
     std::vector<std::string> failures;

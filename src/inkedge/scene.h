@@ -20,9 +20,6 @@
 
 namespace inkedge {
 
-/// What one unit of a model's coordinates is.
-enum class LengthUnit { None, Metre, Millimetre };
-
 /// What a model's file is, and what it offers to choose from.
 struct SceneSource {
     std::string name = {};                ///< of the file, without its folder; empty: no file
@@ -30,7 +27,7 @@ struct SceneSource {
     std::vector<std::string> scenes;      ///< names, in the order of LoadSettings::scene; may be empty texts
     std::vector<std::string> animations;  ///< likewise, of LoadSettings::animation
     std::vector<std::string> extensions;  ///< of glTF, that it uses
-    LengthUnit unit = LengthUnit::None;   ///< of world space; None: the file does not say
+    LengthUnit unit = LengthUnit::None;   ///< of world space: LoadSettings::unit, or the file's
     bool knowsSides = false;              ///< a surface is single-sided unless its Material says that it is not
     std::vector<std::filesystem::path> files = {};  ///< buffers and pictures that it names, as far as they are there
     glm::dvec3 up{0.0, 1.0, 0.0};                   ///< world space, unit length: what users of the format call up

@@ -105,6 +105,9 @@ struct SettingDescription {
 /// All settings in the order of the manual.
 [[nodiscard]] INKEDGE_API std::span<const SettingDescription> settingTable();
 
+/// The setting with a name or a second name, without dashes; none: there is none.
+[[nodiscard]] INKEDGE_API const SettingDescription* findSetting(std::string_view name);
+
 /// Sets one setting from text.
 /// @param source  where the text comes from, for the message: "--kernel" or "INKEDGE_KERNEL"
 /// @throws Error  (Kind::Usage) if no setting bears the name or it cannot take the text

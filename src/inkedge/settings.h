@@ -61,6 +61,9 @@ struct LoadLimits {
     std::uint64_t imagePixels = 67'108'864;          ///< of one picture
 };
 
+/// What one unit of a model's coordinates is.
+enum class LengthUnit { None, Metre, Millimetre, Centimetre, Inch, Foot };
+
 /// What the loader makes of a file.
 struct LoadSettings {
     Normals normals = Normals::Auto;
@@ -78,6 +81,7 @@ struct LoadSettings {
     bool textureCoordinates = false;  ///< Mesh::textureCoordinates is filled in: for isoparametric lines
     bool paint = false;               ///< Mesh::paint, Material::color and Material::picture are filled in; glTF only
     bool curvature = false;           ///< Mesh::curvatures is filled in
+    LengthUnit unit = LengthUnit::None;  ///< of the model's coordinates; None: the format's, where it has one
     /// World space: which way is up of the model, whatever its length; none: SceneSource::up. See Scene::up().
     std::optional<glm::dvec3> up = {};
     /// Names of nodes, or patterns with * and ?. Nodes in which a pattern's node lies count, too: "arm" stands for all

@@ -12,7 +12,8 @@ inline constexpr std::string_view linesFormat = "inkedge lines";
 inline constexpr int linesVersion = 3;
 
 /// In the order of LengthUnit.
-inline constexpr std::array<std::string_view, 3> lengthUnitNames{"unknown", "metre", "millimetre"};
+inline constexpr std::array<std::string_view, 6> lengthUnitNames{"unknown",    "metre", "millimetre",
+                                                                 "centimetre", "inch",  "foot"};
 /// Where lines were found: LinesFrom::Object, LinesFrom::Image.
 inline constexpr std::array<std::string_view, 2> spaceNames{"object", "image"};
 

@@ -115,6 +115,7 @@ void addCamera(io::NpzWriter& arrays, const Camera& camera, Size size) {
     addMatrix(arrays, "K", io::intrinsics(camera, size));
     arrays.add<double>("near", {}, std::span{&camera.near, 1});
     arrays.add<double>("far", {}, std::span{&camera.far, 1});
+    arrays.add<double>("orthographic_height", {}, std::span{&camera.orthographicHeight, 1});  // as in the metadata
 }
 
 // By id, so that names[ids] are the names: 0 stands for none.

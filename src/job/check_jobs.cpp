@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -17,6 +19,20 @@ namespace job {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace std::string_view_literals;
+
+void expectKnownFields(const std::string& text) {
+    constexpr std::array known{"{model}"sv, "{view}"sv, "{map}"sv};
+    for (std::size_t i = text.find('{'); i != std::string::npos; i = text.find('{', i + 1)) {
+        const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz", i + 1);
+        if (end == std::string::npos || end == i + 1 || text[end] != '}') continue;
+        const std::string field = text.substr(i, end + 1 - i);
+        if (std::ranges::find(known, field) == known.end())
+            throw Error{
+                Error::Kind::Usage,
+                fmt::format("{}: expected {{model}}, {{view}} or {{map}} to be filled in, found {}", text, field)};
+    }
+}
 
 // What cannot be written fails before the work, and before another file is written.
 void expectFolderFor(const fs::path& file) {
@@ -57,7 +73,9 @@ void expectLinesOnly(const Job& job, const std::string& output) {
 void check(const Job& job, std::size_t& viewsBefore, FilesApart& files) {
     validate(job.settings);
     const std::vector<View> views = viewsOf(job);
+    expectKnownFields(job.metadata);
     for (const std::string& output : job.outputs) {
+        expectKnownFields(output);
         expectViewIn(output, views.size());
         if (holdsLines(output)) expectLinesOnly(job, output);
     }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <inkedge/error.h>
+#include <inkedge/setting_table.h>
 #include <inkedge/write.h>
 
 namespace inkedge {
@@ -67,7 +68,9 @@ fs::path expandTemplate(const std::string& text, const Job& job, const View& vie
 }  // namespace
 
 std::vector<View> viewsOf(const Job& job) {
-    return job.views.empty() ? std::vector<View>{{"0", job.settings.camera}} : job.views;
+    if (!job.views.empty()) return job.views;
+    const bool named = job.settings.camera.view.has_value();
+    return {{named ? findSetting("view")->get(job.settings) : "0", job.settings.camera}};
 }
 
 std::vector<fs::path> filesOfOutput(const Job& job, const std::string& output, const View& view) {

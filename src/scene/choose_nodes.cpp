@@ -48,14 +48,18 @@ struct Named {
     [[nodiscard]] bool is(std::string_view pattern) const { return matches(pattern, name) || matches(pattern, path); }
 };
 
-// The nodes that an instance belongs to, from its own up; of a file without nodes, the instance.
+// The nodes with a name that an instance belongs to, from its own up, as namesOf() calls them.
 std::vector<Named> nodesOf(const Scene::Data& data, const Instance& instance) {
     std::vector<Named> nodes;
-    for (std::uint32_t i = instance.node; i < data.nodes.size(); i = data.nodes[i].parent) {
-        for (Named& inner : nodes) inner.path.insert(0, data.nodes[i].name + '/');
-        nodes.push_back({data.nodes[i].name, data.nodes[i].name});
-    }
-    if (nodes.empty()) nodes.push_back({instance.name, instance.name});
+    const auto add = [&](const std::string& name) {
+        if (name.empty()) return;
+        for (Named& inner : nodes) inner.path.insert(0, name + '/');
+        nodes.push_back({name, name});
+    };
+    add(instance.name);
+    if (instance.node >= data.nodes.size()) return nodes;
+    for (std::uint32_t i = data.nodes[instance.node].parent; i < data.nodes.size(); i = data.nodes[i].parent)
+        add(data.nodes[i].name);
     return nodes;
 }
 
@@ -127,8 +131,7 @@ void chooseNodes(Scene::Data& data, const LoadSettings& settings) {
     std::set<std::string> names;
     std::erase_if(data.instances, [&](const Instance& instance) {
         const std::vector<Named> nodes = nodesOf(data, instance);
-        for (const Named& node : nodes)
-            if (!node.name.empty()) names.insert(node.name);
+        for (const Named& node : nodes) names.insert(node.name);
         const bool chosen = only.name(nodes);
         const bool hidden = hide.name(nodes);
         return hidden || (!chosen && !settings.only.empty());

@@ -59,7 +59,7 @@ void readLine(Settings& settings, std::string_view line, const std::string& wher
     if (equals == std::string_view::npos)
         refuse(Error::Kind::Usage, where, fmt::format("expected name = value, found '{}'", text));
     const std::string_view name = trimmed(text.substr(0, equals));
-    if (std::ranges::find(settingTable(), name, &SettingDescription::name) == settingTable().end())
+    if (findSetting(name) == nullptr)
         refuse(Error::Kind::Usage, where, fmt::format("expected the name of a setting, found '{}'", name));
     set(settings, name, unquoted(trimmed(text.substr(equals + 1))), fmt::format("{}: {}", where, name));
 }

@@ -205,6 +205,10 @@ Why idleFraming(const Settings&, const OutputKinds& kinds) {
     return kinds.views > 1 ? acts : "it is for several --views";
 }
 
+Why idleUnit(const Settings& settings, const OutputKinds& kinds) {
+    return settings.frame.scale || kinds.json ? acts : "there is no --scale";
+}
+
 Why idleTime(const Settings& settings, const OutputKinds&) {
     return settings.load.animation.empty() ? "there is no --animation" : acts;
 }

@@ -49,6 +49,7 @@ template <Style style>
 [[nodiscard]] std::string_view idleViewAngle(const Settings&, const OutputKinds&);
 [[nodiscard]] std::string_view idleHeight(const Settings&, const OutputKinds&);
 [[nodiscard]] std::string_view idleFraming(const Settings&, const OutputKinds&);
+[[nodiscard]] std::string_view idleUnit(const Settings&, const OutputKinds&);
 [[nodiscard]] std::string_view idleTime(const Settings&, const OutputKinds&);
 
 }  // namespace inkedge::settings

@@ -85,9 +85,16 @@ std::span<const SettingDescription> settingTable() {
     return table;
 }
 
+const SettingDescription* findSetting(std::string_view name) {
+    const auto row = std::ranges::find_if(settingTable(), [&](const SettingDescription& each) {
+        return each.name == name || (!name.empty() && each.shortName == name);
+    });
+    return row == settingTable().end() ? nullptr : &*row;
+}
+
 void set(Settings& settings, std::string_view name, std::string_view text, std::string_view source) {
-    const auto row = std::ranges::find(settingTable(), name, &SettingDescription::name);
-    if (row == settingTable().end())
+    const SettingDescription* const row = findSetting(name);
+    if (row == nullptr)
         throw Error{Error::Kind::Usage, fmt::format("{}: there is no setting named '{}'", source, name)};
     named(source, [&] { row->set(settings, text); });
 }

@@ -144,10 +144,40 @@ TEST_F(BadInput, WhatMarksPixelsForAFileOfLines) {
 
 TEST_F(BadInput, OutputOfAnUnknownKind) {
     for (const std::string name : {"picture.jpg", "picture.pdf", "picture", "picture.png.gz"}) {
-        expectFailure(run({"render", roof(), "-o", name}), 2,
-                      HasSubstr(name + ": expected a name that ends in .png, .tif, .tiff, .exr or .npz, or for lines in .svg "
-                                       "or .json, found "));
+        expectFailure(
+            run({"render", roof(), "-o", name}), 2,
+            HasSubstr(name + ": expected a name that ends in .png, .tif, .tiff, .exr or .npz, or for lines in .svg "
+                             "or .json, found "));
     }
+}
+
+TEST_F(BadInput, FieldOfAnOutputThatIsNone) {
+    expectFailure(run({"render", roof(), "-o", "{modle}.png"}), 2,
+                  HasSubstr("{modle}.png: expected {model}, {view} or {map} to be filled in, found {modle}"));
+    expectFailure(run({"render", roof(), "-o", "a.png", "--metadata", "{viwe}.json"}), 2, HasSubstr("found {viwe}"));
+}
+
+TEST_F(BadInput, FlagWithASlip) {
+    expectFailure(run({"render", roof(), "-o", "a.png", "--hiden", "dashed"}), 2, HasSubstr("is it --hidden? see"));
+    expectFailure(run({"render", roof(), "-o", "a.png", "--linewidth=2"}), 2, HasSubstr("is it --line-width? see"));
+    expectFailure(run({"render", roof(), "-o", "a.png", "--xyzzyx"}), 2, HasSubstr("found '--xyzzyx'; see"));
+}
+
+TEST_F(BadInput, ChoiceThatAFormatDoesNotHave) {
+    const std::string model = file("a.stl",
+                                   "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                                   "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n");
+    expectFailure(run({"render", model, "-o", "a.png", "--animation", "walk"}), 2,
+                  HasSubstr("--animation: expected an animation of the file, found 'walk' for STL, which has none"));
+    expectFailure(run({"render", model, "-o", "a.png", "--scene", "4"}), 2,
+                  HasSubstr("--scene: expected a scene of the file, found '4' for STL, which has none"));
+    expectFailure(run({"render", model, "-o", "a.png", "--camera-index", "3"}), 2,
+                  HasSubstr("--camera-index: expected a camera of the file, found 3 for one that has none"));
+}
+
+TEST_F(BadInput, LevelOverOneForPicturesOfWholeNumbers) {
+    expectFailure(run({"compare", "a.png", "b.png", "--level", "5"}), 2,
+                  HasSubstr("--level: expected 0 to 1 (1 is white over black), found 5"));
 }
 
 TEST_F(BadInput, OutputInAFolderThatIsMissing) {

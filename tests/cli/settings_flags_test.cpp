@@ -97,6 +97,7 @@ const std::map<std::string_view, Example>& examples() {
         {"subdivide", {.value = "2", .wrong = "7", .shows = "/triangles"}},
         {"subdivide-adaptive",
          {.value = "3", .wrong = "-1", .shows = "/settings/subdivide-adaptive", .becomes = "\"3\""}},
+        {"unit", {.value = "in", .wrong = "inches", .shows = "/settings/unit", .becomes = "\"in\""}},
         {"up", {.value = "+Z", .wrong = "up", .shows = "/camera/view"}},
         {"only", {.value = "leaf;cup", .wrong = "", .shows = "/triangles", .asset = "lantern"}},
         {"hide", {.value = "cup", .wrong = "", .shows = "/triangles", .asset = "lantern"}},

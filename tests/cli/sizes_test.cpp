@@ -207,6 +207,25 @@ TEST_F(Sizes, VectorsHaveTheSizeOnPaperToTheLastDecimal) {
     expectFailure(small, 2, HasSubstr("--scale: expected what is drawn, 240 x 120 mm at this scale, to fit into the"));
 }
 
+TEST_F(Sizes, AUnitThatIsSaidIsThatOfTheScale) {
+    const auto heightOf = [&](const Arguments& more) {
+        Arguments all{"--view", "front", "--dpi", "254", "--crop", "0"};
+        all.insert(all.end(), more.begin(), more.end());
+        all.insert(all.end(), {"--metadata", "m.json"});
+        expectSuccess(draw(stl(), "{view}.png", all));
+        EXPECT_TRUE(std::filesystem::exists(folder_ / "front.png")) << "{view} of --view";
+        const json metadata = metadataOf("m.json");
+        return metadata.at("size").at(1).get<double>() / metadata.at("camera").at("orthographic_height").get<double>();
+    };
+    EXPECT_NEAR(heightOf({"--scale", "1:1"}), 10.0, 1e-6) << "pixels a millimetre";
+    EXPECT_NEAR(heightOf({"--scale", "1:1", "--unit", "cm"}), 100.0, 1e-6);
+    EXPECT_NEAR(heightOf({"--scale", "1:2", "--unit", "in"}), 127.0, 1e-6);
+    EXPECT_NEAR(heightOf({"--scale", "1:100", "--unit", "m"}), 100.0, 1e-6);
+    EXPECT_NEAR(heightOf({"--scale", "1:10", "--unit", "ft"}), 304.8, 1e-6);
+    EXPECT_THAT(run({"inspect", stl(), "--unit", "in"}).out, HasSubstr("\nunit       in\n"));
+    EXPECT_THAT(run({"inspect", asset("cube.glb")}).out, HasSubstr("\nunit       m\n"));
+}
+
 TEST_F(Sizes, SeveralModelsAreDrawnInOneCall) {
     const std::string first = stl("a.stl");
     const std::string second = obj();
@@ -253,6 +272,8 @@ TEST_F(Sizes, AFlagThatCannotActSaysSo) {
               "inkedge: warning: --fit-curves does nothing: it is for lines in .svg\n");
     EXPECT_EQ(draw(roof(), "p.png", {"--size", "32x32", "--page-size", "A4", "-q"}).error, "");
     EXPECT_EQ(draw(roof(), "p.png", {"--size", "32x32", "--line-width", "3"}).error, "");
+    EXPECT_EQ(run({"render", roof(), "-o", "p.png", "--size", "32x32"}, {{"INKEDGE_LINE_WIDHT", "3"}}).error,
+              "inkedge: warning: INKEDGE_LINE_WIDHT does nothing: no setting has this name\n");
 }
 
 }  // namespace

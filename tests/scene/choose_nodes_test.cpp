@@ -3,6 +3,7 @@
 
 #include <inkedge/error.h>
 #include <inkedge/scene.h>
+#include <inkedge/scene_names.h>
 
 #include "base/expect_error.h"
 #include "scenes.h"
@@ -55,6 +56,18 @@ TEST(ChooseNodes, drawsANodeAndAllThatBelongsToIt) {
     EXPECT_THAT(drawn({.only = {}, .hide = {"arm"}}), ElementsAre("body", "lamp"));
     EXPECT_THAT(drawn({.only = {"arm"}, .hide = {"hand"}}), ElementsAre("arm"));
     EXPECT_THAT(drawn({.only = {"robot"}, .hide = {"robot/body"}}), ElementsAre("arm", "hand", "finger 1", "finger 2"));
+}
+
+TEST(ChooseNodes, takesTheNamesThatAModelIsSaidToHave) {
+    Scene::Data data = robot();
+    for (SceneNode& node : data.nodes) node.name.clear();
+    for (Instance& instance : data.instances) instance.name = "part of " + data.meshes[instance.mesh].name;
+    const NamedInstance finger = namesOf(Scene{data, {}}).instances.at(3);
+    LoadSettings settings;
+    settings.only = {finger.node};
+    const Scene scene{data, settings};
+    ASSERT_THAT(scene.instances(), SizeIs(1));
+    EXPECT_EQ(scene.instances()[0].name, "part of mesh of finger 1");
 }
 
 TEST(ChooseNodes, takesPatternsOfNamesAndPaths) {

@@ -45,6 +45,11 @@ TEST_F(ReadConfig, takesNamesAndValuesQuotedOrNotAndSkipsComments) {
     EXPECT_EQ(settings.picture.dpi, 200.0);
 }
 
+TEST_F(ReadConfig, takesSecondNames) {
+    EXPECT_EQ(settingsOf("azimuth = 30").camera.azimuthAngle, 30.0);
+    EXPECT_EQ(settingsOf("fov = 20").camera.viewAngle, 20.0);
+}
+
 TEST_F(ReadConfig, namesTheLineThatIsWrong) {
     expectRefusal("\nsize 3x3\n", Error::Kind::Usage, "a.conf:2: expected name = value, found 'size 3x3'");
     expectRefusal("colour = red", Error::Kind::Usage, "a.conf:1: expected the name of a setting, found 'colour'");

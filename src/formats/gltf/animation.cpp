@@ -38,7 +38,7 @@ const tinygltf::Animation& find(const tinygltf::Model& model, std::string_view w
     for (std::size_t i = 0; i < std::min(model.animations.size(), longestList); ++i)
         list += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, base::quote(model.animations[i].name));
     if (model.animations.size() > longestList) list += ", ...";
-    throw Error{Error::Kind::Usage, fmt::format("animation: expected {}, found {}",
+    throw Error{Error::Kind::Usage, fmt::format("--animation: expected {}, found {}",
                                                 list.empty() ? "none, as the file has no animations" : "one of " + list,
                                                 base::quote(wanted))};
 }

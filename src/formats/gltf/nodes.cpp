@@ -72,7 +72,7 @@ const std::vector<int>* rootsOf(const tinygltf::Model& model, std::optional<int>
     if (scene && (*scene < 0 || static_cast<std::size_t>(*scene) >= model.scenes.size())) {
         const std::string found = model.scenes.empty() ? "a file without scenes" : fmt::format("{}", *scene);
         throw Error{Error::Kind::Usage,
-                    fmt::format("scene: expected a scene below {}, found {}", model.scenes.size(), found)};
+                    fmt::format("--scene: expected a scene below {}, found {}", model.scenes.size(), found)};
     }
     if (scene) return &model.scenes[static_cast<std::size_t>(*scene)].nodes;
     if (model.defaultScene == -1 && model.scenes.empty()) return nullptr;

@@ -10,6 +10,7 @@ namespace inkedge::settings {
 namespace {
 
 constexpr std::array<std::string_view, 3> normalsNames{"auto", "authored", "flat"};
+constexpr std::array<std::string_view, 6> unitNames{"auto", "m", "mm", "cm", "in", "ft"};  // as LengthUnit
 constexpr std::array<std::string_view, 3> creasesNames{"auto", "angle", "normals"};
 constexpr std::array<std::string_view, 2> transparentNames{"solid", "ignore"};
 constexpr std::array<std::string_view, 2> alphaMaskNames{"cut", "ignore"};
@@ -52,6 +53,12 @@ std::vector<SettingDescription> modelRows() {
               .defaultInWords = "the format's: +Z for STL, +Y for others"},
              Custom{"AXIS|X,Y,Z", [] { return std::string{"+X, -X, ... -Z, or any direction"}; }},
              directionField([](auto& s) -> auto& { return s.load.up; })),
+         row(
+             {.name = "unit",
+              .help = "what one unit of the model is, for --scale",
+              .defaultInWords = "the format's: m for glTF, mm for others",
+              .idle = idleUnit},
+             Choice{unitNames}, [](auto& s) -> auto& { return s.load.unit; }),
          described({.name = "only",
                     .help = "draw these nodes alone, with all that belongs to them",
                     .rangeNote = "several: ; between them, or the flag again",
