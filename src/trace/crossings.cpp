@@ -48,8 +48,8 @@ glm::dvec2 CrossingTracer::centre(Sample s) const {
     return {s.x + drawn.x + 0.5, s.y + drawn.y + 0.5};
 }
 
-CrossingTracer::Walk CrossingTracer::walk(Sample from, Sample to, Over over) const {
-    return triangles_.walk(triangle(from), centre(from), centre(to), over);
+ScreenTriangles::BothWalks CrossingTracer::walk(Sample from, Sample to) const {
+    return triangles_.walkBoth(triangle(from), centre(from), centre(to));
 }
 
 // Where coplanar layers overlap a pixel holds the sum of their patches' numbers. If one side has one layer more, the
@@ -107,7 +107,7 @@ std::optional<double> CrossingTracer::planesMeet(Sample p, Sample q) const {
 // Where a line crosses the step from near to far, 0 to 1. If the nearer surface goes on to the far sample, where it is
 // not seen any more, it ends there, within the grid that vertices snap to.
 double CrossingTracer::positionAlong(const Step& step) const {
-    const auto& [near, far, marks, way, whole, back] = step;
+    const auto& [near, far, marks, way, whole, farWay, back, bends] = step;
     if (step.jumps()) {  // a crease that is nearer than the surface's end has more of the surface behind it
         if (whole.exit && whole.exit->end != End::Crease) return whole.exit->t;
         return way.exit ? way.exit->t : way.arrivedAt ? 1.0 : 0.5;
@@ -115,29 +115,34 @@ double CrossingTracer::positionAlong(const Step& step) const {
     const bool forward = near.x <= far.x && near.y <= far.y;
     if (const std::optional<double> meet = forward ? planesMeet(near, far) : planesMeet(far, near)) {
         const double t = forward ? *meet : 1.0 - *meet;
-        if (isBend(step)) return t;
+        if (bends) return t;
         // A surface that ends before its plane meets the other one's lies in front of it, by little.
-        const Walk other = walk(far, near);
-        const double begin = other.exit ? 1.0 - other.exit->t : 0.0;
+        const double begin = farWay.exit ? 1.0 - farWay.exit->t : 0.0;
         return way.exit ? std::min(std::max(t, begin), way.exit->t) : std::max(t, begin);
     }
     if (way.exit) return way.exit->t;
-    if (const Walk other = walk(far, near); other.exit) return 1.0 - other.exit->t;
+    if (farWay.exit) return 1.0 - farWay.exit->t;
     const auto border = layerBorder(near, far);
     return border ? border->t : 0.5;
 }
 
 StepCrossing CrossingTracer::crossing(Sample p, Sample q, unsigned marks) {
     const bool swap = isBackground(p) || (!isBackground(q) && isNearer(q, p));
-    Step step{swap ? q : p, swap ? p : q, marks, {}, {}, {}};
+    Step step{swap ? q : p, swap ? p : q, marks, {}, {}, {}, {}, false};
     const auto& [near, far] = std::pair{step.near, step.far};
-    step.way = walk(near, far);
+    const auto [patch, surface] = walk(near, far);
+    step.way = patch;
     if ((marks & ~(raster::PairMark::bend | raster::PairMark::jump)) == 0 && goesOnSmoothly(step)) return {};
     const bool atCrease = step.way.exit && step.way.exit->end == End::Crease;
     // A slight bend is marked for creases that end within their patch; it is none by itself.
     if (marks == raster::PairMark::bend && !atCrease && !bendsByCreaseAngle(near, far)) return {};
-    step.whole = atCrease ? walk(near, far, Over::Surface) : step.way;
-    if (!step.jumps()) step.back = walk(far, near, Over::Surface);
+    step.whole = atCrease ? surface : patch;
+    if (!step.jumps()) {
+        const auto [farPatch, farSurface] = walk(far, near);
+        step.farWay = farPatch;
+        step.back = farSurface;
+        step.bends = isBend(step);
+    }
 
     const LineTypes types = classify(step);
     types_(near.x, near.y) |= static_cast<std::uint16_t>(types.bits());
@@ -179,7 +184,7 @@ bool CrossingTracer::isBend(const Step& step) const {
     if ((step.marks & raster::PairMark::bend) == 0) return false;
     const auto walkBeyond = [&](Sample from, Sample to) {  // the edge may pass through a sample's centre
         const glm::dvec2 goal = glm::mix(centre(from), centre(to), 1.0 + sameEdge);
-        return triangles_.walk(triangle(from), centre(from), goal, Over::Surface).exit;
+        return triangles_.walk(triangle(from), centre(from), goal, ScreenTriangles::Over::Surface).exit;
     };
     const std::optional<Exit> exit = walkBeyond(step.near, step.far);
     const std::optional<Exit> other = walkBeyond(step.far, step.near);
@@ -202,11 +207,10 @@ double CrossingTracer::gap(scene::SceneFace front, scene::SceneFace behind, glm:
 // of the other, less than a sample away.
 LineTypes CrossingTracer::meeting(const Step& step) const {
     constexpr double touching = 0.1;  // samples
-    const auto& [near, far, marks, way, whole, back] = step;
+    const auto& [near, far, marks, way, whole, farWay, back, bends] = step;
     if (!way.exit && arrives(way, near, far)) return LineType::Intersection;  // with a layer in the plane of both
-    if (isBend(step)) return LineType::Crease;
+    if (bends) return LineType::Crease;
     if (way.exit && way.exit->end == End::Fold) return LineType::Occlusion;
-    const Walk farWay = walk(far, near);
     const bool farEnds = !way.exit && farWay.exit;
     if (!way.exit && !farEnds) return LineType::Intersection;
     const Walk& patch = farEnds ? farWay : way;
@@ -240,7 +244,7 @@ bool CrossingTracer::farOwns(const Step& step) const {
     if (step.jumps()) return false;
     const std::uint32_t nodes[2]{triangle(step.near).instance, triangle(step.far).instance};
     if (nodes[0] == nodes[1]) return false;
-    const bool farEnds = walk(step.far, step.near).exit.has_value();
+    const bool farEnds = step.farWay.exit.has_value();
     return step.way.exit.has_value() == farEnds ? nodes[1] < nodes[0] : farEnds;
 }
 

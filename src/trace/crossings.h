@@ -64,7 +64,6 @@ private:
     };
     using End = ScreenTriangles::End;
     using Exit = ScreenTriangles::Exit;
-    using Over = ScreenTriangles::Over;
     using Plane = ScreenTriangles::Plane;
     using Walk = ScreenTriangles::Walk;
     // The step from the nearer of two neighbouring samples to the other one.
@@ -74,7 +73,10 @@ private:
         unsigned marks;
         Walk way;    // over the near sample's patch
         Walk whole;  // over its surface
-        Walk back;   // over the far sample's surface, towards the near one; only where the surfaces meet
+        // Only where the surfaces do not jump:
+        Walk farWay;  // over the far sample's patch, towards the near one
+        Walk back;    // over its surface
+        bool bends;   // whether the surfaces meet in a crease
         [[nodiscard]] bool jumps() const noexcept {
             return (marks & (raster::PairMark::background | raster::PairMark::jump)) != 0;
         }
@@ -83,7 +85,7 @@ private:
     [[nodiscard]] bool isBackground(Sample) const;
     [[nodiscard]] scene::SceneFace triangle(Sample) const;
     [[nodiscard]] glm::dvec2 centre(Sample) const;  // in the whole picture
-    [[nodiscard]] Walk walk(Sample from, Sample to, Over over = Over::Patch) const;
+    [[nodiscard]] ScreenTriangles::BothWalks walk(Sample from, Sample to) const;
     [[nodiscard]] std::optional<ScreenTriangles::LayerBorder> layerBorder(Sample from, Sample to) const;
     [[nodiscard]] Plane plane(Sample) const;
     [[nodiscard]] glm::dvec3 normal(Sample) const;

@@ -28,6 +28,39 @@ glm::dmat4x3 clipToPixels(Size size) {
     return m;
 }
 
+// A way in the picture, as homogeneous points.
+struct Way {
+    glm::dvec3 start;
+    glm::dvec3 goal;
+};
+struct Leaving {
+    std::uint32_t halfEdge;  // that is crossed; noHalfEdge: none
+    double t;                // share of the way
+    glm::dvec3 line;         // through it: (a, b, c) with a x + b y + c > 0 on the triangle's side
+};
+
+// Where a way leaves a triangle that it entered by one of its half-edges, if by any.
+// @param first    the half-edge from corner a to corner b
+// @param reached  share of the way, where it was entered
+Leaving leave(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, std::uint32_t first, std::uint32_t entry,
+              double reached, const Way& way) {
+    // Homogeneous lines, so that corners behind the camera need no clipping.
+    const glm::dvec3 ab = glm::cross(a, b);
+    const double sign = glm::dot(ab, c) < 0.0 ? -1.0 : 1.0;
+    Leaving leaving{mesh::noHalfEdge, 1.0, {}};
+    const auto tryEdge = [&](std::uint32_t halfEdge, const glm::dvec3& line) {
+        const double ep = sign * glm::dot(line, way.start);
+        const double eq = sign * glm::dot(line, way.goal);
+        if (eq >= 0.0 || eq >= ep) return;
+        if (const double crossed = std::max(ep / (ep - eq), reached); crossed <= leaving.t)
+            leaving = {halfEdge, crossed, sign * line};
+    };
+    if (entry != first) tryEdge(first, ab);
+    if (entry != first + 1) tryEdge(first + 1, glm::cross(b, c));
+    if (entry != first + 2) tryEdge(first + 2, glm::cross(c, a));
+    return leaving;
+}
+
 }  // namespace
 
 ScreenTriangles::ScreenTriangles(const Scene& scene, const std::vector<std::uint32_t>& firstTriangles,
@@ -119,19 +152,7 @@ void ScreenTriangles::projectAll() {
     }
 }
 
-ScreenTriangles::EdgeLines ScreenTriangles::edgeLines(scene::SceneFace t) const {
-    const glm::dvec3 a = corner(t.instance, 3 * t.triangle);
-    const glm::dvec3 b = corner(t.instance, 3 * t.triangle + 1);
-    const glm::dvec3 c = corner(t.instance, 3 * t.triangle + 2);
-    // Homogeneous lines, so that corners behind the camera need no clipping.
-    EdgeLines lines{{glm::cross(a, b), glm::cross(b, c), glm::cross(c, a)}};
-    if (glm::dot(lines.line[0], c) < 0.0) {
-        for (glm::dvec3& line : lines.line) line = -line;
-    }
-    return lines;
-}
-
-ScreenTriangles::Plane ScreenTriangles::plane(scene::SceneFace t, glm::dvec2 at) const {
+glm::dvec3 ScreenTriangles::planeFunction(scene::SceneFace t) const {
     const glm::dvec3 a = corner(t.instance, 3 * t.triangle);
     const glm::dvec3 b = corner(t.instance, 3 * t.triangle + 1);
     const glm::dvec3 c = corner(t.instance, 3 * t.triangle + 2);
@@ -144,45 +165,62 @@ ScreenTriangles::Plane ScreenTriangles::plane(scene::SceneFace t, glm::dvec2 at)
         }
     }
     const glm::dvec3 bc = glm::cross(b, c);
-    const glm::dvec3 plane = (w.x * bc + w.y * glm::cross(c, a) + w.z * glm::cross(a, b)) / glm::dot(a, bc);
-    return {glm::dot(plane, glm::dvec3{at, 1.0}), plane.x, plane.y};
+    return (w.x * bc + w.y * glm::cross(c, a) + w.z * glm::cross(a, b)) / glm::dot(a, bc);
 }
 
-ScreenTriangles::Walk ScreenTriangles::walk(scene::SceneFace from, glm::dvec2 start, glm::dvec2 goal, Over over) const {
+ScreenTriangles::Plane ScreenTriangles::plane(scene::SceneFace t, glm::dvec2 at) const {
+    const glm::dvec3 f = planeFunction(t);
+    return {glm::dot(f, glm::dvec3{at, 1.0}), f.x, f.y};
+}
+
+void ScreenTriangles::walk(scene::SceneFace from, glm::dvec2 start, glm::dvec2 goal, Walk* patch, Walk* surface) const {
     const mesh::MeshTopology& topology = scene::topologyOf(scene_, scene_.instances()[from.instance].mesh);
-    const glm::dvec3 p{start, 1.0};
-    const glm::dvec3 q{goal, 1.0};
-    scene::SceneFace at = from;
+    const std::vector<std::uint32_t>& indices = scene_.meshes()[scene_.instances()[from.instance].mesh].indices;
+    const auto cornerAt = [&](std::uint32_t c) { return projected(from.instance, indices[c]); };
+    const Way way{{start, 1.0}, {goal, 1.0}};
+    std::uint32_t at = from.triangle;
     std::uint32_t entry = mesh::noHalfEdge;
     double reached = 0.0;
+    const auto end = [&](Walk*& which, const Walk& how) {
+        if (which != nullptr) *which = how;
+        which = nullptr;
+    };
+    const auto endBoth = [&](const Walk& how) {
+        end(patch, how);
+        end(surface, how);
+    };
     for (int step = 0; step < longestWalk; ++step) {
-        const EdgeLines lines = edgeLines(at);
-        std::uint32_t exit = mesh::noHalfEdge;
-        double t = 1.0;
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const double ep = glm::dot(lines.line[k], p);
-            const double eq = glm::dot(lines.line[k], q);
-            if (3 * at.triangle + k == entry || eq >= 0.0 || eq >= ep) continue;
-            if (const double crossed = std::max(ep / (ep - eq), reached); crossed <= t) {
-                t = crossed;
-                exit = 3 * at.triangle + k;
-            }
-        }
-        if (exit == mesh::noHalfEdge) return {{}, at.triangle, at.triangle};
+        const auto [exit, t, line] =
+            leave(cornerAt(3 * at), cornerAt(3 * at + 1), cornerAt(3 * at + 2), 3 * at, entry, reached, way);
+        if (exit == mesh::noHalfEdge) return endBoth({{}, at, at});
         const std::uint32_t twin = topology.twins[exit];
-        if (twin == mesh::noHalfEdge) return {Exit{End::Border, t}, {}, at.triangle};
-        const bool ends = over == Over::Patch && topology.creases[exit];
-        if (twin == mesh::manyHalfEdges || ends) return {Exit{End::Crease, t}, {}, at.triangle};
-        const glm::dvec3 third = corner(at.instance, mesh::previousHalfEdge(twin));
-        const glm::dvec3& line = lines.line[exit % 3];
+        if (twin == mesh::noHalfEdge) return endBoth({Exit{End::Border, t}, {}, at});
+        if (twin == mesh::manyHalfEdges) return endBoth({Exit{End::Crease, t}, {}, at});
+        if (topology.creases[exit]) end(patch, {Exit{End::Crease, t}, {}, at});
+        const glm::dvec3 third = cornerAt(mesh::previousHalfEdge(twin));
+        const double behind = glm::dot(line, third);
         // A surface ends at faces seen edge-on: rounding alone would say whether they are seen.
-        const double seen = over == Over::Surface ? edgeOn * glm::length(glm::dvec2{line}) * third.z : 0.0;
-        if (glm::dot(line, third) > -seen) return {Exit{End::Fold, t}, {}, at.triangle};
-        at.triangle = twin / 3;
+        if (surface != nullptr && behind > -edgeOn * glm::length(glm::dvec2{line}) * third.z)
+            end(surface, {Exit{End::Fold, t}, {}, at});
+        if (behind > 0.0) end(patch, {Exit{End::Fold, t}, {}, at});
+        if (patch == nullptr && surface == nullptr) return;
+        at = twin / 3;
         entry = twin;
         reached = t;
     }
-    return {{}, {}, at.triangle};
+    endBoth({{}, {}, at});
+}
+
+ScreenTriangles::Walk ScreenTriangles::walk(scene::SceneFace from, glm::dvec2 start, glm::dvec2 goal, Over over) const {
+    Walk found;
+    walk(from, start, goal, over == Over::Patch ? &found : nullptr, over == Over::Surface ? &found : nullptr);
+    return found;
+}
+
+ScreenTriangles::BothWalks ScreenTriangles::walkBoth(scene::SceneFace from, glm::dvec2 start, glm::dvec2 goal) const {
+    BothWalks found;
+    walk(from, start, goal, &found.patch, &found.surface);
+    return found;
 }
 
 }  // namespace inkedge::trace

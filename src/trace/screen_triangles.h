@@ -57,6 +57,13 @@ public:
     /// neither an exit nor an arrival if the triangles on the way are too many to follow.
     [[nodiscard]] Walk walk(scene::SceneFace from, glm::dvec2 start, glm::dvec2 goal, Over over = Over::Patch) const;
 
+    struct BothWalks {
+        Walk patch;
+        Walk surface;
+    };
+    /// Two walks for the price of the longer one.
+    [[nodiscard]] BothWalks walkBoth(scene::SceneFace from, glm::dvec2 start, glm::dvec2 goal) const;
+
     /// A triangle as a linear function of the picture: w and its slopes per pixel, as PlaneBuffers::planes, but in
     /// scene units and double precision.
     struct Plane {
@@ -65,6 +72,9 @@ public:
         double dy;
     };
     [[nodiscard]] Plane plane(scene::SceneFace, glm::dvec2 at) const;
+
+    /// The same as (a, b, c): a x + b y + c.
+    [[nodiscard]] glm::dvec3 planeFunction(scene::SceneFace) const;
 
     /// Whether two triangles of one mesh are the same or touch each other.
     [[nodiscard]] bool touch(scene::SceneFace, scene::SceneFace) const;
@@ -88,16 +98,14 @@ private:
     };
     void collectLayerBorders();
 
-    // Row k: the line through half-edge k as (a, b, c) with a x + b y + c > 0 on the triangle's side.
-    struct EdgeLines {
-        glm::dvec3 line[3];
-    };
+    // Null: that walk is not asked for.
+    void walk(scene::SceneFace from, glm::dvec2 start, glm::dvec2 goal, Walk* patch, Walk* surface) const;
+
     [[nodiscard]] glm::dvec3 corner(std::uint32_t instance, std::uint32_t c) const {
         return projected(instance, scene_.meshes()[scene_.instances()[instance].mesh].indices[c]);
     }
     [[nodiscard]] glm::dvec3 project(std::uint32_t instance, std::uint32_t position) const;
     void projectAll();
-    [[nodiscard]] EdgeLines edgeLines(scene::SceneFace) const;
 
     const Scene& scene_;
     const std::vector<std::uint32_t>& firstTriangles_;

@@ -45,8 +45,7 @@ public:
     [[nodiscard]] std::optional<ThinLine> see(const ThinStretch& stretch) const {
         const SamplePosition at = sampleAt(middleOf(stretch), buffers_.tile);
         if (!isIn(at, buffers_.tile)) return {};
-        const glm::dvec2 atContour = middleOf(stretch) - 0.5 * stretch.thickness * stretch.across;
-        const ScreenTriangles::Plane own = triangles_.plane(stretch.face, atContour);
+        const ScreenTriangles::Plane& own = stretch.plane;
         if (!std::isfinite(own.w)) return {};
         const auto seen = face(at);
         if (seen && isFarther(own, triangles_.plane(*seen, centre(at)))) return {};

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -14,6 +13,7 @@
 #include "base/stop.h"
 #include "mesh/topology.h"
 #include "scene/prepared.h"
+#include "trace/cell_lists.h"
 
 namespace inkedge::trace {
 namespace {
@@ -31,22 +31,18 @@ public:
     // contours that fall on each other the nearer one stays.
     void add(const ThinStretch& stretch) {
         const glm::dvec2 at = middle(stretch);
-        for (int y = -1; y <= 1; ++y) {
-            for (int x = -1; x <= 1; ++x) {
-                const auto cell = cells_.find(cellOf(at, x, y));
-                if (cell == cells_.end()) continue;
-                for (const std::size_t i : cell->second) {
-                    ThinStretch& other = found_[i];
-                    const double cosine = glm::dot(other.across, stretch.across);
-                    if (cosine < -0.5 && distance(at, other) < 0.5 * pixel_) return;
-                    if (cosine < 0.5 || glm::distance(at, middle(other)) > sameSpot * pixel_) continue;
-                    if (stretch.w > other.w) other = stretch;
-                    return;
-                }
-            }
-        }
-        cells_[cellOf(at, 0, 0)].push_back(found_.size());
+        const Cell cell = cellOf(at, 1.0 / pixel_);
+        const bool known = cells_.anyAround(cell, [&](std::uint32_t i) {
+            ThinStretch& other = found_[i];
+            const double cosine = glm::dot(other.across, stretch.across);
+            if (cosine < -0.5 && distance(at, other) < 0.5 * pixel_) return true;
+            if (cosine < 0.5 || glm::distance(at, middle(other)) > sameSpot * pixel_) return false;
+            if (stretch.plane.w > other.plane.w) other = stretch;
+            return true;
+        });
+        if (known) return;
         found_.push_back(stretch);
+        cells_.add(cell);
     }
 
     std::vector<ThinStretch> take() { return std::move(found_); }
@@ -63,16 +59,9 @@ private:
         return glm::distance(p, s.ends[0] + t * along);
     }
 
-    [[nodiscard]] std::uint64_t cellOf(glm::dvec2 p, int right, int down) const {
-        const auto index = [&](double v, int step) {
-            return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(v / pixel_)) + step);
-        };
-        return (std::uint64_t{index(p.x, right)} << 32U) | index(p.y, down);
-    }
-
     double pixel_;
     std::vector<ThinStretch> found_;
-    std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
+    CellLists cells_;  // of their middles, as they were added
 };
 
 // Which ways the contours of one instance face, pixel by pixel: a part is thin only where two contours that do not face
@@ -88,12 +77,17 @@ public:
         marked_.clear();
     }
 
-    void mark(glm::dvec2 p, glm::dvec2 across) {
-        const int x = static_cast<int>(std::floor(p.x / pixel_));
-        const int y = static_cast<int>(std::floor(p.y / pixel_));
-        if (x < 0 || y < 0 || x >= facing_.size().width || y >= facing_.size().height) return;
-        facing_(x, y) |= static_cast<std::uint8_t>(1U << octantOf(across));
-        marked_.push_back(&facing_(x, y));
+    // Marks the pixels along a line, at steps of half a pixel.
+    void mark(glm::dvec2 from, glm::dvec2 to, glm::dvec2 across) {
+        const auto octant = static_cast<std::uint8_t>(1U << octantOf(across));
+        const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / (0.5 * pixel_))));
+        for (int i = 0; i < steps; ++i) {
+            const auto [x, y] = cellOf(glm::mix(from, to, (i + 0.5) / steps), 1.0 / pixel_);
+            if (x < 0 || y < 0 || x >= facing_.size().width || y >= facing_.size().height) continue;
+            std::uint8_t& at = facing_(x, y);
+            if (at == 0) marked_.push_back(&at);
+            at |= octant;
+        }
     }
 
     // Whether a contour within a pixel of a point may be the opposite one.
@@ -102,8 +96,7 @@ public:
         constexpr unsigned others = 0b0111'1100;  // octants two or more away, counted from the own one
         const unsigned octant = octantOf(across);
         const unsigned mask = ((others << octant) | (others >> (8U - octant))) & 0xFFU;
-        const int x = static_cast<int>(std::floor(p.x / pixel_));
-        const int y = static_cast<int>(std::floor(p.y / pixel_));
+        const auto [x, y] = cellOf(p, 1.0 / pixel_);
         const auto [width, height] = facing_.size();
         for (int v = std::max(y - reach, 0); v <= std::min(y + reach, height - 1); ++v)
             for (int u = std::max(x - reach, 0); u <= std::min(x + reach, width - 1); ++u)
@@ -167,14 +160,22 @@ private:
     };
 
     void findIn(std::uint32_t instance) {
+        collectContours(instance);
+        for (const Contour& contour : contours_) {
+            const auto [from, to] = shownPart(contour);
+            map_.mark(glm::mix(contour.ends[0], contour.ends[1], from), glm::mix(contour.ends[0], contour.ends[1], to),
+                      contour.across);
+        }
+        for (const Contour& contour : contours_) follow(contour);
+        contours_.clear();
+        map_.clear();
+    }
+
+    void collectContours(std::uint32_t instance) {
         const std::uint32_t meshIndex = scene_.instances()[instance].mesh;
         const mesh::MeshTopology& topology = scene::topologyOf(scene_, meshIndex);
         const Mesh& mesh = scene_.meshes()[meshIndex];
-        std::vector<glm::dvec2> pixels(mesh.positions.size());
-        for (std::uint32_t p = 0; p < pixels.size(); ++p) {
-            const glm::dvec3 point = triangles_.projected(instance, p);
-            pixels[p] = point.z > 0.0 ? glm::dvec2{point} / point.z : glm::dvec2{behindEye};
-        }
+        const std::vector<glm::dvec2> pixels = pixelsOf(instance, mesh.positions.size());
         const auto at = [&](std::uint32_t corner) { return pixels[mesh.indices[corner]]; };
         const auto isBehindEye = [&](std::uint32_t corner) { return std::isnan(at(corner).x); };
         std::vector<std::int8_t> turns(topology.originals.size());
@@ -182,8 +183,10 @@ private:
         for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
             const std::uint32_t twin = topology.twins[h];
             const bool isBorder = twin == mesh::noHalfEdge && topology.originals[h / 3] == h / 3;
-            if (!isBorder && (!mesh::isHalfEdge(twin) || twin < h)) continue;
-            if (!isBorder && !isFold(turns[h / 3], turns[twin / 3], topology.points[h] == topology.points[twin]))
+            // Folds are few: asked for first, they can be foreseen, unlike which half-edge of two is the first.
+            if (!isBorder &&
+                (!mesh::isHalfEdge(twin) ||
+                 !isFold(turns[h / 3], turns[twin / 3], topology.points[h] == topology.points[twin]) || twin < h))
                 continue;
             const std::uint32_t end = mesh::nextHalfEdge(h);
             if (isBehindEye(h) || isBehindEye(end)) continue;
@@ -195,10 +198,15 @@ private:
             }
             if (const auto contour = contourOf({at(h), at(end)}, faces, isBorder)) contours_.push_back(*contour);
         }
-        for (const Contour& contour : contours_) mark(contour);
-        for (const Contour& contour : contours_) follow(contour);
-        contours_.clear();
-        map_.clear();
+    }
+
+    [[nodiscard]] std::vector<glm::dvec2> pixelsOf(std::uint32_t instance, std::size_t positions) const {
+        std::vector<glm::dvec2> pixels(positions);
+        for (std::uint32_t p = 0; p < positions; ++p) {
+            const glm::dvec3 point = triangles_.projected(instance, p);
+            pixels[p] = point.z > 0.0 ? glm::dvec2{point} / point.z : glm::dvec2{behindEye};
+        }
+        return pixels;
     }
 
     static constexpr std::int8_t edgeOn = 0;
@@ -215,8 +223,8 @@ private:
 
     // Whether the surface turns back at the edge between two triangles.
     [[nodiscard]] static bool isFold(std::int8_t a, std::int8_t b, bool woundAgainst) {
-        if (a == edgeOn || b == edgeOn) return a != b;
-        return (a == b) == woundAgainst;
+        const bool isFlat = a * b == 0;
+        return (a == b) == (woundAgainst && !isFlat);
     }
 
     // The contour along an edge, if the picture may show it.
@@ -233,23 +241,23 @@ private:
         return Contour{{ends[0], ends[1]}, across, faces, isBorder};
     }
 
-    void mark(const Contour& contour) {
-        const auto [from, to] = shownPart(contour);
-        const double length = (to - from) * glm::distance(contour.ends[0], contour.ends[1]);
-        const int steps = std::max(1, static_cast<int>(std::ceil(length / (0.5 * pixel_))));
-        for (int i = 0; i < steps; ++i) {
-            const double share = from + (i + 0.5) * (to - from) / steps;
-            map_.mark(glm::mix(contour.ends[0], contour.ends[1], share), contour.across);
-        }
-    }
+    // A face and its plane, as a function of the picture.
+    struct Facing {
+        scene::SceneFace face;
+        glm::dvec3 plane;
+        [[nodiscard]] double w(glm::dvec2 at) const { return glm::dot(plane, glm::dvec3{at, 1.0}); }
+    };
 
     // The face that is seen at a contour: the nearer one.
-    [[nodiscard]] scene::SceneFace faceOf(const Contour& contour) const {
-        const Faces& faces = contour.faces;
-        if (faces.count == 1) return faces.all[0].face;
+    [[nodiscard]] Facing facingOf(const Contour& contour) const {
+        const auto facing = [&](const Beside& beside) {
+            return Facing{beside.face, triangles_.planeFunction(beside.face)};
+        };
+        const Facing first = facing(contour.faces.all[0]);
+        if (contour.faces.count == 1) return first;
+        const Facing second = facing(contour.faces.all[1]);
         const glm::dvec2 inside = 0.5 * (contour.ends[0] + contour.ends[1]) + 0.01 * contour.across;
-        const auto w = [&](const Beside& b) { return triangles_.plane(b.face, inside).w; };
-        return w(faces.all[1]) > w(faces.all[0]) ? faces.all[1].face : faces.all[0].face;
+        return second.w(inside) > first.w(inside) ? second : first;
     }
 
     void follow(const Contour& contour) {
@@ -258,13 +266,14 @@ private:
         const auto [from, to] = shownPart(contour);
         const int looks = std::max(1, static_cast<int>(std::ceil((to - from) * length / (coarseStep * pixel_))));
         const double step = (to - from) / looks;
+        std::optional<Facing> facing;
         for (int i = 0; i < looks; ++i) {
             const double begin = from + i * step;
             const double middle = begin + 0.5 * step;
             if (!map_.mayHaveOpposite(glm::mix(contour.ends[0], contour.ends[1], middle), contour.across)) continue;
-            const scene::SceneFace face = faceOf(contour);
-            if (const std::optional<Opposite> there = opposite(contour, face, middle))
-                addStretches(contour, face, *there, begin, begin + step, step * length);
+            if (!facing) facing = facingOf(contour);
+            if (const std::optional<Opposite> there = opposite(contour, facing->face, middle))
+                addStretches(contour, *facing, *there, begin, begin + step, step * length);
         }
     }
 
@@ -295,11 +304,11 @@ private:
     }
 
     // @param there  in the middle; on a short way it is the same at both ends
-    void addStretches(const Contour& contour, scene::SceneFace face, const Opposite& there, double from, double to,
+    void addStretches(const Contour& contour, const Facing& facing, const Opposite& there, double from, double to,
                       double length) {
         const int count = std::max(1, static_cast<int>(std::ceil(length / pixel_)));
         const auto oppositeAt = [&](double share) {
-            return count == 1 ? std::optional{there} : opposite(contour, face, share);
+            return count == 1 ? std::optional{there} : opposite(contour, facing.face, share);
         };
         std::optional<Opposite> before = oppositeAt(from);
         for (int i = 0; i < count; ++i) {
@@ -311,10 +320,11 @@ private:
                 const auto middle = [&](double share, const Opposite& side) {
                     return at(share) + 0.5 * side.thickness * contour.across;
                 };
+                const double w = facing.w(at(0.5 * (begin + end)));
                 const ThinStretch stretch{
-                    {middle(begin, *before), middle(end, *after)},     contour.across,
-                    0.5 * (before->thickness + after->thickness),      face,
-                    triangles_.plane(face, at(0.5 * (begin + end))).w, contour.isBorder || before->isBorder};
+                    {middle(begin, *before), middle(end, *after)}, contour.across,
+                    0.5 * (before->thickness + after->thickness),  facing.face,
+                    {w, facing.plane.x, facing.plane.y},           contour.isBorder || before->isBorder};
                 grid_.add(stretch);
             }
             before = after;

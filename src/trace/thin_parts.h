@@ -20,7 +20,7 @@ struct ThinStretch {
     glm::dvec2 across;               ///< unit, from the contour that it was found at to the opposite one
     double thickness;                ///< over 0, under a pixel
     scene::SceneFace face;           ///< at the contour, on the side that is seen
-    double w;                        ///< of the face at the contour, as ScreenTriangles::Plane
+    ScreenTriangles::Plane plane;    ///< of the face, at the contour
     bool atBorder;                   ///< whether the mesh ends on either side
 };
 
