@@ -46,7 +46,8 @@ Line emptyLike(const Line& line) {
             .id = line.id,
             .object = line.object,
             .patch = line.patch,
-            .points = {}};
+            .points = {},
+            .width = line.width};
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include <glm/vec2.hpp>
@@ -8,6 +10,11 @@ namespace inkedge::ink {
 
 /// Stroke::widthFrom and ::widthTo of a stroke as wide as its pen.
 inline constexpr std::uint8_t fullWidth = 128;
+
+/// The same for a share of the pen's width.
+[[nodiscard]] inline std::uint8_t levelOf(double width) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(width * fullWidth, 0.0, 255.0)));
+}
 
 /// A straight stroke with round caps. Coordinates are output pixels, (0, 0) the picture's top left corner.
 struct Stroke {

@@ -1,7 +1,6 @@
 #include "ink/strokes_of.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -13,10 +12,6 @@ namespace inkedge::ink {
 namespace {
 
 constexpr double paintTolerance = 0.02;  // pixels: at most 5 of 255 levels where a line runs along a pixel's side
-
-std::uint8_t levelOf(double width) {
-    return static_cast<std::uint8_t>(std::lround(std::clamp(width * fullWidth, 0.0, 255.0)));
-}
 
 // @param way  length along the line to a
 Stroke strokeBetween(const StrokePoint& a, const StrokePoint& b, std::uint8_t pen, double way) {
@@ -72,7 +67,8 @@ void StrokeMaker::add(const Line& line, std::vector<Stroke>& strokes) const {
     const double width = pens_[pen].width;
     const double margin = widths_.vary() ? width : 0.5 * width;  // up to twice as wide
     for (const Line& part : curves::clip(line, glm::dvec2{-margin}, size_ + margin)) {
-        const std::vector<StrokePoint> points = widths_.along(curves::simplify(part, tolerance_), line);
+        std::vector<StrokePoint> points = widths_.along(curves::simplify(part, tolerance_), line);
+        for (StrokePoint& point : points) point.width *= line.width;
         if (!line.visible && settings_.hidden == HiddenLines::Dashed) {
             addDashes(points, pen, pens_[pen].dash, pens_[pen].gap, strokes);
         } else {

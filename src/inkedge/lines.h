@@ -38,6 +38,8 @@ struct Line {
     /// The patch that the line lies on, as in Maps::ids: from 1. Between two patches, the nearer one.
     std::uint32_t patch = 0;
     std::vector<LinePoint> points;  ///< two or more
+    /// Share of its pen's width, over 0 and at most 1: under 1 where it stands for a part thinner than a pixel.
+    double width = 1.0;
 };
 
 /// What lines were found on, and by what.

@@ -23,7 +23,7 @@ namespace {
 using io::Json;
 
 constexpr double millionth = 1e-6;  // of the model's radius: world positions are rounded to it
-constexpr double thousand = 1e3;    // pixel positions are rounded to thousandths
+constexpr double thousand = 1e3;    // pixel positions and widths are rounded to thousandths
 
 // To a power of ten, 1 / step of it; written without needless digits. A number so large that the step is lost in it
 // stays as it is: rounding what was rounded changes nothing.
@@ -48,9 +48,11 @@ std::string lineText(const Line& line, double perUnit) {
         positions += fmt::format("{}[{},{},{}]", comma, rounded(p.position.x, perUnit), rounded(p.position.y, perUnit),
                                  rounded(p.position.z, perUnit));
     }
+    const std::string width =
+        line.width < 1.0 ? fmt::format("\"width\":{},", rounded(std::max(line.width, 1.0 / thousand), thousand)) : "";
     return fmt::format(
-        R"({{"id":{},"type":"{}","visible":{},"closed":{},"object":{},"patch":{},"pixels":[{}],"positions":[{}]}})",
-        line.id, name(line.type), line.visible, line.closed, line.object, line.patch, pixels, positions);
+        R"({{"id":{},"type":"{}","visible":{},"closed":{},"object":{},"patch":{},{}"pixels":[{}],"positions":[{}]}})",
+        line.id, name(line.type), line.visible, line.closed, line.object, line.patch, width, pixels, positions);
 }
 
 bool isFinite(glm::dvec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }

@@ -91,6 +91,11 @@ Line readLine(const JsonObject& json) {
     line.closed = json.flag("closed");
     line.object = json.whole32("object");
     line.patch = json.whole32("patch");
+    if (json.at("width") != nullptr) {
+        line.width = json.number("width");
+        if (!(line.width > 0.0 && line.width <= 1.0))
+            io::refuseValue(json.path("width"), "a number over 0 and at most 1", json.at("width"));
+    }
     const Json& pixels = json.list("pixels");
     const Json& positions = json.list("positions");
     if (pixels.size() < 2) io::refuseValue(json.path("pixels"), "a list of two or more", &pixels);

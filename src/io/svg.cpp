@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <map>
 #include <utility>
 
@@ -150,8 +151,14 @@ io::SvgPath::Step stepFor(const LineSettings& settings) {
     return tolerance >= coarse && !varies(settings) ? io::SvgPath::Step::Tenth : io::SvgPath::Step::Hundredth;
 }
 
-using Paths = std::map<std::uint32_t, io::SvgPath>;       // by object
-using Names = std::map<std::uint32_t, std::string_view>;  // likewise
+// Lines of one object and one width, in 128ths of the pen's.
+struct PathKey {
+    std::uint32_t object;
+    std::uint8_t width;
+    friend auto operator<=>(const PathKey&, const PathKey&) = default;
+};
+using Paths = std::map<PathKey, io::SvgPath>;
+using Names = std::map<std::uint32_t, std::string_view>;  // by object
 
 struct Drawing {
     std::array<Paths, settings::penCount> paths;  // by pen
@@ -173,7 +180,7 @@ void addOutlines(Drawing& drawing, const Lines& lines, const PictureSettings& pi
         maker.add(line, strokes);
         for (const ink::Stroke& stroke : strokes) {
             const double width = allPens[stroke.pen].width;
-            addOutline(drawing.paths[stroke.pen][line.object], stroke, width);
+            addOutline(drawing.paths[stroke.pen][{line.object, ink::fullWidth}], stroke, width);
             drawing.isCut = drawing.isCut || reachesBeyond(size, stroke.from, radius(stroke.widthFrom, width)) ||
                             reachesBeyond(size, stroke.to, radius(stroke.widthTo, width));
         }
@@ -189,7 +196,8 @@ void addCentreLines(Drawing& drawing, const Lines& lines, const PictureSettings&
         const std::uint8_t pen = settings::penOf(line);
         const double margin = 0.5 * allPens[pen].width;
         for (const Line& part : curves::clip(line, glm::dvec2{-margin}, size + margin)) {
-            io::SvgPath& path = drawing.paths[pen].try_emplace(line.object, stepFor(settings)).first->second;
+            const PathKey key{line.object, ink::levelOf(line.width)};
+            io::SvgPath& path = drawing.paths[pen].try_emplace(key, stepFor(settings)).first->second;
             for (const LinePoint& point : part.points)
                 drawing.isCut = drawing.isCut || reachesBeyond(size, point.pixel, margin + settings.fitCurves);
             if (settings.fitCurves > 0.0) {
@@ -219,18 +227,21 @@ std::string inkOf(const settings::Pen& pen, bool isHidden, const LineSettings& s
 
 // A group is a layer of Inkscape's, and of the DXF files that it writes. The class of type and visibility together is
 // for style sheets: LibreOffice reads selectors of one class alone.
-std::string group(std::size_t pen, const std::string& ink, const std::string& attributes, const Paths& paths,
-                  const Names& names) {
+std::string group(std::size_t pen, double penWidth, const std::string& ink, const std::string& attributes,
+                  const Paths& paths, const Names& names) {
     const std::string_view type = name(static_cast<LineType>(1U << (pen % lineTypeCount)));
     const std::string_view visibility = pen < lineTypeCount ? "visible" : "hidden";
     std::string text = fmt::format(
         "<g class=\"inkedge {0} {1} {0}-{1}\" inkscape:groupmode=\"layer\" inkscape:label=\"{0}-{1}\" {2}{3}>\n", type,
         visibility, ink, attributes);
-    for (const auto& [object, path] : paths) {
-        const auto known = names.find(object);
+    for (const auto& [key, path] : paths) {
+        const auto known = names.find(key.object);
         const std::string name = known == names.end() ? std::string{} : " data-name=" + quoted(known->second);
+        const std::string width = key.width == ink::fullWidth
+                                      ? ""
+                                      : fmt::format(" stroke-width=\"{}\"", number(2.0 * radius(key.width, penWidth)));
         for (const std::string& data : path.texts())
-            text += fmt::format("<path data-object=\"{}\"{} d=\"{}\"/>\n", object, name, data);
+            text += fmt::format("<path data-object=\"{}\"{}{} d=\"{}\"/>\n", key.object, name, width, data);
     }
     return text + "</g>\n";
 }
@@ -291,7 +302,8 @@ std::string linesSvg(const Lines& lines, const Settings& settings, std::string_v
     const auto allPens = settings::pens(picture);
     for (std::size_t i = drawing.paths.size(); i-- > 0;) {  // the first covers the others, and is written last
         if (drawing.paths[i].empty()) continue;
-        text += group(i, inkOf(allPens[i], i >= lineTypeCount, settings.lines), attributes, drawing.paths[i], names);
+        text += group(i, allPens[i].width, inkOf(allPens[i], i >= lineTypeCount, settings.lines), attributes,
+                      drawing.paths[i], names);
     }
     return text + "</svg>\n";
 }

@@ -11,6 +11,7 @@ namespace {
 constexpr double straightOn = 0.7;   // cosine
 constexpr double nearInSpace = 4.0;  // pixels across at the ends
 constexpr double samePixel = 1e-6;   // pixels
+constexpr double sameWidth = 0.1;    // of the pen's
 constexpr std::uint32_t noEnd = ~0U;
 
 // Ends of lines: 2 i is line i's first point, 2 i + 1 its last.
@@ -56,6 +57,7 @@ private:
         const Line& one = lines_[a / 2];
         const Line& other = lines_[b / 2];
         if (one.type != other.type || one.visible != other.visible || one.object != other.object) return false;
+        if (std::abs(one.width - other.width) > sameWidth) return false;
         if (a / 2 == b / 2 && one.points.size() < 4) return false;
         const glm::dvec2 gap = point(b).pixel - point(a).pixel;
         const double distance = glm::length(gap);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <unordered_set>
 
 #include <glm/geometric.hpp>
@@ -51,16 +52,26 @@ public:
     }
 
 private:
-    // Links of a chain whose pieces are of one type and node.
+    // Links of a chain whose pieces are of one type, node and width.
     struct Run {
         std::size_t begin;
         std::size_t end;
         double length;             // pixels
         const TracedPiece* piece;  // says which type and node
+        double width;              // their mean
     };
 
-    [[nodiscard]] static bool goOn(const TracedPiece& a, const TracedPiece& b) {
-        return a.type == b.type && a.face.instance == b.face.instance;
+    [[nodiscard]] static bool goOn(const Run& a, const Run& b) {
+        constexpr double sameWidth = 0.1;  // of the pen's
+        return a.piece->type == b.piece->type && a.piece->face.instance == b.piece->face.instance &&
+               std::abs(a.width - b.width) <= sameWidth;
+    }
+
+    // A run, and the one that follows it.
+    [[nodiscard]] static Run joined(const Run& a, const Run& b) {
+        const double length = a.length + b.length;
+        const double share = length > 0.0 ? b.length / length : 0.0;
+        return {a.begin, b.end, length, a.piece, a.width + share * (b.width - a.width)};
     }
 
     // The runs of a chain. What is under minLength belongs to the longer run beside it: near junctions samples differ
@@ -69,9 +80,12 @@ private:
         std::vector<Run> runs;
         for (std::size_t i = 0; i < chain.links.size(); ++i) {
             const TracedPiece& piece = pieces_[chain.links[i].segment];
-            if (runs.empty() || !goOn(piece, *runs.back().piece)) runs.push_back({i, i, 0.0, &piece});
-            runs.back().end = i + 1;
-            runs.back().length += static_cast<double>(glm::distance(piece.ends[0], piece.ends[1]));
+            const Run run{i, i + 1, double{glm::distance(piece.ends[0], piece.ends[1])}, &piece, double{piece.width}};
+            if (runs.empty() || !goOn(runs.back(), run)) {
+                runs.push_back(run);
+            } else {
+                runs.back() = joined(runs.back(), run);
+            }
         }
         for (;;) {
             const auto shortest = std::ranges::min_element(runs, {}, &Run::length);
@@ -81,10 +95,10 @@ private:
             const bool joinsAfter = first || (after != runs.end() && after->length > (shortest - 1)->length);
             const auto longer = joinsAfter ? after : shortest - 1;
             *longer = {std::min(longer->begin, shortest->begin), std::max(longer->end, shortest->end),
-                       longer->length + shortest->length, longer->piece};
+                       longer->length + shortest->length, longer->piece, longer->width};
             const auto next = runs.erase(shortest);
-            if (next == runs.begin() || next == runs.end() || !goOn(*(next - 1)->piece, *next->piece)) continue;
-            *next = {(next - 1)->begin, next->end, (next - 1)->length + next->length, next->piece};
+            if (next == runs.begin() || next == runs.end() || !goOn(*(next - 1), *next)) continue;
+            *next = joined(*(next - 1), *next);
             runs.erase(next - 1);
         }
     }
@@ -92,7 +106,7 @@ private:
     void addChain(const Chain& chain) {
         const std::vector<Run> runs = runsOf(chain);
         for (const Run& run : runs) {
-            begin(chain.links[run.begin], *run.piece);
+            begin(chain.links[run.begin], run);
             for (std::size_t i = run.begin; i < run.end; ++i) addEnd(chain.links[i], 1);
         }
         if (chain.closed && runs.size() == 1) {
@@ -121,11 +135,12 @@ private:
         });
     }
 
-    void begin(Chain::Link link, const TracedPiece& piece) {
+    void begin(Chain::Link link, const Run& run) {
         Line& line = lines_.emplace_back();
-        line.type = piece.type;
-        line.object = piece.face.instance + 1;
-        line.patch = scene::patchOf(scene_, piece.face);
+        line.type = run.piece->type;
+        line.object = run.piece->face.instance + 1;
+        line.patch = scene::patchOf(scene_, run.piece->face);
+        line.width = run.width;
         addEnd(link, 0);
     }
 

@@ -7,12 +7,16 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "trace/components.h"
+
 namespace inkedge::trace {
 namespace {
 
 constexpr double besidePixels = 0.75;  // from a thin part to where it is looked at what lies beside it
 
 glm::dvec2 middleOf(const ThinStretch& s) { return 0.5 * (s.ends[0] + s.ends[1]); }
+
+double thicknessOf(const ThinStretch& s) { return 0.5 * (s.thickness[0] + s.thickness[1]); }
 
 SamplePosition sampleAt(glm::dvec2 p, const raster::Tile& tile) {
     return {static_cast<int>(std::floor(p.x)) - tile.drawn.x, static_cast<int>(std::floor(p.y)) - tile.drawn.y};
@@ -28,7 +32,7 @@ bool isIn(SamplePosition s, const raster::Tile& tile) {
 
 // Points beside a stretch, on both sides.
 std::array<glm::dvec2, 2> pointsBeside(const ThinStretch& s, int samplesPerPixel) {
-    const glm::dvec2 step = (0.5 * s.thickness + besidePixels * samplesPerPixel) * s.across;
+    const glm::dvec2 step = (0.5 * thicknessOf(s) + besidePixels * samplesPerPixel) * s.across;
     return {middleOf(s) - step, middleOf(s) + step};
 }
 
@@ -42,7 +46,7 @@ public:
           focalLength_{camera.focalLength(buffers.tile.whole)},
           samplesPerPixel_{samplesPerPixel} {}
 
-    [[nodiscard]] std::optional<ThinLine> see(const ThinStretch& stretch) const {
+    [[nodiscard]] std::optional<ThinLine> see(const ThinStretch& stretch, Components& components) const {
         const SamplePosition at = sampleAt(middleOf(stretch), buffers_.tile);
         if (!isIn(at, buffers_.tile)) return {};
         const ScreenTriangles::Plane& own = stretch.plane;
@@ -58,7 +62,9 @@ public:
                 outline = true;
                 continue;
             }
-            if (!isFarther(triangles_.plane(*other, beside), own) && !isThin(s, stretch)) return {};
+            if (!isFarther(triangles_.plane(*other, beside), own) && !isThin(s, stretch) &&
+                (components.connect(stretch.face, *other) || !liesOn(stretch, *other)))
+                return {};
             object = object || other->instance != stretch.face.instance;
         }
         LineTypes types = outline ? LineType::Outline : LineType::Occlusion;
@@ -83,6 +89,18 @@ public:
     }
 
 private:
+    // Whether a thin part's middle lies in front of a face that is seen beside it, or on its plane.
+    [[nodiscard]] bool liesOn(const ThinStretch& stretch, scene::SceneFace face) const {
+        constexpr double rounding = 1e-6;  // of positions: vertices are floats
+        const glm::dvec2 middle = middleOf(stretch);
+        const glm::dvec2 contour = middle - 0.5 * thicknessOf(stretch) * stretch.across;
+        const auto arrivedAt = triangles_.walk(stretch.face, contour, middle, ScreenTriangles::Over::Surface).arrivedAt;
+        if (!arrivedAt) return false;
+        const double own = triangles_.plane({stretch.face.instance, *arrivedAt}, middle).w;
+        const double other = triangles_.plane(face, middle).w;
+        return own >= other - rounding * std::abs(other);
+    }
+
     static constexpr double snapping = 1.0 / 128;  // vertices snap to a grid of 1/256
 
     [[nodiscard]] glm::dvec2 centre(SamplePosition s) const { return centreOf(s, buffers_.tile); }
@@ -106,13 +124,16 @@ private:
     int samplesPerPixel_;
 };
 
+// How far the lines of a thin part have parted. 0: its middle line, 1: its contours. @param thickness  pixels
+double partedAt(double thickness) { return std::max(2.0 * thickness - 1.0, 0.0); }
+
 // Calls visit for the samples whose centres lie on a stretch.
 template <class Visit>
 void forEachSampleOn(const ThinStretch& s, const raster::Tile& tile, Visit visit) {
     constexpr double margin = 0.1;  // samples: vertices snap to a grid, and stretches of a bent part leave gaps
     const glm::dvec2 along{-s.across.y, s.across.x};
     const double halfLength = 0.5 * std::abs(glm::dot(s.ends[1] - s.ends[0], along)) + margin;
-    const double halfWidth = 0.5 * s.thickness + margin;
+    const double halfWidth = 0.5 * thicknessOf(s) + margin;
     const double reach = halfLength + halfWidth;
     const SamplePosition low = sampleAt(middleOf(s) - reach, tile);
     const SamplePosition high = sampleAt(middleOf(s) + reach, tile);
@@ -141,11 +162,13 @@ Image<std::uint8_t> withThinParts(Image<std::uint8_t> marks, std::span<const Thi
 }
 
 std::vector<ThinLine> seeThinParts(const LineBuffers& buffers, std::span<const ThinStretch> stretches,
-                                   const ScreenTriangles& triangles, const Camera& camera, int samplesPerPixel) {
+                                   const Scene& scene, const ScreenTriangles& triangles, const Camera& camera,
+                                   int samplesPerPixel) {
     const ThinLineFinder finder{buffers, triangles, camera, samplesPerPixel};
+    Components components{scene};
     std::vector<ThinLine> lines;
     for (const ThinStretch& stretch : stretches)
-        if (const std::optional<ThinLine> line = finder.see(stretch)) lines.push_back(*line);
+        if (const std::optional<ThinLine> line = finder.see(stretch, components)) lines.push_back(*line);
     return lines;
 }
 
@@ -160,7 +183,7 @@ std::vector<Replacement> samplesOn(std::span<const ThinLine> lines, const LineBu
             if (!finder.isThin(s, stretch)) return;
             const glm::dvec2 centre = centreOf(s, tile);
             const double offset = glm::dot(centre - middleOf(stretch), stretch.across);
-            const double away = 0.5 * stretch.thickness + besidePixels * samplesPerPixel;
+            const double away = 0.5 * thicknessOf(stretch) + besidePixels * samplesPerPixel;
             const double step = offset < 0.0 ? -away - offset : away - offset;
             const SamplePosition beside = sampleAt(centre + step * stretch.across, tile);
             if (isIn(beside, tile)) found.push_back({s, beside});
@@ -173,17 +196,25 @@ void addThinLines(std::span<const ThinLine> lines, const raster::Tile& tile, Dra
                   Image<std::uint16_t>& types, std::vector<TracedPiece>& pieces) {
     const double scale = 1.0 / samplesPerPixel;
     const raster::Rectangle kept = tile.keptInDrawn();
-    for (const auto& [stretch, itsTypes, inverseDepths] : lines) {
+    for (const ThinLine& line : lines) {
+        const ThinStretch& stretch = line.stretch;
         const SamplePosition s = sampleAt(middleOf(stretch), tile);
-        types(s.x, s.y) |= static_cast<std::uint16_t>(itsTypes.bits());
+        types(s.x, s.y) |= static_cast<std::uint16_t>(line.types.bits());
         const bool isKept =
             s.x >= kept.x && s.y >= kept.y && s.x < kept.x + kept.size.width && s.y < kept.y + kept.size.height;
-        if (!isKept || (itsTypes & drawn.drawn).empty()) continue;
-        pieces.push_back({{glm::vec2{scale * stretch.ends[0]}, glm::vec2{scale * stretch.ends[1]}},
-                          inverseDepths,
-                          drawnType(itsTypes, drawn),
-                          stretch.face,
-                          static_cast<float>(scale * stretch.thickness)});
+        if (!isKept || (line.types & drawn.drawn).empty()) continue;
+        const double thickness = scale * thicknessOf(stretch);
+        const auto width = static_cast<float>(glm::mix(thickness, 1.0, partedAt(thickness)));
+        const auto add = [&](double side) {
+            const auto end = [&](std::size_t k) {
+                const double own = stretch.thickness[k];
+                const glm::dvec2 offset = 0.5 * side * partedAt(scale * own) * own * stretch.across;
+                return glm::vec2{scale * (stretch.ends[k] + offset)};
+            };
+            pieces.push_back({{end(0), end(1)}, line.inverseDepths, drawnType(line.types, drawn), stretch.face, width});
+        };
+        add(-1.0);
+        if (partedAt(thickness) > 0.0) add(1.0);
     }
 }
 

@@ -7,6 +7,7 @@
 #include <inkedge/camera.h>
 #include <inkedge/image.h>
 #include <inkedge/line_types.h>
+#include <inkedge/scene.h>
 
 #include "trace/join_cells.h"
 #include "trace/line_buffers.h"
@@ -28,17 +29,19 @@ struct ThinLine {
     std::array<float, 2> inverseDepths;  ///< at its ends, as TracedPiece has them
 };
 
-/// The thin parts of a tile that are seen, alone: to both sides there is something farther away, nothing, or another
-/// thin part. What a thin part has beside it at its own depth belongs to the same surface, whose lines samples see.
-[[nodiscard]] std::vector<ThinLine> seeThinParts(const LineBuffers&, std::span<const ThinStretch>,
+/// The thin parts of a tile that are seen, alone: to both sides there is something farther away, nothing, another thin
+/// part, or a surface that they lie on and are not connected to. What else a thin part has beside it at its own depth
+/// belongs to the same surface, whose lines samples see.
+[[nodiscard]] std::vector<ThinLine> seeThinParts(const LineBuffers&, std::span<const ThinStretch>, const Scene&,
                                                  const ScreenTriangles&, const Camera&, int samplesPerPixel);
 
 /// The samples that see these thin parts. They are to show what is beside, so that lines behind go on there.
 [[nodiscard]] std::vector<Replacement> samplesOn(std::span<const ThinLine>, const LineBuffers&, const ScreenTriangles&,
                                                  const Camera&, int samplesPerPixel);
 
-/// Draws thin parts: as their middle lines, of their share of a pixel. Adds the pieces of those whose middle the tile
-/// keeps, and their types to the map of the samples that the tile draws.
+/// Draws thin parts. Up to half a pixel they are their middle lines, as thin as they are. From there on two lines part,
+/// and widen, until at a pixel they are the contours that samples see: ink grows steadily with the thickness. Adds the
+/// pieces of those whose middle the tile keeps, and their types to the map of the samples that the tile draws.
 void addThinLines(std::span<const ThinLine>, const raster::Tile&, DrawnTypes, int samplesPerPixel,
                   Image<std::uint16_t>& types, std::vector<TracedPiece>&);
 

@@ -323,7 +323,7 @@ private:
                 const double w = facing.w(at(0.5 * (begin + end)));
                 const ThinStretch stretch{
                     {middle(begin, *before), middle(end, *after)}, contour.across,
-                    0.5 * (before->thickness + after->thickness),  facing.face,
+                    {before->thickness, after->thickness},         facing.face,
                     {w, facing.plane.x, facing.plane.y},           contour.isBorder || before->isBorder};
                 grid_.add(stretch);
             }

@@ -16,12 +16,12 @@ namespace inkedge::trace {
 /// A stretch, up to a pixel long, of a part that is thinner than a pixel in the picture: of a wire, or of a plate seen
 /// from its edge. Samples see it here and there only, or nowhere. Coordinates are samples of the whole picture.
 struct ThinStretch {
-    std::array<glm::dvec2, 2> ends;  ///< of the line in its middle
-    glm::dvec2 across;               ///< unit, from the contour that it was found at to the opposite one
-    double thickness;                ///< over 0, under a pixel
-    scene::SceneFace face;           ///< at the contour, on the side that is seen
-    ScreenTriangles::Plane plane;    ///< of the face, at the contour
-    bool atBorder;                   ///< whether the mesh ends on either side
+    std::array<glm::dvec2, 2> ends;   ///< of the line in its middle
+    glm::dvec2 across;                ///< unit, from the contour that it was found at to the opposite one
+    std::array<double, 2> thickness;  ///< at the ends: over 0, up to a pixel
+    scene::SceneFace face;            ///< at the contour, on the side that is seen
+    ScreenTriangles::Plane plane;     ///< of the face, at the contour
+    bool atBorder;                    ///< whether the mesh ends on either side
 };
 
 /// Finds the thin parts of a scene, seen or hidden: looks from each contour and border of the mesh across the surface

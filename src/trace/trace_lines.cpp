@@ -23,7 +23,7 @@ TracedLines traceLines(LineBuffers buffers, const Scene& scene, const ScreenTria
     const raster::PlaneView view{focal, camera.orthographic(), std::cos(glm::radians(scene.creaseAngle()))};
     removePinholes(buffers, camera, unit);
     if (ids == TraceIds::Keep) traced.ids = raster::cropped(traceIds(buffers, scene, triangles), tile.keptInDrawn());
-    const std::vector<ThinLine> thinLines = seeThinParts(buffers, thin, triangles, camera, samplesPerPixel);
+    const std::vector<ThinLine> thinLines = seeThinParts(buffers, thin, scene, triangles, camera, samplesPerPixel);
     std::vector<Replacement> replaced = findSlivers(buffers, triangles);
     const std::vector<Replacement> onThin = samplesOn(thinLines, buffers, triangles, camera, samplesPerPixel);
     replaced.insert(replaced.end(), onThin.begin(), onThin.end());

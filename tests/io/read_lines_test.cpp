@@ -62,6 +62,7 @@ Lines sample() {
     hidden.visible = false;
     hidden.id = 9;
     hidden.object = 1;
+    hidden.width = 0.375;
     lines.lines = {line, hidden};
     return lines;
 }
@@ -111,6 +112,8 @@ TEST(ReadLines, givesBackWhatWasWritten) {
     EXPECT_EQ(line.points[2].position, glm::dvec3(2, 40, 60));
     EXPECT_FALSE(read.lines[1].visible);
     EXPECT_FALSE(read.lines[1].closed);
+    EXPECT_EQ(line.width, 1.0);
+    EXPECT_EQ(read.lines[1].width, 0.375);
 }
 
 TEST(ReadLines, haveEveryType) {
@@ -238,6 +241,9 @@ TEST(ReadLines, refuseWhatIsNoJsonOfOurs) {
     EXPECT_THAT(refusal(R"({"format": "inkedge lines", "version": 1, "lines": [{"places": []}]})"),
                 StartsWith("version: "));
     EXPECT_EQ(refusal(R"({"lines": []})"), "format: expected \"inkedge lines\", found none");
+    for (const json& width : {json(0), json(-1), json(1.5)})
+        EXPECT_THAT(refusalWith("/lines/1/width", width),
+                    StartsWith("lines[1].width: expected a number over 0 and at most 1, found "));
     EXPECT_EQ(refusalWith("/version", 1), "version: expected 3; find the lines again, found '1'");
     EXPECT_EQ(refusalWith("/format", "other"), "format: expected \"inkedge lines\", found 'other'");
 }

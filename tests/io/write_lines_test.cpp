@@ -103,6 +103,15 @@ TEST(LinesSvg, groupsLinesByTypeAndVisibilityWithWhatCoversLast) {
     EXPECT_THAT(text, HasSubstr(R"(d="m1 1 8 8"/>)"));
 }
 
+TEST(LinesSvg, drawsThinPartsAsThinAsTheyAre) {
+    Line thin = lineThrough({{1, 1}, {9, 9}});
+    thin.width = 0.25;
+    const std::string text = svg(linesOf({thin, lineThrough({{1, 2}, {3, 4}})}), settingsOf({{"line-width", "2"}}));
+    expectWellFormed(text);
+    EXPECT_THAT(text, HasSubstr(R"( stroke-width="0.5" d="m1 1 8 8"/>)"));
+    EXPECT_THAT(text, HasSubstr(R"("0" d="m1 2 2 2"/>)")) << "as wide as its group's pen";
+}
+
 TEST(LinesSvg, leavesOutWhatIsNotDrawn) {
     const Lines lines = linesOf({typed(lineThrough({{1, 1}, {9, 9}}), LineType::Outline),
                                  hidden(typed(lineThrough({{1, 1}, {9, 2}}), LineType::Outline)),
@@ -302,8 +311,10 @@ TEST(LinesSvg, looksInLibrsvgAsThePaintedPictureDoes) {
     }
     const TemporaryFolder folder;
     const Size size{400, 300};
+    Line thin = curves::circle({200, 140}, 60, 700);
+    thin.width = 0.3;
     const Lines lines =
-        linesOf({curves::circle({180, 150}, 100, 700), typed(curves::winding(700, 0.1, 2), LineType::Crease),
+        linesOf({curves::circle({180, 150}, 100, 700), thin, typed(curves::winding(700, 0.1, 2), LineType::Crease),
                  hidden(typed(curves::winding(700, 0.1, 3), LineType::Crease)),
                  typed(closedThrough({{300, 200}, {450, 250}, {320, 290}}), LineType::Boundary)},
                 size);

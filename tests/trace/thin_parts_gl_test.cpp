@@ -1,4 +1,4 @@
-// Parts thinner than a pixel: whole, and as dark as they are thick.
+// Parts thinner than a pixel: whole, and as dark as they are thick, up to half a pixel; then on to two lines.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +9,8 @@
 #include <glm/common.hpp>
 
 #include "gl/gl_test.h"
+#include "ink/paint_strokes.h"
+#include "ink/strokes_of.h"
 #include "scenes.h"
 
 namespace inkedge::trace {
@@ -104,7 +106,7 @@ Settings drawn(int supersampling) {
 
 TEST_P(ThinParts, areWholeAndAsDarkAsTheyAreThick) {
     const Mesh wall = scenes::quad({-1.9, -1.9, -2}, {1.9, -1.9, -2}, {1.9, 1.9, -2}, {-1.9, 1.9, -2});
-    for (const double thickness : {0.1, 0.3, 0.6, 0.9}) {
+    for (const double thickness : {0.1, 0.3, 0.5}) {
         for (const Bar& bar : bars(thickness)) {
             for (const double degrees : {0.0, 17.0, 45.0, 71.0, 90.0}) {
                 for (const bool beforeWall : {false, true}) {
@@ -126,10 +128,73 @@ TEST_P(ThinParts, areWholeAndAsDarkAsTheyAreThick) {
     }
 }
 
+// Up to half a pixel as thick as the part; from there evenly to two lines of the pen's width, a pixel apart.
+TEST_P(ThinParts, growSteadilyIntoTwoLines) {
+    constexpr double step = 0.05;
+    for (const std::size_t kind : {0U, 1U, 2U}) {
+        double before = 0.0;
+        for (double thickness = step; thickness < 3.0; thickness += step) {
+            const Bar bar = bars(thickness)[kind];
+            SCOPED_TRACE(testing::Message() << bar.name << ' ' << thickness);
+            const Maps maps = renderer().render(scenes::sceneOf(bar.mesh, turned(17.0)), camera(), drawn(1));
+            const double ink = inkAlong(maps.picture, 17.0).mean;
+            // 3 a pixel of thickness at most: two lines that overlap cover 3 t - 1.
+            EXPECT_LT(ink - before, 3.5 * step);
+            EXPECT_GT(ink - before, -0.5 * step);
+            before = ink;
+        }
+        EXPECT_NEAR(before, 2.0, 0.1);
+    }
+}
+
+TEST_P(ThinParts, areDrawnOnWhatTheyLieOn) {
+    const Mesh wall = scenes::box({3.4, 3.4, 0.5});
+    for (const double thickness : {0.1, 0.3, 0.5}) {
+        for (const std::size_t kind : {0U, 2U, 3U}) {  // a plate would run through the wall
+            const Bar bar = bars(thickness)[kind];
+            for (const double height : {0.5, -0.6}) {  // of its middle over the wall, in thicknesses
+                SCOPED_TRACE(testing::Message() << bar.name << ' ' << thickness << " at " << height);
+                const glm::dmat4 lift = scenes::translation({0, 0, height * thickness * pixel});
+                const glm::dmat4 behind = scenes::translation({0, 0, -0.25});
+                const Image<std::uint8_t> picture =
+                    renderer()
+                        .render(scenes::sceneOf({{bar.mesh, lift * turned(17.0)}, {wall, behind}}), camera(), drawn(1))
+                        .picture;
+                const Ink ink = inkAlong(picture, 17.0);
+                if (height < 0.0) {
+                    EXPECT_EQ(ink.max, 0.0) << "hidden";
+                    continue;
+                }
+                EXPECT_NEAR(ink.mean, bar.thickness, 0.02 + 0.04 * bar.thickness);
+                EXPECT_GT(ink.min, 0.6 * ink.mean);
+                EXPECT_LT(ink.max, 1.5 * ink.mean);
+            }
+        }
+    }
+}
+
+// What vector files and pictures of them draw.
+TEST_P(ThinParts, haveTheSameInkAsLines) {
+    Settings settings = drawn(1);
+    settings.lines.from = LinesFrom::Image;
+    for (const double thickness : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+        for (const Bar& bar : bars(thickness)) {
+            SCOPED_TRACE(testing::Message() << bar.name << ' ' << thickness);
+            const Scene scene = scenes::sceneOf(bar.mesh, turned(17.0));
+            const Lines lines = renderer().lines(scene, camera(), settings);
+            const Image<std::uint8_t> ofLines =
+                ink::paintStrokes(ink::strokesOf(lines, settings.picture, settings.lines), settings.picture, nullptr,
+                                  settings::Paper::Background);
+            const Ink ink = inkAlong(renderer().render(scene, camera(), drawn(1)).picture, 17.0);
+            EXPECT_NEAR(inkAlong(ofLines, 17.0).mean, ink.mean, 0.02);
+        }
+    }
+}
+
 TEST_P(ThinParts, areOneLineEach) {
     Settings settings = drawn(1);
     settings.lines.from = LinesFrom::Image;
-    for (const double thickness : {0.05, 0.4, 0.9}) {
+    for (const double thickness : {0.05, 0.3, 0.49}) {
         for (const Bar& bar : bars(thickness)) {
             for (const double degrees : {0.0, 17.0, 71.0}) {
                 SCOPED_TRACE(testing::Message() << bar.name << ' ' << thickness << ", " << degrees);
@@ -138,6 +203,7 @@ TEST_P(ThinParts, areOneLineEach) {
                 ASSERT_EQ(lines.lines.size(), 1U);
                 const Line& line = lines.lines[0];
                 EXPECT_EQ(line.type, LineType::Outline);
+                EXPECT_NEAR(line.width, bar.thickness, 0.01);
                 EXPECT_NEAR(glm::distance(line.points.front().pixel, line.points.back().pixel), 2.0 * half / pixel,
                             1.0);
             }
