@@ -30,8 +30,10 @@ int report(std::string_view message, int exitCode) {
 std::string nearestFlag(const CLI::App& verb, const std::string& text) {
     std::vector<std::string> flags;
     for (const CLI::Option* option : verb.get_options())
-        for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
-    return text.starts_with("--") ? inkedge::cli::nearestName(text.substr(0, text.find('=')), flags) : std::string{};
+        for (const std::string& name : option->get_lnames()) flags.push_back(name);
+    if (!text.starts_with("--")) return {};
+    const std::string nearest = inkedge::cli::nearestName(text.substr(2, text.find('=') - 2), flags);
+    return nearest.empty() ? nearest : "--" + nearest;
 }
 
 // An error of the command line in the words of all our errors, or in the parser's own words if we have none for it.

@@ -28,7 +28,7 @@ std::string nearestName(std::string_view text, std::span<const std::string> name
     constexpr std::size_t longest = 100;
     if (text.size() > longest) return {};
     std::string nearest;
-    std::size_t smallest = text.size() / 3;
+    std::size_t smallest = std::max<std::size_t>(text.size() / 4, 1);
     for (const std::string& name : names) {
         const std::size_t found = distance(text, name);
         if (found > smallest || (found == smallest && !nearest.empty())) continue;

@@ -195,8 +195,8 @@ TEST(FrameViews, fillAPageAtAScale) {
     const FramedView page = frame(plate(), {{"scale", "2:1"}, {"view", "top"}, {"page-size", "A5-landscape"}});
     EXPECT_EQ(page.picture.size, (Size{794, 559}));
     expectRefused({{"scale", "10:1"}, {"view", "top"}, {"page-size", "A5"}},
-                  "--scale: expected what is drawn, 400 x 200 mm at this scale, to fit into the picture, found 147.9 x "
-                  "210.1 mm");
+                  "--scale: expected what is drawn, 400 x 200 mm at this scale, to fit into a picture of 147.9 x "
+                  "210.1 mm, found it larger");
     expectRefused({{"size", "90x60mm"}, {"page-size", "80mmx60mm"}},
                   "--page-size: expected a sheet that holds the picture, 89.96 x 60.06 mm, found 80 x 60 mm");
 }

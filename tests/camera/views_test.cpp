@@ -139,7 +139,8 @@ TEST_F(ViewsFile, IsRefusedWithTheViewThatIsWrong) {
     expectRefusal("[]", "found 0");
     expectRefusal("[", "expected a JSON list of views, found something else");
     expectRefusal("[3]", "view 0: expected an object, found number");
-    expectRefusal(R"([{}, {"size": "3x3"}])", "view 1: expected name or a camera setting, found 'size'");
+    expectRefusal(R"([{}, {"size": "3x3"}])",
+                  "view 1: expected name or a camera setting, as azimuth or camera-position, found 'size'");
     expectRefusal(R"([{"camera-position": [1, 2]}])",
                   "view 0: camera-position: expected three numbers x,y,z, found '1,2'");
     expectRefusal(R"([{"name": "../up"}])", "view 0: name: expected letters, digits, -, _ and ., found \"../up\"");

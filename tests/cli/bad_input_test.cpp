@@ -118,8 +118,8 @@ TEST_F(BadInput, CameraThatTheFileDoesNotHave) {
 
 TEST_F(BadInput, DeviceThatIsNotThere) {
     if (!works("egl")) GTEST_SKIP() << "egl does not work here";
-    expectUsageFailure({"--device", "999"}, "device: expected an EGL device that `inkedge doctor` lists, found 999");
-    expectUsageFailure({"--device", "0", "--backend", "osmesa"}, "device: expected it with the egl backend only");
+    expectUsageFailure({"--device", "999"}, "--device: expected an EGL device that `inkedge doctor` lists, found 999");
+    expectUsageFailure({"--device", "0", "--backend", "osmesa"}, "--device: expected it with the egl backend only");
 }
 
 TEST_F(BadInput, BrushThatIsNone) {

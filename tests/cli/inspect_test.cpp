@@ -58,7 +58,7 @@ TEST_F(Inspect, SaysItInLinesForPeople) {
     EXPECT_EQ(outcome.exitCode, 0);
     for (const char* line :
          {"glTF 2.0\n", "in 3 instances of 3 meshes\n", "     0  cup: 10 triangles, 20 vertices, 1 instances\n",
-          "     1  leaf alone\n", "     0  swing\n", "     0  tin: single-sided\n"})
+          "     1  leaf alone\n", "     0  swing\n", "     1  tin: single-sided\n"})
         EXPECT_THAT(outcome.out, HasSubstr(line));
 }
 

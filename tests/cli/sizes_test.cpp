@@ -204,7 +204,7 @@ TEST_F(Sizes, VectorsHaveTheSizeOnPaperToTheLastDecimal) {
     EXPECT_THAT(page,
                 HasSubstr(R"(<rect class="inkedge background" width="793.701" height="1122.52" fill="#1f4e8c"/>)"));
     const Outcome small = draw(stl(), "d.svg", {"--view", "front", "--scale", "60:1", "--page-size", "A4"});
-    expectFailure(small, 2, HasSubstr("--scale: expected what is drawn, 240 x 120 mm at this scale, to fit into the"));
+    expectFailure(small, 2, HasSubstr("--scale: expected what is drawn, 240 x 120 mm at this scale, to fit into a"));
 }
 
 TEST_F(Sizes, AUnitThatIsSaidIsThatOfTheScale) {

@@ -117,7 +117,7 @@ TEST(Backends, refuseADeviceThatDoesNotExist) {
     if (devices == 0) GTEST_SKIP() << "no EGL device";
     for (const Backend backend : {Backend::Auto, Backend::Egl}) {
         expectError(Error::Kind::Usage,
-                    StrEq("device: expected an EGL device that `inkedge doctor` lists, found 99 among " +
+                    StrEq("--device: expected an EGL device that `inkedge doctor` lists, found 99 among " +
                           std::to_string(devices)),
                     [&] {
                         const Renderer none{BackendSettings{backend, 99}};
@@ -126,7 +126,7 @@ TEST(Backends, refuseADeviceThatDoesNotExist) {
 }
 
 TEST(Backends, refuseADeviceForOsmesa) {
-    expectError(Error::Kind::Usage, StrEq("device: expected it with the egl backend only, found it with osmesa"), [] {
+    expectError(Error::Kind::Usage, StrEq("--device: expected it with the egl backend only, found it with osmesa"), [] {
         const Renderer none{BackendSettings{Backend::Osmesa, 0}};
     });
 }

@@ -288,7 +288,8 @@ TEST(ReadLines, refuseEachValueThatIsOutOfRange) {
     says("/camera/orthographic_height", 0, "camera.orthographic_height: expected a number over 0, found '0'");
     says("/bounds/radius", -1, "bounds.radius: expected a number of at least 0, found '-1'");
     says("/bounds/centre/1", "x", "bounds.centre: expected a list of 3 numbers");
-    says("/source/unit", "inch", "source.unit: expected one of unknown, metre, millimetre, found 'inch'");
+    says("/source/unit", "yard",
+         "source.unit: expected one of unknown, metre, millimetre, centimetre, inch, foot, found 'yard'");
     says("/source/space", "image", "source.detector: expected a text, found none");
     says("/source/triangles", 1e300, "source.triangles: expected a whole number from 0 to 9007199254740992");
     says("/source/warnings/0", 5, "source.warnings: expected texts, found '5'");

@@ -213,9 +213,9 @@ TEST_F(Animation, RefusesWhatIsNotThereOrDamaged) {
     LoadSettings settings;
     settings.animation = "Run";
     EXPECT_EQ(refusal(triangle(), settings, Error::Kind::Usage),
-              "animation: expected none, as the file has no animations, found 'Run'");
+              "--animation: expected none, as the file has no animations, found 'Run'");
     EXPECT_EQ(refusal(animated("translation", {0}, {0, 0, 0}, "VEC3", "LINEAR"), settings, Error::Kind::Usage),
-              "animation: expected one of 0 'wave', found 'Run'");
+              "--animation: expected one of 0 'wave', found 'Run'");
     settings.animation = "wave";
     EXPECT_THAT(refusal(animated("translation", {1, 0}, {0, 0, 0, 0, 0, 0}, "VEC3", "LINEAR"), settings),
                 HasSubstr("channel 0: expected times that rise, found 0 at key 1"));

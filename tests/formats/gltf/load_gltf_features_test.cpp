@@ -31,7 +31,7 @@ TEST_F(SceneChoice, DrawsTheSceneAskedFor) {
     EXPECT_DOUBLE_EQ(worldCorners(load(model, settings)).at(0).x, 5.0);
     EXPECT_THAT(load(model).source.scenes, ElementsAre("", "second"));
     settings.scene = 2;
-    EXPECT_EQ(refusal(model, settings, Error::Kind::Usage), "scene: expected a scene below 2, found 2");
+    EXPECT_EQ(refusal(model, settings, Error::Kind::Usage), "--scene: expected a scene below 2, found 2");
 }
 
 TEST_F(SceneChoice, LeavesHiddenNodesAndTheirChildrenOut) {
