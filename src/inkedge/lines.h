@@ -61,9 +61,10 @@ struct Lines {
     Camera camera;
     Sphere bounds;  ///< world space, around the whole model: Scene::bounds()
     LinesSource source;
-    SceneNames names;        ///< of the instances that lines lie on, and of all materials
-    double tolerance = 0.0;  ///< pixels by which points may stray from the lines found: over 0 where a file was read
-    BackendInfo backend;     ///< the renderer's; empty while it has no context, for nothing was drawn to find them
+    SceneNames names;           ///< of the instances that lines lie on, and of all materials
+    Image<std::uint8_t> shade;  ///< as Maps::shade, of the picture's size; empty: none is asked for, or a file was read
+    double tolerance = 0.0;     ///< pixels by which points may stray from the lines found: over 0 where a file was read
+    BackendInfo backend;        ///< the renderer's; empty while it has no context, for nothing was drawn to find them
     std::vector<StageTime> times;
     /// One line each: what the settings ask for and the scene has nothing for, as renderWarnings() gives it.
     std::vector<std::string> warnings;

@@ -16,8 +16,8 @@ namespace inkedge {
 /// The result of one render. Every image has the picture's size, row 0 at the top; maps that were not asked for are
 /// empty. The masks hold 255 on an edge and 0 off it.
 struct Maps {
-    /// 1 channel (grey) if all lines and the background are grey; 4 (RGBA, not premultiplied) if the background is
-    /// transparent; else 3 (RGB).
+    /// 4 channels (RGBA, not premultiplied) if the background is transparent; else 1 (grey) if all lines and the
+    /// background are grey and there is no shade; else 3 (RGB).
     Image<std::uint8_t> picture;
     Image<float> depth;        ///< eye-space depth, scene units; background: camera.far
     Image<float> windowDepth;  ///< 0 at near, 1 at far; background: 1
@@ -33,6 +33,9 @@ struct Maps {
     /// 4 channels: the patch of the pixel; the patch across the line, 0 off lines; the instance; the material. Each
     /// counts from 1; 0 is none or background.
     Image<std::uint32_t> ids;
+    /// 4 channels, sRGB, not premultiplied: what lies under the lines, or would with Shade::Gooch if the picture has no
+    /// shade; background: 0. Unlike the other maps it is the mean of a pixel's samples.
+    Image<std::uint8_t> shade;
     SceneNames names;  ///< what the ids stand for: namesOf() the scene; empty unless ids were asked for
 
     Camera camera;

@@ -61,7 +61,7 @@ public:
     /// settings.lines.from says image: visible ones, and hidden ones if settings.lines.hidden keeps them. What a scene
     /// needs for it (edge tables, bounding volume hierarchies) is kept for the next call. From image: what the planes
     /// detector finds between pixels. Of settings.picture, size, lines and, from image, pens, supersampling and
-    /// tileSize are looked at.
+    /// tileSize are looked at. Lines::shade is drawn if settings.shade asks for it; that needs a context.
     /// @throws Error  (Kind::Usage) if validate() refuses a setting, if the camera is unusable, or lines from image are
     ///                asked of the classic detector, or of a contour finder what it cannot do; (Kind::Runtime) if
     ///                Embree is not there or memory runs out

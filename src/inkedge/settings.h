@@ -312,6 +312,7 @@ enum class Style {
     Hatch,   ///< lines and hatch marks between them, where facets of the mesh bend: edges of the faceted normal map
     Sumi,    ///< a soft brush instead of lines: gradients of depth and normals, smeared along the edges
     Pencil,  ///< lines drawn several times, each time a little off
+    None,    ///< no lines: what is under them alone, or maps
 };
 struct StyleSettings {
     Style style = Style::Ink;
@@ -328,9 +329,31 @@ struct StyleSettings {
     int pencilSeed = 1;            ///< of the random deviations: one seed gives the same ones in every picture
 };
 
+/// What fills surfaces under the lines. Of models that have no colours of their own the base colour is white.
+enum class Shade {
+    None,
+    Flat,       ///< as Light, each face by its own normal
+    Gooch,      ///< the base colour, from cool where it is turned from the light to warm: Gooch et al. 1998
+    Light,      ///< the base colour, darker where it is turned from the light
+    BaseColor,  ///< the base colour alone
+};
+
+/// Where the light of a Shade comes from, degrees; with LightSpace::Camera from the camera, 0, 0 being over its
+/// shoulder; with LightSpace::World from the model's front, as CameraSettings count.
+struct LightDirection {
+    double azimuth = -35.0;   ///< towards the right, -360 to 360
+    double elevation = 40.0;  ///< upwards, -90 to 90
+    friend bool operator==(const LightDirection&, const LightDirection&) = default;
+};
+
+struct ShadeSettings {
+    Shade shade = Shade::None;
+    LightDirection light;  ///< on the axes of DetectorSettings::lightSpace
+};
+
 /// A map that a render can give beside the picture.
-enum class Map { Depth, Normal, DepthEdges, NormalEdges, Edges, Types, Ids };
-inline constexpr int mapCount = 7;
+enum class Map { Depth, Normal, DepthEdges, NormalEdges, Edges, Types, Ids, Shade };
+inline constexpr int mapCount = 8;
 
 /// The name of a map on the command line, in file names and as EXR layer: "depth", "normal", "depth-edges", ...
 [[nodiscard]] INKEDGE_API std::string_view name(Map) noexcept;
@@ -351,6 +374,7 @@ struct RenderSettings {
     DetectorSettings detector;
     LineSettings lines;
     StyleSettings style;
+    ShadeSettings shade;
     std::vector<Map> maps;
     NormalSpace normalSpace = NormalSpace::Camera;
 };

@@ -45,12 +45,12 @@ struct ViewFiles {
 
 /// Writes the picture and the named maps; every file appears whole or not at all. README.md's "Maps" says what each
 /// format makes of each map. PNG: depth as grey of 16 bits from near (0) to far (65535), types and ids as grey of 16
-/// bits, normals as (n + 1) / 2 of 8 bits, edges black on white. TIFF: floats. EXR: floats, in layers depth.Z,
-/// normal.X/Y/Z, depth-edges.Y, normal-edges.Y, edges.Y, types.V, patch.V, across.V, object.V and material.V, beside
-/// the picture's R, G, B and, of four channels, A (linear light, premultiplied); inkedge:near, inkedge:far,
-/// inkedge:view, inkedge:projection and, with ids, inkedge:names in its header. NPZ: arrays named as the maps, with _
-/// for -, and "picture", "view", "projection", "world_to_camera", "K", "near", "far" and, with ids, "instance_names"
-/// and "material_names" by id.
+/// bits, normals as (n + 1) / 2 of 8 bits, edges black on white, the shade as it is. TIFF: floats, but the shade. EXR:
+/// floats, in layers depth.Z, normal.X/Y/Z, depth-edges.Y, normal-edges.Y, edges.Y, types.V, patch.V, across.V,
+/// object.V, material.V and shade.R/G/B/A, beside the picture's R, G, B and, of four channels, A (both in linear light,
+/// premultiplied); inkedge:near, inkedge:far, inkedge:view, inkedge:projection and, with ids, inkedge:names in its
+/// header. NPZ: arrays named as the maps, with _ for -, and "picture", "view", "projection", "world_to_camera", "K",
+/// "near", "far" and, with ids, "instance_names" and "material_names" by id.
 /// @return        the files written, as outputFiles() gives them
 /// @throws Error  (Kind::Output) if one cannot be written, or ids are over 65535 in a PNG, or over 16777216 in an EXR
 ///                or TIFF; none is left half-written
@@ -67,8 +67,9 @@ INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<
 /// another shape the drawing is moved to the middle. One group a type and visibility, what covers last, with the
 /// classes "inkedge", the type's name, "visible" or "hidden", and both as in "crease-hidden", by which it is a layer of
 /// Inkscape's, too; in it one path an object, or more where one would have over 32,000 points, whose data-object is
-/// Line::object and whose data-name is NamedInstance::node. Where widths vary a path is the filled outline of its
-/// strokes, all straight. Metadata holds a JSON object: camera, size, bounds, settings.
+/// Line::object and whose data-name is NamedInstance::node. Where widths vary a path is the filled outline of its strokes, all
+/// straight. Lines::shade is an image under them, a PNG in the document. Metadata holds a JSON object: camera, size,
+/// bounds, settings.
 /// @param title  UTF-8; what is not becomes U+FFFD
 /// @throws Error  (Kind::Usage) if lines.size has no pixel, or settings.lines.brush is given: it needs pixels
 [[nodiscard]] INKEDGE_API std::string linesSvg(const Lines&, const Settings&, std::string_view title = "Line drawing");

@@ -24,6 +24,8 @@ images::Layer valuesOf(const Maps& maps, Map map) {
             return {&maps.types, {"types.V"}};
         case Map::Ids:
             return {&maps.ids, {}};
+        case Map::Shade:
+            return {&maps.shade, {"shade.R", "shade.G", "shade.B", "shade.A"}};
         case Map::Edges:
             break;
     }

@@ -64,6 +64,8 @@ std::vector<std::uint8_t> pngOf(const Maps& maps, const MapLayer& layer, const s
             return encodePng(maps.types, maps.dpi);
         case Map::Ids:
             return encodePng(idPicture(maps.ids, layer.values.first), maps.dpi);
+        case Map::Shade:
+            return encodePng(maps.shade, maps.dpi);
         case Map::DepthEdges:
             return encodePng(edgePicture(maps.depthEdges), maps.dpi);
         case Map::NormalEdges:
@@ -77,6 +79,8 @@ std::vector<std::uint8_t> pngOf(const Maps& maps, const MapLayer& layer, const s
 std::vector<std::uint8_t> tiffOf(const MapLayer& layer, std::optional<double> dpi,
                                  const std::filesystem::path& target) {
     expectIdsUpTo(maxExactFloat, "which the floats of a TIFF hold exactly", layer, target);
+    if (layer.map == Map::Shade)
+        return encodeTiff({layer.values.image, channelNames(4)}, images::SampleType::Uint8, dpi, target);
     return encodeTiff(layer.values, images::SampleType::Float, dpi, target);
 }
 

@@ -19,6 +19,7 @@
 #include "ink/strokes_of.h"
 #include "io/metadata.h"
 #include "io/sheet.h"
+#include "io/svg_image.h"
 #include "io/svg_path.h"
 #include "settings/pens.h"
 
@@ -254,10 +255,11 @@ std::string heading(const Lines& lines, const Settings& settings, const io::Shee
                             {"settings", io::settingsJson(settings)}};
     return fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" {} "
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" {}{} "
         "fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n<title>{}</title>\n"
         "<desc>Line drawing of a 3D model, {} x {} pixels</desc>\n<metadata>{}</metadata>\n",
-        documentSize(sheet), escaped(title), size.width, size.height, escaped(io::textOf(metadata, -1)));
+        lines.shade.empty() ? "" : "xmlns:xlink=\"http://www.w3.org/1999/xlink\" ", documentSize(sheet), escaped(title),
+        size.width, size.height, escaped(io::textOf(metadata, -1)));
 }
 
 void expectDrawable(const Lines& lines, const Settings& settings) {
@@ -291,6 +293,7 @@ std::string linesSvg(const Lines& lines, const Settings& settings, std::string_v
         text += fmt::format("<rect class=\"inkedge background\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n",
                             number(sheet.size.x), number(sheet.size.y), hex(*picture.background));
     }
+    if (!lines.shade.empty()) text += io::svgImage(lines.shade, attributes);
     const Drawing drawing = drawingOf(lines, picture, settings.lines);
     if (hasMargins && drawing.isCut) {  // the margins would show what lies beyond the picture's edges
         text += fmt::format("<clipPath id=\"picture\"><rect width=\"{}\" height=\"{}\"/></clipPath>\n", size.width,

@@ -94,7 +94,9 @@ Bytes exrOf(const Maps& maps, std::span<const Map> wanted, const fs::path& targe
     raster::expectMemory(maps.picture.size(), sizeof(float) * static_cast<std::uint64_t>(channels));
     const Image<float> picture = io::linearPicture(maps.picture);
     std::vector<images::Layer> all{{&picture, io::channelNames(picture.channels())}};
-    for (const io::MapLayer& layer : layers) all.push_back(layer.values);
+    const Image<float> shade = io::linearPicture(maps.shade);
+    for (const io::MapLayer& layer : layers)
+        all.push_back(layer.map == Map::Shade ? images::Layer{&shade, layer.values.channels} : layer.values);
     return images::encodeExr(all, headerOf(maps, wanted));
 }
 

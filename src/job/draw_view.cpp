@@ -5,6 +5,7 @@
 
 #include <inkedge/write.h>
 
+#include "base/file_extension.h"
 #include "base/stage_clock.h"
 #include "base/stop.h"
 #include "io/write_map_files.h"
@@ -18,10 +19,17 @@ struct Drawn {
     std::optional<Lines> lines;
 };
 
+// What files of lines hold: JSON has nothing under its lines.
+RenderSettings forLines(const std::vector<std::string>& outputs, RenderSettings settings) {
+    const auto isSvg = [](const std::string& output) { return base::lowerCaseExtension(output) == ".svg"; };
+    if (std::ranges::none_of(outputs, isSvg)) settings.shade.shade = Shade::None;
+    return settings;
+}
+
 Drawn draw(const Job& job, const Scene& scene, const Camera& camera, const Settings& settings, Renderer& renderer) {
     const auto linesAmong = std::ranges::count_if(job.outputs, [](const auto& output) { return holdsLines(output); });
     Drawn drawn;
-    if (linesAmong > 0) drawn.lines = renderer.lines(scene, camera, settings);
+    if (linesAmong > 0) drawn.lines = renderer.lines(scene, camera, forLines(job.outputs, settings));
     if (linesAmong == 0 || static_cast<std::size_t>(linesAmong) < job.outputs.size())
         drawn.maps = renderer.render(scene, camera, withMapsOf(job.outputs, settings));
     return drawn;

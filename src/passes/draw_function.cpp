@@ -15,6 +15,7 @@
 #include "gl/draw.h"
 #include "passes/depth_uniforms.h"
 #include "passes/instance_transforms.h"
+#include "passes/missing_attributes.h"
 #include "passes/show_tile.h"
 #include "scene/extent.h"
 
@@ -54,14 +55,6 @@ void setUniforms(const Frame& frame, GLuint program, const FunctionSettings& fun
     api.ProgramUniform2f(program, 26, static_cast<float>(floor - glm::dot(centre, up)), static_cast<float>(height));
     const std::vector<float> options(function.options.begin(), function.options.end());
     if (!options.empty()) api.ProgramUniform1fv(program, 17, static_cast<GLsizei>(options.size()), options.data());
-}
-
-// Sets what shaders read of vertices without an attribute.
-void setMissingAttributes(const gl::Api& api) {
-    api.VertexAttrib2f(10, 0.0F, 0.0F);
-    api.VertexAttrib4f(11, 1.0F, 1.0F, 1.0F, 1.0F);
-    api.VertexAttrib2f(12, 0.0F, 0.0F);
-    api.VertexAttrib1f(13, 0.0F);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "settings/picture_channels.h"
@@ -15,6 +16,19 @@ using Channels = std::array<std::uint8_t, 4>;
 // The mean of two levels, with a share of 255 for the second.
 std::uint8_t mixed(int from, int to, int share) {
     return static_cast<std::uint8_t>((from * (255 - share) + to * share + 127) / 255);
+}
+
+// One picture over another, both of 4 channels.
+Image<std::uint8_t> over(Image<std::uint8_t> above, const Image<std::uint8_t>& below) {
+    for (std::size_t i = 0; i < above.pixels().size(); i += 4) {
+        std::uint8_t* const pixel = &above.mutablePixels()[i];
+        const std::uint8_t* const under = &below.pixels()[i];
+        const int alpha = mixed(under[3], 255, pixel[3]);
+        const int weight = alpha > 0 ? 255 * pixel[3] / alpha : 0;
+        for (std::size_t c = 0; c < 3; ++c) pixel[c] = mixed(under[c], pixel[c], weight);
+        pixel[3] = static_cast<std::uint8_t>(alpha);
+    }
+    return above;
 }
 
 Channels channelsOf(Color color, std::uint8_t alpha) { return {color.red, color.green, color.blue, alpha}; }
@@ -69,10 +83,12 @@ void inkOver(const Image<std::uint8_t>& ink, const PictureSettings& settings, Im
     }
 }
 
-Image<std::uint8_t> onBackground(Image<std::uint8_t> drawing, const PictureSettings& settings) {
+Image<std::uint8_t> onBackground(Image<std::uint8_t> drawing, const Image<std::uint8_t>& shade,
+                                 const PictureSettings& settings) {
+    if (!shade.empty()) drawing = over(std::move(drawing), shade);
     if (!settings.background) return drawing;
     const Channels behind = channelsOf(*settings.background, 255);
-    Image<std::uint8_t> picture{drawing.size(), settings::pictureChannels(settings)};
+    Image<std::uint8_t> picture{drawing.size(), shade.empty() ? settings::pictureChannels(settings) : 3};
     const auto channels = static_cast<std::size_t>(picture.channels());
     for (std::size_t i = 0; i < drawing.pixels().size() / 4; ++i) {
         const std::uint8_t* const drawn = &drawing.pixels()[4 * i];

@@ -19,9 +19,11 @@ namespace inkedge::passes {
 /// @param picture  1, 3 or 4 channels, as Maps::picture
 void inkOver(const Image<std::uint8_t>& ink, const PictureSettings&, Image<std::uint8_t>& picture);
 
-/// Paints a drawing on the background.
+/// Paints a drawing on what lies under it, and that on the background.
 /// @param drawing  4 channels, on a transparent background
+/// @param shade    as Maps::shade; empty: there is none
 /// @return         as Maps::picture
-[[nodiscard]] Image<std::uint8_t> onBackground(Image<std::uint8_t> drawing, const PictureSettings&);
+[[nodiscard]] Image<std::uint8_t> onBackground(Image<std::uint8_t> drawing, const Image<std::uint8_t>& shade,
+                                               const PictureSettings&);
 
 }  // namespace inkedge::passes

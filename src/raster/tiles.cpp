@@ -87,6 +87,7 @@ void keep(Maps part, const Tile& tile, Maps& maps) {
     keep(std::move(part.edges), tile, maps.edges);
     keep(std::move(part.types), tile, maps.types);
     keep(std::move(part.ids), tile, maps.ids);
+    keep(std::move(part.shade), tile, maps.shade);
 }
 
 }  // namespace inkedge::raster

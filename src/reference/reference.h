@@ -110,6 +110,22 @@ struct Edges {
 [[nodiscard]] Image<double> detectProfiles(const Image<double>& depth, const Image<double>& normal, const Camera&,
                                            const DetectorSettings&);
 
+/// What lies under the lines, at the centres of pixels. Let b be the base colour (linear light: colour of the material
+/// times that of the vertices), B the same in sRGB, n the normal, turned to the side that is seen, and l the direction
+/// towards the light:
+///
+///     BaseColor   B
+///     Light       sRGB of b (0.2 + 0.8 max(n . l, 0))
+///     Flat        the same with the normal of the face
+///     Gooch       the mean of 0.3 (1, 1, 0) + 0.65 B, weighted by 1 + n . l, and 0.4 (0, 0, 1) + 0.35 B, weighted by
+///                 1 - n . l, each at most 1: Gooch et al. 1998, brighter, so that lines stand out
+///
+/// GPU twin: draw_shade.frag.
+/// @param towardsLight  view space, unit length
+/// @return              4 channels, sRGB, 0 to 1; 0 on the background
+/// @throws Error        (Kind::Usage) if the materials have pictures
+[[nodiscard]] Image<double> drawShade(const Scene&, const Camera&, Shade, glm::dvec3 towardsLight, Size);
+
 /// How much hatch marks cover of each sample, 0 to 1: Hertzmann 1999, Figure 2(b).
 ///
 /// Where two facets meet between neighbouring samples (a step or two from the sample, along a row or a column) there is

@@ -15,6 +15,7 @@
 
 #include "raster/memory.h"
 #include "render/plan.h"
+#include "settings/shades.h"
 
 namespace inkedge::render {
 namespace {
@@ -30,6 +31,8 @@ std::uint64_t bytesPerPixel(const RenderSettings& settings) {
     const StyleRow& style = styleRow(settings.style.style);
     if (style.tileInk != nullptr) ++bytes;
     if (style.redraw != nullptr) bytes += 8;  // the drawing, and the picture that is drawn from it
+    if (settings::drawnShade(settings) != Shade::None) bytes += 4;
+    if (settings.shade.shade != Shade::None) bytes += 8;  // the drawing, and the picture of both
     return bytes;
 }
 

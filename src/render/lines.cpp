@@ -16,6 +16,18 @@
 
 namespace inkedge::render {
 
+Image<std::uint8_t> shadeOf(const Scene& scene, const Camera& camera, const RenderSettings& settings, Kept& kept,
+                            std::vector<StageTime>& times) {
+    Graphics& graphics = kept.graphics(times);
+    const gl::Current current{graphics.context()};
+    gl::StageClock clock{graphics.gpu().api, times};
+    const passes::Frame frame = graphics.frame(scene, camera, settings.picture);
+    clock.finish("upload");
+    Tiles tiles = drawTiles(frame, graphics.inputs(), settings, planOfShade(settings), clock);
+    graphics.gpu().textures.trim();
+    return std::move(tiles.maps.shade);
+}
+
 Lines objectLines(const Scene& scene, const Camera& camera, const RenderSettings& settings, Kept& kept) {
     std::vector<StageTime> before;
     gl::StageClock clock{before};

@@ -13,6 +13,12 @@ namespace inkedge::render {
 /// @throws Error  as lines::ObjectLines
 [[nodiscard]] Lines objectLines(const Scene&, const Camera&, const RenderSettings&, Kept&);
 
+/// What lies under the lines, as Maps::shade. RenderSettings::shade is not Shade::None.
+/// @param times  those of its stages are added
+/// @throws Error  (Kind::Context, Kind::Runtime) as Renderer
+[[nodiscard]] Image<std::uint8_t> shadeOf(const Scene&, const Camera&, const RenderSettings&, Kept&,
+                                          std::vector<StageTime>& times);
+
 /// Whether a scene has lines or edges that are drawn as LineType::Marked.
 [[nodiscard]] bool hasMarked(const Scene&);
 

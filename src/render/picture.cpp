@@ -63,6 +63,12 @@ Maps drawPicture(const Scene& scene, const Camera& camera, const RenderSettings&
         maps.picture = plan.style->redraw(graphics->gpu(), maps.picture, settings);
         clock.finish(plan.style->stage);
     }
+    if (plan.paper == settings::Paper::Transparent) {
+        const Image<std::uint8_t> none;
+        maps.picture =
+            passes::onBackground(std::move(maps.picture), plan.underlaid ? maps.shade : none, settings.picture);
+    }
+    if (!wants(settings, Map::Shade)) maps.shade = {};
 
     if (graphics != nullptr) graphics->gpu().textures.trim();
     maps.camera = camera;

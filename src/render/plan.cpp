@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "settings/idle.h"
+#include "settings/shades.h"
 
 namespace inkedge::render {
 namespace {
@@ -69,7 +70,15 @@ Plan planOf(const RenderSettings& settings) {
     plan.lines = sourceOf(settings, *plan.style);
     planLines(settings, plan);
     planGeometry(settings, plan);
-    if (plan.style->redraw != nullptr) plan.paper = settings::Paper::Transparent;
+    plan.shade = settings::drawnShade(settings);
+    plan.underlaid = settings.shade.shade != Shade::None;
+    if (plan.style->redraw != nullptr || plan.underlaid) plan.paper = settings::Paper::Transparent;
+    return plan;
+}
+
+Plan planOfShade(const RenderSettings& settings) {
+    Plan plan;
+    plan.shade = settings.shade.shade;
     return plan;
 }
 

@@ -33,6 +33,8 @@ struct Plan {
     bool functions = false;           ///< DetectorSettings::functions, one after the other
     int margin = raster::tileMargin;  ///< samples around a tile that its passes need
 
+    Shade shade = Shade::None;  ///< under the lines, or for its map
+
     // What is found in it.
     bool tracesLines = false;  ///< lines between planes: strokes, Maps::types, Maps::ids, Maps::edges
     trace::TraceIds ids = trace::TraceIds::Drop;
@@ -46,16 +48,21 @@ struct Plan {
     bool lineMask = false;  ///< Maps::edges has the lines that are traced
     bool inkMask = false;   ///< Maps::edges has the ink of functions, profiles and styles
 
-    settings::Paper paper = settings::Paper::Background;  ///< of what is drawn before the style's last step
+    bool underlaid = false;  ///< the picture has the shade under its lines
+
+    settings::Paper paper = settings::Paper::Background;  ///< of what is drawn before the last steps
 
     [[nodiscard]] bool drawsTiles() const noexcept {
-        return planes || planesOfPixels || surface || functions || style->tileInk != nullptr;
+        return planes || planesOfPixels || surface || functions || style->tileInk != nullptr || shade != Shade::None;
     }
     /// Lines from object space, and pictures of nothing else, need none.
     [[nodiscard]] bool needsContext() const noexcept { return drawsTiles() || style->redraw != nullptr; }
 };
 
 [[nodiscard]] Plan planOf(const RenderSettings&);
+
+/// What is drawn of the shade of Lines.
+[[nodiscard]] Plan planOfShade(const RenderSettings&);
 
 /// What is drawn for Lines from image space: no map, no picture, whatever its style.
 [[nodiscard]] Plan planOfImageLines();

@@ -35,6 +35,9 @@ Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSett
     base::stopIfAsked();
     Lines lines = settings.lines.from == LinesFrom::Image ? render::imageLines(scene, camera, settings, *state_)
                                                           : render::objectLines(scene, camera, settings, *state_);
+    if (settings.shade.shade != Shade::None)
+        lines.shade = render::shadeOf(scene, camera, settings, *state_, lines.times);
+    lines.backend = state_->backend();
     lines.warnings = renderWarnings(scene, settings);
     return lines;
 }

@@ -28,8 +28,7 @@ TileInk sumiInk(const Scene&, const RenderSettings& settings) {
 }
 
 Image<std::uint8_t> pencilRedraw(gl::Gpu& gpu, const Image<std::uint8_t>& drawing, const RenderSettings& settings) {
-    return passes::onBackground(passes::pencil(gpu, drawing, settings.style, settings.picture.tileSize),
-                                settings.picture);
+    return passes::pencil(gpu, drawing, settings.style, settings.picture.tileSize);
 }
 
 // In the order of Style.
@@ -43,6 +42,7 @@ const auto rows = std::to_array<StyleRow>({
      .reach = passes::sumiReach,
      .tileInk = sumiInk},
     {.style = Style::Pencil, .stage = "pencil", .redraw = pencilRedraw},
+    {.style = Style::None, .stage = "none", .drawsLines = false},
 });
 
 }  // namespace

@@ -41,7 +41,7 @@ struct StyleRow {
 
     /// A step that inks tile by tile, made once for all tiles of a picture; null: none. The settings must outlive it.
     TileInk (*tileInk)(const Scene&, const RenderSettings&) = nullptr;
-    /// A step that draws the whole picture anew, as Maps::picture, from what was drawn of it on transparent paper;
+    /// A step that draws the whole picture anew, from what was drawn of it to a drawing, both on transparent paper;
     /// null: none.
     Image<std::uint8_t> (*redraw)(gl::Gpu&, const Image<std::uint8_t>& drawing, const RenderSettings&) = nullptr;
 };

@@ -8,12 +8,14 @@
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 
+#include "camera/light.h"
 #include "gl/read_back.h"
 #include "lines/specks.h"
 #include "passes/composite.h"
 #include "passes/detect_edges.h"
 #include "passes/detect_lines.h"
 #include "passes/detect_profiles.h"
+#include "passes/draw_shade.h"
 #include "passes/function_edges.h"
 #include "passes/ink_over.h"
 #include "scene/prepared.h"
@@ -63,6 +65,7 @@ public:
             if (!plan_.planesOfPixels) keepMaps(std::move(lines), maps);
         }
         if (geometry.surface) readTile(tile.pixels, *geometry.surface, maps);
+        if (plan_.shade != Shade::None) maps.shade = shade(tile.samples);
         raster::keep(ink(tile, geometry), pixels, all.ink);
         raster::keep(std::move(maps), pixels, all.maps);
     }
@@ -149,6 +152,15 @@ private:
             const glm::vec3 turned = turn * glm::vec3{values[i], values[i + 1], values[i + 2]};
             for (std::size_t k = 0; k < 3; ++k) values[i + k] = turned[static_cast<int>(k)];
         }
+    }
+
+    Image<std::uint8_t> shade(const passes::Frame& frame) {
+        const glm::dvec3 light =
+            camera::towardsLight(frame.scene, frame.camera, settings_.shade.light, settings_.detector.lightSpace);
+        Image<std::uint8_t> colors =
+            passes::drawShade(frame, inputs_, plan_.shade, light, settings_.picture.supersampling);
+        clock_.finish("shade");
+        return colors;
     }
 
     // What covers pixels besides strokes: edges of functions, profiles, and what the style adds.

@@ -1,6 +1,7 @@
 #include <inkedge/settings.h>
 
 #include "settings/names.h"
+#include "settings/shades.h"
 
 namespace inkedge {
 namespace {
@@ -22,6 +23,7 @@ LoadSettings loadSettings(const Settings& settings) {
         load.paint = load.paint || needs.paint;
         load.curvature = load.curvature || needs.curvature;
     }
+    load.paint = load.paint || settings::drawnShade(settings) != Shade::None;
     return load;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "settings/lengths.h"
+#include "settings/shades.h"
 
 namespace inkedge::settings {
 namespace {
@@ -11,20 +12,30 @@ using Why = std::string_view;
 
 constexpr Why acts{};
 constexpr Why forPictures = "it is for pictures";
+constexpr Why noLinesInStyle = "this --style draws no lines";
 
 bool anyPicture(const OutputKinds& kinds) { return kinds.pictures || kinds.exr; }
 bool anyLines(const OutputKinds& kinds) { return kinds.svg || kinds.json; }
 
 bool wants(const Settings& settings, Map map) { return std::ranges::find(settings.maps, map) != settings.maps.end(); }
 
+bool styleDrawsLines(const RenderSettings& settings) {
+    return settings.style.style != Style::Sumi && settings.style.style != Style::None;
+}
+
+// Whether light falls on what is drawn under the lines, or in the map of it.
+bool isLit(const Settings& settings, const OutputKinds& kinds) {
+    const Shade shade = anyPicture(kinds) ? drawnShade(settings) : settings.shade.shade;
+    return (anyPicture(kinds) || kinds.svg) && shade != Shade::None && shade != Shade::BaseColor;
+}
+
 // Whether a picture's lines are traced between pixels by the planes detector.
 bool drawsPlanes(const Settings& settings) {
-    return settings.detector.detector == Detector::Planes && settings.style.style != Style::Sumi &&
-           !drawsMeshLines(settings);
+    return settings.detector.detector == Detector::Planes && styleDrawsLines(settings) && !drawsMeshLines(settings);
 }
 
 bool drawsLinesOf(const Settings& settings, Detector detector) {
-    return settings.detector.detector == detector && settings.style.style != Style::Sumi && !drawsMeshLines(settings);
+    return settings.detector.detector == detector && styleDrawsLines(settings) && !drawsMeshLines(settings);
 }
 
 // Whether maps need the lines between pixels.
@@ -38,6 +49,11 @@ bool mapsGradients(const Settings& settings) {
            (wants(settings, Map::Edges) && settings.detector.detector == Detector::Classic);
 }
 
+// Whether lines, a style or maps are made of the normals that lights draw.
+bool readsNormals(const Settings& settings) {
+    return settings.style.style == Style::Sumi || mapsGradients(settings) || drawsLinesOf(settings, Detector::Classic);
+}
+
 bool varies(const LineSettings& lines) { return lines.strokeWidth != StrokeWidth::Constant || lines.strokeTaper > 0.0; }
 
 bool findsMeshLines(const Settings& settings, const OutputKinds& kinds) {
@@ -47,19 +63,18 @@ bool findsMeshLines(const Settings& settings, const OutputKinds& kinds) {
 
 Why whyNoMeshLines(const Settings& settings) {
     if (settings.lines.from == LinesFrom::Image) return "it needs lines of the mesh, and --lines-from is image";
-    if (settings.style.style == Style::Sumi) return "--style sumi draws no lines";
+    if (!styleDrawsLines(settings)) return noLinesInStyle;
     return "it needs lines of the mesh, and this --detector finds lines between pixels; --lines-from object";
 }
 
 // Why a picture has no strokes, which have pens and types.
 Why whyNoStrokes(const Settings& settings) {
-    if (settings.style.style == Style::Sumi) return "--style sumi draws no lines";
+    if (!styleDrawsLines(settings)) return noLinesInStyle;
     return "lines of this --detector have neither types nor widths";
 }
 
 bool drawsStrokes(const Settings& settings, const OutputKinds& kinds) {
-    return anyPicture(kinds) &&
-           (drawsPlanes(settings) || (drawsMeshLines(settings) && settings.style.style != Style::Sumi));
+    return anyPicture(kinds) && (drawsPlanes(settings) || drawsMeshLines(settings));
 }
 
 }  // namespace
@@ -75,7 +90,7 @@ bool needsMeshLines(const RenderSettings& settings) noexcept {
 }
 
 bool drawsMeshLines(const RenderSettings& settings) noexcept {
-    if (settings.style.style == Style::Sumi) return false;
+    if (!styleDrawsLines(settings)) return false;
     if (settings.lines.from != LinesFrom::Auto) return settings.lines.from == LinesFrom::Object;
     return settings.detector.detector == Detector::Planes && needsMeshLines(settings);
 }
@@ -86,7 +101,7 @@ Why idleWithoutMeshLines(const Settings& settings, const OutputKinds& kinds) {
 
 Why idleLinesFrom(const Settings& settings, const OutputKinds& kinds) {
     if (settings.lines.from == LinesFrom::Image || anyLines(kinds)) return acts;
-    return settings.style.style == Style::Sumi ? "--style sumi draws no lines" : acts;
+    return styleDrawsLines(settings) ? acts : noLinesInStyle;
 }
 
 Why idleStroke(const Settings& settings, const OutputKinds& kinds) {
@@ -108,6 +123,11 @@ Why idleSimplify(const Settings& settings, const OutputKinds& kinds) {
 Why idleFitCurves(const Settings& settings, const OutputKinds& kinds) {
     if (!kinds.svg) return "it is for lines in .svg";
     return varies(settings.lines) ? "lines whose width varies are outlines of strokes" : acts;
+}
+
+Why idleLineColor(const Settings& settings, const OutputKinds& kinds) {
+    const bool inks = settings.style.style != Style::None || !settings.detector.functions.empty();
+    return inks || kinds.svg ? idleColor(settings, kinds) : noLinesInStyle;
 }
 
 Why idleColor(const Settings&, const OutputKinds& kinds) {
@@ -144,6 +164,8 @@ Why idlePage(const Settings& settings, const OutputKinds& kinds) {
 }
 
 Why idleSamples(const Settings& settings, const OutputKinds& kinds) {
+    if (anyPicture(kinds) ? drawnShade(settings) != Shade::None : kinds.svg && settings.shade.shade != Shade::None)
+        return acts;
     if (kinds.svg || kinds.json) {
         if (settings.lines.from == LinesFrom::Image) return acts;
         if (!anyPicture(kinds)) return "lines of the mesh are exact";
@@ -157,7 +179,7 @@ Why idleSamples(const Settings& settings, const OutputKinds& kinds) {
 Why idleDetector(const Settings& settings, const OutputKinds& kinds) {
     if (!anyPicture(kinds)) return settings.lines.from == LinesFrom::Image ? acts : "lines are taken from the mesh";
     if (wants(settings, Map::Edges)) return acts;
-    if (settings.style.style == Style::Sumi) return "--style sumi draws no lines";
+    if (!styleDrawsLines(settings)) return noLinesInStyle;
     return drawsMeshLines(settings) ? "lines are taken from the mesh" : acts;
 }
 
@@ -168,10 +190,10 @@ Why idleGradients(const Settings& settings, const OutputKinds& kinds) {
 }
 
 Why idleLightSpace(const Settings& settings, const OutputKinds& kinds) {
+    if (isLit(settings, kinds)) return acts;
     if (!anyPicture(kinds)) return forPictures;
-    const bool sumi = settings.style.style == Style::Sumi;
-    if (sumi || mapsGradients(settings) || drawsLinesOf(settings, Detector::Classic)) return acts;
-    return "it is for edges of normals, --detector classic and --style sumi";
+    return readsNormals(settings) ? acts
+                                  : "it is for edges of normals, --detector classic, --style sumi and lit --shade";
 }
 
 Why idleNormalSpace(const Settings& settings, const OutputKinds& kinds) {
@@ -182,9 +204,17 @@ Why idleNormalSpace(const Settings& settings, const OutputKinds& kinds) {
 Why idleLights(const Settings& settings, const OutputKinds& kinds) {
     if (!anyPicture(kinds)) return forPictures;
     if (wants(settings, Map::Normal) || drawsLinesOf(settings, Detector::SaitoTakahashi)) return acts;
-    return idleLightSpace(settings, kinds).empty()
+    return readsNormals(settings)
                ? acts
                : "it is for maps of normals and their edges, --detector classic or saito-takahashi and --style sumi";
+}
+
+Why idleShade(const Settings&, const OutputKinds& kinds) {
+    return anyPicture(kinds) || kinds.svg ? acts : "lines in .json have nothing under them";
+}
+
+Why idleLight(const Settings& settings, const OutputKinds& kinds) {
+    return isLit(settings, kinds) ? acts : "it is for --shade flat, gooch and light";
 }
 
 Why idleProfiles(const Settings& settings, const OutputKinds& kinds) {

@@ -25,6 +25,7 @@ namespace inkedge::settings {
 [[nodiscard]] std::string_view idleFitCurves(const Settings&, const OutputKinds&);  ///< SVG of constant widths
 
 // Picture
+[[nodiscard]] std::string_view idleLineColor(const Settings&, const OutputKinds&);
 [[nodiscard]] std::string_view idleColor(const Settings&, const OutputKinds&);  ///< anything but JSON
 [[nodiscard]] std::string_view idleTypes(const Settings&, const OutputKinds&);  ///< lines with types
 [[nodiscard]] std::string_view idlePen(const Settings&, const OutputKinds&);    ///< strokes
@@ -39,6 +40,8 @@ namespace inkedge::settings {
 [[nodiscard]] std::string_view idleLightSpace(const Settings&, const OutputKinds&);   ///< edges of normals
 [[nodiscard]] std::string_view idleNormalSpace(const Settings&, const OutputKinds&);  ///< maps of normals
 [[nodiscard]] std::string_view idleLights(const Settings&, const OutputKinds&);       ///< what surfaces are drawn for
+[[nodiscard]] std::string_view idleShade(const Settings&, const OutputKinds&);
+[[nodiscard]] std::string_view idleLight(const Settings&, const OutputKinds&);  ///< what a shade's light falls on
 [[nodiscard]] std::string_view idleProfiles(const Settings&, const OutputKinds&);
 template <Style style>
 [[nodiscard]] std::string_view idleStyle(const Settings& settings, const OutputKinds&) {

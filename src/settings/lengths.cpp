@@ -12,6 +12,7 @@ constexpr double widestStroke = 1.5;  // of its pen, where widths vary
 double inkReach(const RenderSettings& settings) {
     const PictureSettings& picture = settings.picture;
     if (settings.style.style == Style::Sumi) return settings.style.sumiWidth;
+    if (settings.style.style == Style::None) return 0.0;
     double widest = 0.0;
     for (std::size_t i = 0; i < lineTypeCount; ++i) {
         if (!picture.lines.contains(static_cast<LineType>(1U << i))) continue;

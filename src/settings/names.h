@@ -9,7 +9,7 @@ namespace inkedge::settings {
 
 /// In the order of Map.
 inline constexpr std::array<std::string_view, mapCount> mapNames{"depth", "normal", "depth-edges", "normal-edges",
-                                                                 "edges", "types",  "ids"};
+                                                                 "edges", "types",  "ids",         "shade"};
 /// In the order of LineType's bits.
 inline constexpr std::array<std::string_view, lineTypeCount> lineTypeNames{
     "outline",       "occlusion", "boundary",   "crease", "intersection", "object",

@@ -222,6 +222,12 @@ PageSize parsePage(std::string_view text) {
 }
 
 // N, or u:N,v:M with one or both.
+LightDirection parseLight(std::string_view text) {
+    const auto parts = split(text, ',');
+    if (parts.size() != 2) throw Expected{"an azimuth and an elevation in degrees, as in -35,40"};
+    return {parseNumber(lightAzimuth, parts[0]), parseNumber(lightElevation, parts[1])};
+}
+
 Isolines parseIsolines(std::string_view text) {
     const auto steps = [](std::string_view number) { return static_cast<int>(parseCount(isolineSteps, number)); };
     if (text.find(':') == std::string_view::npos) {
@@ -329,6 +335,10 @@ std::string textOf(const PageSize& page) { return fmt::format("{}mmx{}mm", page.
 
 std::string textOf(const PictureLength& length) {
     return fmt::format("{}{}", length.value, length.millimetres ? millimetreSuffix : "");
+}
+
+std::string textOf(LightDirection light) {
+    return fmt::format("{},{}", textOf(light.azimuth), textOf(light.elevation));
 }
 
 std::string textOf(const Isolines& isolines) {

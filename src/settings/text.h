@@ -26,6 +26,9 @@ inline constexpr Number penWidth{.min = 0.5, .max = 32.0, .unit = "PX"};
 inline constexpr Count isolineSteps{.max = 1000};
 /// Levels of refinement.
 inline constexpr Count subdivisionLevels{.max = 6};
+/// Where a light comes from, degrees.
+inline constexpr Number lightAzimuth{.min = -360.0, .max = 360.0, .unit = "DEG"};
+inline constexpr Number lightElevation{.min = -90.0, .max = 90.0, .unit = "DEG"};
 /// Sides of pictures.
 inline constexpr Count pictureSides{.min = 1, .max = PictureSettings::maxSide, .unit = "PX"};
 
@@ -49,6 +52,7 @@ inline constexpr Count pictureSides{.min = 1, .max = PictureSettings::maxSide, .
 [[nodiscard]] Color parseColor(std::string_view text);
 [[nodiscard]] PictureLength parseLength(std::string_view text);
 [[nodiscard]] PageSize parsePage(std::string_view text);
+[[nodiscard]] LightDirection parseLight(std::string_view text);
 [[nodiscard]] Isolines parseIsolines(std::string_view text);
 /// What --line-style sets.
 struct Pens {
@@ -73,6 +77,7 @@ void checkFunctions(const std::vector<FunctionSettings>&);
 [[nodiscard]] std::string textOf(Color);
 [[nodiscard]] std::string textOf(const PictureLength&);
 [[nodiscard]] std::string textOf(const PageSize&);
+[[nodiscard]] std::string textOf(LightDirection);
 [[nodiscard]] std::string textOf(const Isolines&);
 [[nodiscard]] std::string textOf(const Pens&);
 /// "+Z", or numbers where it is no axis.

@@ -55,7 +55,7 @@ TEST_F(Render, WritesEveryMapBesideThePicture) {
     expectSuccess(render(roof(), {"--maps", everyMap()}));
     std::vector<std::string> expected{"metadata.json", "picture.png"};
     for (const char* map : {"depth", "normal", "depth-edges", "normal-edges", "edges", "types", "ids-patch",
-                            "ids-across", "ids-object", "ids-material"})
+                            "ids-across", "ids-object", "ids-material", "shade"})
         expected.push_back(std::string{"picture."} + map + ".png");
     EXPECT_THAT(folder_.names(), testing::UnorderedElementsAreArray(expected));
     for (const auto& name : folder_.names()) {
@@ -76,7 +76,7 @@ TEST_F(Render, PutsEveryLayerIntoOneExr) {
     EXPECT_THAT(header, StartsWith("\x76\x2f\x31\x01"));
     for (const char* channel :
          {"R", "G", "B", "depth.Z", "normal.X", "normal.Y", "normal.Z", "depth-edges.Y", "normal-edges.Y", "edges.Y",
-          "types.V", "object.V", "patch.V", "across.V", "material.V"}) {
+          "types.V", "object.V", "patch.V", "across.V", "material.V", "shade.R", "shade.G", "shade.B", "shade.A"}) {
         EXPECT_NE(header.find(std::string{'\0'} + channel + '\0'), std::string::npos) << channel;
     }
     for (const char* entry : {"inkedge:near", "inkedge:far", "inkedge:view", "inkedge:projection", "inkedge:names"}) {

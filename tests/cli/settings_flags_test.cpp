@@ -125,6 +125,8 @@ const std::map<std::string_view, Example>& examples() {
         {"hatch-bend", {.value = "40", .wrong = "0", .shows = "picture.png", .beside = hatched, .asset = "statue"}},
         {"hatch-shade", {.value = "0.2", .wrong = "1.1", .shows = "picture.png", .beside = hatched, .asset = "statue"}},
         {"hatch-width", {.value = "2", .wrong = "0.1", .shows = "picture.png", .beside = hatched, .asset = "statue"}},
+        {"shade", {.value = "light", .wrong = "dark", .shows = "picture.png"}},
+        {"light", {.value = "80,10", .wrong = "80", .shows = "picture.png", .beside = {"--shade", "gooch"}}},
         {"sumi-width", {.value = "3", .wrong = "0", .shows = "picture.png", .beside = {"--style", "sumi"}}},
         {"sumi-length", {.value = "5", .wrong = "-1", .shows = "picture.png", .beside = {"--style", "sumi"}}},
         {"sumi-streaks", {.value = "16", .wrong = "0.5", .shows = "picture.png", .beside = {"--style", "sumi"}}},

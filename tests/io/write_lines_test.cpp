@@ -65,6 +65,24 @@ Settings settingsOf(const std::vector<std::pair<std::string, std::string>>& valu
 
 std::string svg(const Lines& lines, const Settings& settings = {}) { return linesSvg(lines, settings); }
 
+// A picture from base64 of a PNG.
+Image<std::uint8_t> decoded(const std::string& text) {
+    std::vector<std::uint8_t> bytes;
+    std::uint32_t bits = 0;
+    int count = 0;
+    for (const char c : text) {
+        const std::size_t value =
+            std::string_view{"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"}.find(c);
+        if (value == std::string_view::npos) break;
+        bits = bits << 6U | static_cast<std::uint32_t>(value);
+        count += 6;
+        if (count < 8) continue;
+        count -= 8;
+        bytes.push_back(static_cast<std::uint8_t>(bits >> static_cast<unsigned>(count)));
+    }
+    return images::readPngToLookAt(bytes, 1'000'000, images::PngChannels::Rgba);
+}
+
 std::string unescaped(std::string text) {
     for (const auto& [entity, character] : {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}}) {
         for (std::size_t at = 0; (at = text.find(entity, at)) != std::string::npos; ++at) {
@@ -84,6 +102,29 @@ std::string between(const std::string& text, const std::string& begin, const std
 std::string layerOf(const std::string& type, const std::string& visibility) {
     return fmt::format(R"(<g class="inkedge {0} {1} {0}-{1}" inkscape:groupmode="layer" inkscape:label="{0}-{1}")",
                        type, visibility);
+}
+
+TEST(LinesSvg, hasTheShadeAsAnImageUnderThePaths) {
+    Lines lines = linesOf({lineThrough({{1, 1}, {9, 9}})}, {20, 10});
+    const std::string without = svg(lines);
+    EXPECT_THAT(without, AllOf(Not(HasSubstr("<image")), Not(HasSubstr("xlink"))));
+    lines.shade = Image<std::uint8_t>{{20, 10}, 4, std::uint8_t{0}};
+    for (int x = 0; x < 7; ++x) {
+        lines.shade(x, 3, 0) = static_cast<std::uint8_t>(30 * x);
+        lines.shade(x, 3, 3) = 255;
+    }
+    const std::string text = svg(lines);
+    expectWellFormed(text);
+    EXPECT_LT(text.find("class=\"inkedge background\""), text.find("<image"));
+    EXPECT_LT(text.find("<image"), text.find("<path"));
+    EXPECT_THAT(text, AllOf(HasSubstr("width=\"20\" height=\"10\" preserveAspectRatio=\"none\""),
+                            HasSubstr("xmlns:xlink=\"http://www.w3.org/1999/xlink\"")));
+    EXPECT_EQ(decoded(between(text, "data:image/png;base64,", "\"")), lines.shade);
+
+    const std::string page = svg(lines, settingsOf({{"page-size", "A4"}}));
+    EXPECT_EQ(between(page, "<image", "xlink:href").substr(between(page, "<image", "xlink:href").find("transform")),
+              between(page, "#000000\" stroke-width=\"1.5\" ", ">") + " ")
+        << "moved as the paths are";
 }
 
 TEST(LinesSvg, groupsLinesByTypeAndVisibilityWithWhatCoversLast) {

@@ -178,6 +178,25 @@ TEST(WriteMaps, namesEveryChannelOfAnExrByOneLetterAtItsEnd) {
     }
 }
 
+TEST(WriteMaps, writesTheShadeAsColoursAndInAnExrAsLight) {
+    const TemporaryFolder folder;
+    Maps maps = smallMaps();
+    maps.shade = Image<std::uint8_t>{maps.picture.size(), 4, {255, 0, 188, 255, 255, 255, 255, 51}};
+    for (const char* const extension : {"png", "tif"}) {
+        const fs::path file = folder / (std::string{"a."} + extension);
+        writeMaps(maps, std::array{Map::Shade}, file);
+        const DecodedFile shade = decodeFile(folder / (std::string{"a.shade."} + extension));
+        EXPECT_EQ(shade.spec.format, OIIO::TypeUInt8) << extension;
+        EXPECT_EQ(shade.spec.alpha_channel, 3) << extension;
+    }
+    writeMaps(maps, std::array{Map::Shade}, folder / "a.exr");
+    const DecodedFile exr = decodeFile(folder / "a.exr");
+    EXPECT_THAT(exr.channel("shade.R"), ElementsAre(FloatEq(1.0F), testing::FloatNear(0.2F, 1e-3F)));
+    EXPECT_THAT(exr.channel("shade.B"), ElementsAre(testing::FloatNear(0.503F, 1e-3F), testing::FloatNear(0.2F, 1e-3F)))
+        << "188 of sRGB is half of the light";
+    EXPECT_THAT(exr.channel("shade.A"), ElementsAre(FloatEq(1.0F), testing::FloatNear(0.2F, 1e-3F)));
+}
+
 TEST(WriteMaps, keepsIdsExactlyInAnExrAndRefusesThoseThatFloatsDoNotHold) {
     const TemporaryFolder folder;
     Maps maps = smallMaps();

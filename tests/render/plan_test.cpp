@@ -169,6 +169,34 @@ TEST(PlanOf, aPencilDrawsOverWhatLiesOnNothing) {
     EXPECT_EQ(plan.paper, settings::Paper::Transparent);
 }
 
+TEST(PlanOf, aShadeIsDrawnForThePictureOrForItsMap) {
+    RenderSettings settings = fromObject();
+    EXPECT_EQ(planOf(settings).shade, Shade::None);
+    settings.maps = {Map::Shade};
+    Plan plan = planOf(settings);
+    EXPECT_EQ(plan.shade, Shade::Gooch);
+    EXPECT_FALSE(plan.underlaid);
+    EXPECT_EQ(plan.paper, settings::Paper::Background);
+    EXPECT_TRUE(plan.drawsTiles());
+    settings.shade.shade = Shade::Light;
+    plan = planOf(settings);
+    EXPECT_EQ(plan.shade, Shade::Light);
+    EXPECT_TRUE(plan.underlaid);
+    EXPECT_EQ(plan.paper, settings::Paper::Transparent);
+    settings.maps = {};
+    EXPECT_EQ(planOf(settings).shade, Shade::Light);
+    EXPECT_EQ(planOfShade(settings).shade, Shade::Light);
+    EXPECT_EQ(drawn(planOfShade(settings)), "");
+}
+
+TEST(PlanOf, noStyleIsNoLinesWhateverTheDetector) {
+    for (const Detector detector : {Detector::Planes, Detector::Classic}) {
+        const Plan plan = planOf(with(detector, {}, Style::None));
+        EXPECT_EQ(plan.lines, LineSource::None);
+        EXPECT_FALSE(plan.drawsTiles());
+    }
+}
+
 TEST(PlanOfImageLines, isOfTracedLinesAlone) {
     const Plan plan = planOfImageLines();
     EXPECT_EQ(plan.lines, LineSource::Planes);

@@ -60,6 +60,7 @@ inline std::vector<std::string> samples(const SettingDescription& row) {
     if (row.values() == "SECONDS") return {"0", "2.5"};
     if (row.group == "limits") return {"1", "123456"};
     if (row.range() == "0 to 6") return {"0", "6"};
+    if (row.values() == "AZIMUTH,ELEVATION") return {"-35,40", "120,-12.5"};
     if (row.values() == "N|u:N,v:N") return {"8", "u:4,v:12"};
     if (row.name == "function") return {"depth", "height:levels=4;normal:kernel=farid"};
     if (row.values() == "N") return {"0", "7"};

@@ -49,7 +49,7 @@ TEST(Validate, refusesValuesWithTheWordsOfTheCommandLine) {
                   [](Settings& s) { s.picture.dpi = std::numeric_limits<double>::quiet_NaN(); });
     expectInvalid("fit-curves: expected 0 or a number from 0.01 to 100, found '0.001'",
                   [](Settings& s) { s.lines.fitCurves = 0.001; });
-    expectInvalid("style: expected one of ink, hatch, sumi, pencil, found '9'",
+    expectInvalid("style: expected one of ink, hatch, sumi, pencil, none, found '9'",
                   [](Settings& s) { s.style.style = static_cast<Style>(9); });
     expectInvalid("line-style: expected a number from 0.5 to 32, found 'crease:width=99'",
                   [](Settings& s) { s.picture.pens[3].width = PictureLength{99.0}; });

@@ -148,7 +148,7 @@ std::vector<SettingDescription> pictureRows() {
                             "files without a unit count as millimetres"},
                    Custom{"PAPER:MODEL", [] { return std::string{"1:2, 5:1, ..."}; }}, scale()),
          row<parseColor>(
-             {.name = "line-color", .help = "colour of the lines", .defaultInWords = "black", .idle = idleColor},
+             {.name = "line-color", .help = "colour of the lines", .defaultInWords = "black", .idle = idleLineColor},
              {"COLOR", [] { return std::string{"#RGB, #RRGGBB or a name"}; }},
              [](auto& s) -> auto& { return s.picture.lineColor; }),
          described({.name = "background",

@@ -1,10 +1,16 @@
+#include <fmt/format.h>
+
+#include "settings/constraints.h"
 #include "settings/idle.h"
 #include "settings/rows.h"
 
 namespace inkedge::settings {
 namespace {
 
-constexpr std::array<std::string_view, 4> styleNames{"ink", "hatch", "sumi", "pencil"};
+constexpr std::array<std::string_view, 5> styleNames{"ink", "hatch", "sumi", "pencil", "none"};
+constexpr std::array<std::string_view, 5> shadeNames{"none", "flat", "gooch", "light", "base-color"};
+
+std::string lightRange() { return fmt::format("{}; {}; degrees", rangeOf(lightAzimuth), rangeOf(lightElevation)); }
 
 }  // namespace
 
@@ -14,7 +20,7 @@ std::vector<SettingDescription> styleRows() {
         {row(
              {.name = "style",
               .help = "ink: lines as found; hatch: and marks where facets bend; sumi: a soft brush in place of lines; "
-                      "pencil: loose strokes; pictures only"},
+                      "pencil: loose strokes; none: no lines; pictures only"},
              Choice{styleNames}, [](auto& s) -> auto& { return s.style.style; }),
          row(
              {.name = "hatch-bend",
@@ -55,7 +61,19 @@ std::vector<SettingDescription> styleRows() {
              {.name = "pencil-seed",
               .help = "of chance: strokes stray the same way in every picture of one seed; pencil",
               .idle = idleStyle<Style::Pencil>},
-             Count{.max = 65535}, [](auto& s) -> auto& { return s.style.pencilSeed; })});
+             Count{.max = 65535}, [](auto& s) -> auto& { return s.style.pencilSeed; }),
+         row(
+             {.name = "shade",
+              .help = "what fills surfaces under the lines: gooch: their own colour from cool to warm towards the "
+                      "light; light, flat: lit, smoothly or by faces; base-color: their own colour",
+              .idle = idleShade},
+             Choice{shadeNames}, [](auto& s) -> auto& { return s.shade.shade; }),
+         row<parseLight>(
+             {.name = "light",
+              .help = "where the light of --shade comes from, towards the right and upwards; on the axes of "
+                      "--light-space: from the camera, or from the model's front",
+              .idle = idleLight},
+             {"AZIMUTH,ELEVATION", lightRange}, [](auto& s) -> auto& { return s.shade.light; })});
 }
 
 }  // namespace inkedge::settings
