@@ -1,4 +1,4 @@
-// The README's table of settings and its list of formats are written from their tables, so that they cannot go
+// The README's tables of settings and presets and its list of formats are written from their tables, so that they cannot go
 // stale. With INKEDGE_UPDATE_README set (tools/update_readme) the tests write them instead of comparing.
 #include <gtest/gtest.h>
 
@@ -64,6 +64,16 @@ void expectBetween(const std::string& begin, const std::string& end, const std::
 
 TEST(Readme, settingsTableIsTheSettingsTable) {
     expectBetween("<!-- settings -->\n", "<!-- /settings -->", settingsTable());
+}
+
+TEST(Readme, presetsAreThePresets) {
+    std::string table = "| Name | For | Settings |\n| --- | --- | --- |\n";
+    for (const Preset& preset : presets()) {
+        std::vector<std::string> settings;
+        for (const auto& [name, text] : preset.values) settings.push_back(fmt::format("`--{} {}`", name, text));
+        table += fmt::format("| `{}` | {} | {} |\n", preset.name, preset.help, fmt::join(settings, ", "));
+    }
+    expectBetween("<!-- presets -->\n", "<!-- /presets -->", table);
 }
 
 TEST(Readme, formatsAreThoseOfTheTableOfReaders) {

@@ -24,7 +24,7 @@ std::string formats() {
 void addModel(CLI::App& verb, std::string& model) { verb.add_option("MODEL", model, formats())->required(); }
 
 void addModels(CLI::App& verb, std::vector<std::string>& models) {
-    verb.add_option("MODEL", models, formats() + "; of several, --output needs {model}")->required();
+    verb.add_option("MODEL", models, formats() + "; of several, --output needs {model}");
 }
 
 }  // namespace inkedge::cli

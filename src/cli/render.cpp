@@ -31,6 +31,7 @@ struct RenderArguments {
     int jobs = 0;                   // 0: as many as there are cores
     std::optional<double> timeout;  // seconds
     bool json = false;
+    bool printsConfig = false;
     bool quiet = false;
     bool verbose = false;
     SettingsSources settings;
@@ -90,6 +91,17 @@ void printJson(const RenderArguments& arguments, const std::vector<JobResult>& r
     print(shown.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
+// A model and an output are needed but to print the configuration.
+void expectGiven(const RenderArguments& arguments) {
+    if (arguments.models.empty()) throw CLI::RequiredError("MODEL");
+    if (arguments.output.empty()) throw CLI::RequiredError("--output");
+}
+
+int printConfig(const RenderArguments& arguments) {
+    print(configText(arguments.settings.resolve()));
+    return 0;
+}
+
 int render(const RenderArguments& arguments) {
     startTimeout(arguments);
     Job job{.model = {}, .settings = arguments.settings.resolve(), .metadata = arguments.metadataFile};
@@ -131,7 +143,6 @@ void addRender(CLI::App& app, Action& action) {
             "-o,--output", arguments->output,
             "picture to write, .png .tif .exr .npz, or lines, .svg .json, or - for PNG on stdout; {model}, {view} "
             "and {map} are filled in")
-        ->required()
         ->type_name("FILE");
     verb->add_option("--metadata", arguments->metadataFile,
                      "write camera, names, settings, backend and timings as JSON; without {view} in it "
@@ -149,10 +160,15 @@ void addRender(CLI::App& app, Action& action) {
         ->check(numberOver(0.0, process::longestTimeout))
         ->type_name("SECONDS");
     verb->add_flag("--json", arguments->json, "print the metadata and the files written on stdout");
+    verb->add_flag("--print-config", arguments->printsConfig,
+                   "print what differs from the defaults as lines of a --config file, and draw nothing");
     verb->add_flag("-q,--quiet", arguments->quiet, "no warnings");
     verb->add_flag("-v,--verbose", arguments->verbose, "say what drew the picture, the timings and the files written");
     arguments->settings.addTo(*verb);
-    verb->callback([arguments, &action] { action = [arguments] { return render(*arguments); }; });
+    verb->callback([arguments, &action] {
+        if (!arguments->printsConfig) expectGiven(*arguments);
+        action = [arguments] { return arguments->printsConfig ? printConfig(*arguments) : render(*arguments); };
+    });
 }
 
 }  // namespace inkedge::cli

@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <inkedge/error.h>
 #include <inkedge/setting_table.h>
@@ -28,21 +27,16 @@ std::string helpFor(const SettingDescription& row) {
     return byDefault.empty() ? std::string{row.help} : fmt::format("{} [{}]", row.help, byDefault);
 }
 
-void applyPreset(Settings& settings, std::string_view wanted) {
-    const auto found = std::ranges::find(presets(), wanted, &Preset::name);
-    if (found == presets().end()) {
-        std::vector<std::string_view> names;
-        for (const Preset& preset : presets()) names.push_back(preset.name);
-        throw Error{Error::Kind::Usage,
-                    fmt::format("--preset: expected one of {}, found '{}'", fmt::join(names, ", "), wanted)};
-    }
-    for (const auto& [name, text] : found->values) set(settings, name, text, fmt::format("preset {}", wanted));
+std::string presetHelp() {
+    std::string help = "start from a named set of settings, which the others override";
+    for (const Preset& preset : presets()) help += fmt::format("; {}: {}", preset.name, preset.help);
+    return help;
 }
 
 }  // namespace
 
 void SettingsSources::addTo(CLI::App& app, std::initializer_list<std::string_view> groups) {
-    app.add_option("--preset", preset_, "start from a named set of settings")->type_name("NAME");
+    app.add_option("--preset", preset_, presetHelp())->type_name("NAME");
     app.add_option("--config", configFile_, "read settings from a file of lines: name = value")->type_name("FILE");
     for (const SettingDescription& row : settingTable()) {
         if (groups.size() > 0 && std::ranges::find(groups, row.group) == groups.end()) continue;
@@ -70,7 +64,7 @@ std::vector<std::string> SettingsSources::unknownVariables() {
 
 Settings SettingsSources::resolve() const {
     Settings settings;
-    if (!preset_.empty()) applyPreset(settings, preset_);
+    if (!preset_.empty()) setPreset(settings, preset_, "--preset");
     if (!configFile_.empty()) readConfig(settings, configFile_);
     for (const SettingDescription& row : settingTable()) {
         for (const std::string_view name : {row.shortName, row.name}) {

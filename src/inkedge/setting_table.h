@@ -135,6 +135,14 @@ struct Preset {
 };
 [[nodiscard]] INKEDGE_API const std::vector<Preset>& presets();
 
+/// Sets what a preset says; what it does not say stays.
+/// @param source  where its name comes from, for the message: "--preset"
+/// @throws Error  (Kind::Usage) if no preset bears the name
+INKEDGE_API void setPreset(Settings&, std::string_view name, std::string_view source);
+
+/// The settings that differ from their defaults as lines of a configuration file: readConfig() of them gives the same.
+[[nodiscard]] INKEDGE_API std::string configText(const Settings&);
+
 /// Sets what a configuration file says: lines name = value in the words of settingTable(), the value between double
 /// quotes or not; empty lines and those that start with # are left out. A later line wins over an earlier one.
 /// @throws Error  (Kind::Input) if the file cannot be read or has over 1 MiB; (Kind::Usage) if a line is none of these,

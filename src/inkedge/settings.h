@@ -240,6 +240,12 @@ enum class StrokeWidth {
     Curvature,  ///< wider where it is straighter in the picture
 };
 
+/// In which order the paths of an SVG stand.
+enum class PathOrder {
+    Drawn,   ///< by object, one path each
+    Travel,  ///< so that a pen that draws them one after the other travels little between them; one path a line
+};
+
 /// Lines where a texture coordinate passes a multiple of 1 / steps; 0: none.
 struct Isolines {
     int u = 0;  ///< 0 to 1000
@@ -260,8 +266,9 @@ struct LineSettings {
     /// on or meets it, as lines do in the corner of a solid. A line that runs behind another surface ends freely.
     double strokeTaper = 0.0;
     std::filesystem::path brush = {};  ///< a PNG, dark is ink, laid along lines from object space; empty: plain ink
-    double fitCurves = 0.0;     ///< pixels that cubic Bezier curves may deviate from the lines; 0: polylines; SVG only
-    int subdivideAdaptive = 0;  ///< levels of refinement near contours, section 3.3, 0 to 6; 0: none
+    double fitCurves = 0.0;  ///< pixels that cubic Bezier curves may deviate from the lines; 0: polylines; SVG only
+    PathOrder pathOrder = PathOrder::Drawn;  ///< SVG only
+    int subdivideAdaptive = 0;               ///< levels of refinement near contours, section 3.3, 0 to 6; 0: none
     Isolines isolines = {};
 };
 

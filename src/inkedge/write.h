@@ -67,7 +67,8 @@ INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<
 /// another shape the drawing is moved to the middle. One group a type and visibility, what covers last, with the
 /// classes "inkedge", the type's name, "visible" or "hidden", and both as in "crease-hidden", by which it is a layer of
 /// Inkscape's, too; in it one path an object, or more where one would have over 32,000 points, whose data-object is
-/// Line::object and whose data-name is NamedInstance::node. Where widths vary a path is the filled outline of its strokes, all
+/// Line::object and whose data-name is NamedInstance::node; with PathOrder::Travel one path a line, in an order of
+/// short ways, also from one group to the next. Where widths vary a path is the filled outline of its strokes, all
 /// straight. Lines::shade is an image under them, a PNG in the document. Metadata holds a JSON object: camera, size,
 /// bounds, settings.
 /// @param title  UTF-8; what is not becomes U+FFFD

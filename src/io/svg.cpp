@@ -15,6 +15,7 @@
 
 #include "curves/clip.h"
 #include "curves/fit_beziers.h"
+#include "curves/order_paths.h"
 #include "curves/simplify.h"
 #include "ink/strokes_of.h"
 #include "io/metadata.h"
@@ -152,8 +153,9 @@ io::SvgPath::Step stepFor(const LineSettings& settings) {
     return tolerance >= coarse && !varies(settings) ? io::SvgPath::Step::Tenth : io::SvgPath::Step::Hundredth;
 }
 
-// Lines of one object and one width, in 128ths of the pen's.
+// What is one path: lines of one object and one width, in 128ths of the pen's, or one line in the order of travel.
 struct PathKey {
+    std::size_t first;  // how many paths of the pen come before it; 0 in the order drawn
     std::uint32_t object;
     std::uint8_t width;
     friend auto operator<=>(const PathKey&, const PathKey&) = default;
@@ -181,23 +183,41 @@ void addOutlines(Drawing& drawing, const Lines& lines, const PictureSettings& pi
         maker.add(line, strokes);
         for (const ink::Stroke& stroke : strokes) {
             const double width = allPens[stroke.pen].width;
-            addOutline(drawing.paths[stroke.pen][{line.object, ink::fullWidth}], stroke, width);
+            addOutline(drawing.paths[stroke.pen][{0, line.object, ink::fullWidth}], stroke, width);
             drawing.isCut = drawing.isCut || reachesBeyond(size, stroke.from, radius(stroke.widthFrom, width)) ||
                             reachesBeyond(size, stroke.to, radius(stroke.widthTo, width));
         }
     }
 }
 
-void addCentreLines(Drawing& drawing, const Lines& lines, const PictureSettings& picture, const LineSettings& settings,
-                    double tolerance) {
+// The lines that are drawn, cut at the picture's edges, by pen.
+std::array<std::vector<Line>, settings::penCount> drawnParts(const Lines& lines, const PictureSettings& picture,
+                                                             const LineSettings& settings) {
     const auto allPens = settings::pens(picture);
     const glm::dvec2 size{lines.size.width, lines.size.height};
+    std::array<std::vector<Line>, settings::penCount> parts;
     for (const Line& line : lines.lines) {
         if (!settings::isDrawn(line, picture, settings)) continue;
         const std::uint8_t pen = settings::penOf(line);
         const double margin = 0.5 * allPens[pen].width;
-        for (const Line& part : curves::clip(line, glm::dvec2{-margin}, size + margin)) {
-            const PathKey key{line.object, ink::levelOf(line.width)};
+        for (Line& part : curves::clip(line, glm::dvec2{-margin}, size + margin)) parts[pen].push_back(std::move(part));
+    }
+    return parts;
+}
+
+void addCentreLines(Drawing& drawing, const Lines& lines, const PictureSettings& picture, const LineSettings& settings,
+                    double tolerance) {
+    const auto allPens = settings::pens(picture);
+    const glm::dvec2 size{lines.size.width, lines.size.height};
+    const bool travels = settings.pathOrder == PathOrder::Travel;
+    auto parts = drawnParts(lines, picture, settings);
+    glm::dvec2 penAt{0.0};
+    for (std::size_t pen = parts.size(); pen-- > 0;) {  // as they are written
+        if (travels) parts[pen] = curves::inTravelOrder(std::move(parts[pen]), penAt);
+        const double margin = 0.5 * allPens[pen].width;
+        std::size_t first = 0;
+        for (const Line& part : parts[pen]) {
+            const PathKey key{travels ? first++ : 0, part.object, ink::levelOf(part.width)};
             io::SvgPath& path = drawing.paths[pen].try_emplace(key, stepFor(settings)).first->second;
             for (const LinePoint& point : part.points)
                 drawing.isCut = drawing.isCut || reachesBeyond(size, point.pixel, margin + settings.fitCurves);

@@ -66,6 +66,16 @@ void readLine(Settings& settings, std::string_view line, const std::string& wher
 
 }  // namespace
 
+std::string configText(const Settings& settings) {
+    std::string text;
+    const Settings defaults;
+    for (const SettingDescription& row : settingTable()) {
+        const std::string value = row.get(settings);
+        if (value != row.get(defaults)) text += fmt::format("{} = {}\n", row.name, value);
+    }
+    return text;
+}
+
 void readConfig(Settings& settings, const std::filesystem::path& file) {
     std::istringstream lines{contentOf(file)};
     int number = 1;

@@ -120,6 +120,11 @@ Why idleSimplify(const Settings& settings, const OutputKinds& kinds) {
     return curved && !kinds.json ? "--fit-curves says how far curves may stray" : acts;
 }
 
+Why idlePathOrder(const Settings& settings, const OutputKinds& kinds) {
+    if (!kinds.svg) return "it is for lines in .svg";
+    return varies(settings.lines) ? "lines whose width varies are outlines of strokes" : acts;
+}
+
 Why idleFitCurves(const Settings& settings, const OutputKinds& kinds) {
     if (!kinds.svg) return "it is for lines in .svg";
     return varies(settings.lines) ? "lines whose width varies are outlines of strokes" : acts;

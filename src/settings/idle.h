@@ -22,6 +22,7 @@ namespace inkedge::settings {
 [[nodiscard]] std::string_view idleStroke(const Settings&, const OutputKinds&);  ///< mesh lines in pictures; SVG
 [[nodiscard]] std::string_view idleIsolines(const Settings&, const OutputKinds&);
 [[nodiscard]] std::string_view idleSimplify(const Settings&, const OutputKinds&);   ///< polylines in files
+[[nodiscard]] std::string_view idlePathOrder(const Settings&, const OutputKinds&);  ///< SVG of centre lines
 [[nodiscard]] std::string_view idleFitCurves(const Settings&, const OutputKinds&);  ///< SVG of constant widths
 
 // Picture

@@ -25,8 +25,8 @@ TEST_F(Help, OfEachVerbNamesItsFlags) {
         expectSuccess(outcome);
         for (const std::string& flag : flags) EXPECT_THAT(outcome.out, HasSubstr(flag)) << verb;
     };
-    expectFlags("render",
-                {"MODEL", "-o,--output", "--metadata", "--json", "-q,--quiet", "-v,--verbose", "--preset", "--config"});
+    expectFlags("render", {"MODEL", "-o,--output", "--metadata", "--json", "-q,--quiet", "-v,--verbose", "--preset",
+                           "--config", "--print-config"});
     expectFlags("compare", {"A", "B", "-o,--output", "--level", "--share", "--hard-limit", "--json", "-q,--quiet"});
     expectFlags("doctor", {"--json"});
 }

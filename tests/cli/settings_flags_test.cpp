@@ -127,6 +127,7 @@ const std::map<std::string_view, Example>& examples() {
         {"hatch-width", {.value = "2", .wrong = "0.1", .shows = "picture.png", .beside = hatched, .asset = "statue"}},
         {"shade", {.value = "light", .wrong = "dark", .shows = "picture.png"}},
         {"light", {.value = "80,10", .wrong = "80", .shows = "picture.png", .beside = {"--shade", "gooch"}}},
+        {"path-order", {.value = "travel", .wrong = "short", .shows = "/settings/path-order", .becomes = "\"travel\""}},
         {"sumi-width", {.value = "3", .wrong = "0", .shows = "picture.png", .beside = {"--style", "sumi"}}},
         {"sumi-length", {.value = "5", .wrong = "-1", .shows = "picture.png", .beside = {"--style", "sumi"}}},
         {"sumi-streaks", {.value = "16", .wrong = "0.5", .shows = "picture.png", .beside = {"--style", "sumi"}}},
@@ -291,6 +292,17 @@ TEST_F(SettingsSources, EveryPresetRenders) {
     for (const inkedge::Preset& preset : inkedge::presets()) {
         expectSuccess(render(roof(), {"--preset", std::string{preset.name}}));
     }
+}
+
+TEST_F(SettingsSources, PrintConfigSaysWhatAPresetGivesAndDrawsNothing) {
+    const Outcome plotter = run({"render", "--preset", "plotter", "--line-width", "0.5mm", "--print-config"});
+    expectSuccess(plotter);
+    EXPECT_EQ(plotter.out, "background = none\nline-width = 0.5mm\nlines-from = object\npath-order = travel\n");
+    EXPECT_EQ(run({"render", roof(), "-o", "a.png", "--print-config"}).out, "");
+    EXPECT_THAT(folder_.names(), testing::IsEmpty());
+    const std::string config = file("plotter.conf", plotter.out);
+    EXPECT_EQ(run({"render", "--config", config, "--print-config"}).out, plotter.out);
+    expectFailure(run({"render", "--preset", "pencil", "--print-config"}), 2, HasSubstr("--preset: expected one of "));
 }
 
 TEST_F(SettingsSources, ConfigurationTakesQuotesCommentsAndWindowsLines) {

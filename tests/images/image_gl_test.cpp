@@ -53,7 +53,10 @@ Settings settingsFrom(const std::string& arguments) {
         constexpr std::string_view sourceMark = "{source}";
         const std::size_t at = value.find(sourceMark);
         if (at != std::string::npos) value.replace(at, sourceMark.size(), source.string());
-        set(settings, flag.substr(2), value, flag);
+        if (flag == "--preset")
+            setPreset(settings, value, flag);
+        else
+            set(settings, flag.substr(2), value, flag);
     }
     return settings;
 }

@@ -127,6 +127,28 @@ TEST(LinesSvg, hasTheShadeAsAnImageUnderThePaths) {
         << "moved as the paths are";
 }
 
+// The drawing's paths, each as the object and where it begins.
+std::vector<std::string> beginnings(const std::string& text) {
+    std::vector<std::string> found;
+    for (std::size_t at = 0; (at = text.find("<path data-object=\"", at)) != std::string::npos; ++at) {
+        const std::string path = text.substr(at, text.find("/>", at) - at);
+        found.push_back(between(path, "data-object=\"", "\"") + ":" + between(path, "d=\"", "l"));
+    }
+    return found;
+}
+
+TEST(LinesSvg, hasAPathALineInAnOrderOfShortWays) {
+    std::vector<Line> all{lineThrough({{100, 50}, {150, 50}}), lineThrough({{10, 10}, {40, 10}}),
+                          lineThrough({{95, 50}, {41, 12}}), lineThrough({{5, 5}, {9, 10}})};
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].object = i < 3 ? 1 : 2;
+    EXPECT_THAT(beginnings(svg(linesOf(all))),
+                testing::ElementsAre(testing::StartsWith("1:"), testing::StartsWith("2:")))
+        << "a path an object";
+    EXPECT_THAT(beginnings(svg(linesOf(all), settingsOf({{"path-order", "travel"}}))),
+                testing::ElementsAre(HasSubstr("2:m5 5 "), HasSubstr("1:m10 10 "), HasSubstr("1:m41 12 "),
+                                     HasSubstr("1:m100 50 ")));
+}
+
 TEST(LinesSvg, groupsLinesByTypeAndVisibilityWithWhatCoversLast) {
     const Lines lines = linesOf({typed(lineThrough({{1, 1}, {9, 9}}), LineType::Outline),
                                  hidden(typed(lineThrough({{1, 1}, {9, 2}}), LineType::Outline)),

@@ -95,6 +95,7 @@ std::map<std::string_view, std::string> samples(const std::string& brush) {
             {"style", "pencil"},
             {"shade", "flat"},
             {"light", "60,-20"},
+            {"path-order", "travel"},
             {"hatch-bend", "60"},
             {"hatch-shade", "0"},
             {"hatch-width", "2"},

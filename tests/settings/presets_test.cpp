@@ -6,6 +6,7 @@
 
 #include <inkedge/setting_table.h>
 
+#include "base/temporary_folder.h"
 #include "settings/setting_samples.h"
 
 namespace inkedge::settings {
@@ -22,7 +23,8 @@ TEST(Presets, haveNamesOfTheirOwnAndOneLineOfHelp) {
         EXPECT_THAT(preset.help, Not(IsEmpty()));
         EXPECT_THAT(preset.values, Not(IsEmpty()));
     }
-    EXPECT_THAT(names, testing::IsSupersetOf({"paper", "blueprint", "overlay"}));
+    EXPECT_THAT(names, testing::IsSupersetOf(
+                           {"paper", "blueprint", "overlay", "technical", "illustration", "plotter", "dataset"}));
 }
 
 TEST(Presets, setWhatTheySay) {
@@ -37,10 +39,67 @@ TEST(Presets, setWhatTheySay) {
 
 TEST(Presets, paperIsTheClassicDetectorWithTheKernelsOfEquation8) {
     Settings settings;
-    const auto paper = std::ranges::find(presets(), "paper", &Preset::name);
-    for (const auto& [name, text] : paper->values) set(settings, name, text, "paper");
+    setPreset(settings, "paper", "test");
     EXPECT_EQ(settings.detector.detector, Detector::Classic);
     EXPECT_EQ(settings.detector.kernel, Kernel::Farid);
+}
+
+TEST(Presets, technicalHasThePensOfTechnicalDrawings) {
+    Settings settings;
+    setPreset(settings, "technical", "test");
+    EXPECT_EQ(settings.picture.pens[0].width, (PictureLength{0.7, true})) << "outlines";
+    EXPECT_EQ(settings.picture.lineWidth, (PictureLength{0.35, true})) << "creases and the others";
+    EXPECT_EQ(settings.picture.hiddenPen.width, (PictureLength{0.25, true}));
+    EXPECT_EQ(settings.lines.hidden, HiddenLines::Dashed);
+}
+
+TEST(Presets, plotterHasOneWidth) {
+    Settings settings;
+    setPreset(settings, "plotter", "test");
+    EXPECT_EQ(settings.picture.pens, PictureSettings{}.pens);
+    EXPECT_EQ(settings.lines.pathOrder, PathOrder::Travel);
+    EXPECT_EQ(settings.lines.coincident, CoincidentLines::Merge);
+    EXPECT_EQ(settings.lines.strokeWidth, StrokeWidth::Constant);
+    EXPECT_EQ(settings.lines.strokeTaper, 0.0);
+}
+
+TEST(Presets, datasetHasEveryMapAndNoInk) {
+    Settings settings;
+    setPreset(settings, "dataset", "test");
+    EXPECT_EQ(settings.maps.size(), static_cast<std::size_t>(mapCount));
+    EXPECT_EQ(settings.style.style, Style::None);
+}
+
+TEST(Presets, keepWhatTheyDoNotSay) {
+    Settings settings = with("size", "320x200");
+    setPreset(settings, "technical", "test");
+    EXPECT_EQ(settings.picture.size, (Size{320, 200}));
+}
+
+TEST(Presets, thatAreNoneAreRefused) {
+    expectError(Error::Kind::Usage,
+                testing::StrEq("--preset: expected one of paper, blueprint, overlay, technical, illustration, plotter, "
+                               "dataset, found 'sketch'"),
+                [] {
+                    Settings settings;
+                    setPreset(settings, "sketch", "--preset");
+                });
+}
+
+// What --print-config prints.
+TEST(ConfigText, readAgainIsTheSame) {
+    const TemporaryFolder folder;
+    for (const Preset& preset : presets()) {
+        Settings settings = with("crop", "2mm");
+        setPreset(settings, preset.name, "test");
+        put(folder / "a.conf", configText(settings));
+        Settings again;
+        readConfig(again, folder / "a.conf");
+        EXPECT_EQ(configText(again), configText(settings)) << preset.name;
+        for (const auto& [name, text] : preset.values) EXPECT_EQ(got(name, again), got(name, settings)) << name;
+    }
+    EXPECT_EQ(configText({}), "");
+    EXPECT_EQ(configText(with("line-width", "2")), "line-width = 2\n");
 }
 
 TEST(Thresholds, areThoseGiven) {

@@ -11,6 +11,7 @@ constexpr std::array linesFromNames{Names{"auto"}, Names{"image"}, Names{"object
 constexpr std::array contourNames{Names{"auto"}, Names{"mesh"}, Names{"smooth"}};
 constexpr std::array hiddenNames{Names{"none"}, Names{"dashed"}, Names{"solid"}};
 constexpr std::array coincidentNames{Names{"merge"}, Names{"keep"}};
+constexpr std::array pathOrderNames{Names{"drawn"}, Names{"travel"}};
 constexpr std::array strokeWidthNames{Names{"constant"}, Names{"depth"}, Names{"curvature"}};
 
 std::string isolineRange() { return rangeOf(isolineSteps); }
@@ -74,6 +75,12 @@ std::vector<SettingDescription> lineRows() {
               .idle = idleFitCurves},
              Number{.min = 0.01, .max = 100.0, .unit = "PX", .zeroToo = true},
              [](auto& s) -> auto& { return s.lines.fitCurves; }),
+         row(
+             {.name = "path-order",
+              .help = "order of the paths in .svg: drawn: one an object; travel: one a line, so that a pen travels "
+                      "little between them",
+              .idle = idlePathOrder},
+             Choice{pathOrderNames}, [](auto& s) -> auto& { return s.lines.pathOrder; }),
          row(
              {.name = "subdivide-adaptive",
               .help = "refine N times, but only the faces that the contour may cross; lines from object",
