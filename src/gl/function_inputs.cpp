@@ -14,6 +14,7 @@
 #include "base/read_file.h"
 #include "gl/errors.h"
 #include "images/decode_picture.h"
+#include "scene/face_edges.h"
 #include "scene/prepared.h"
 
 namespace inkedge::gl {
@@ -161,6 +162,15 @@ void FunctionInputs::bindPaint(const Scene& scene) {
     api_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, paint_.triangles.id());
     api_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, paint_.materials.id());
     api_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, paint_.texels.id());
+}
+
+void FunctionInputs::bindFaceEdges(const Scene& scene) {
+    const auto held = faces_.scene.lock();
+    if (held == nullptr || held != scene::identityOf(scene).lock()) {
+        faces_ = {scene::identityOf(scene), filled(api_, scene::faceEdgesOf(scene))};
+        checkErrors(api_, "the edges of a scene's faces", "draw a smaller model or use --backend osmesa");
+    }
+    api_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, faces_.edges.id());
 }
 
 }  // namespace inkedge::gl

@@ -10,8 +10,8 @@
 
 namespace inkedge::gl {
 
-/// What surface functions read besides the scene's vertices: pictures from files, and the materials' colours and
-/// pictures. Kept from view to view.
+/// What surface functions and some passes read besides the scene's vertices: pictures from files, the materials'
+/// colours and pictures, and what lies beyond the edges of faces. Kept from view to view.
 class FunctionInputs {
 public:
     explicit FunctionInputs(const Api& api) : api_{api} {}
@@ -24,6 +24,10 @@ public:
     /// @throws Error  (Kind::Runtime) if the context is out of memory
     void bindPaint(const Scene&);
 
+    /// Binds scene::faceEdgesOf() the scene as shaders/draw_fattened.geom reads them.
+    /// @throws Error  (Kind::Runtime) if the context is out of memory
+    void bindFaceEdges(const Scene&);
+
 private:
     struct Paint {
         std::weak_ptr<const void> scene;
@@ -31,11 +35,16 @@ private:
         Buffer materials;
         Buffer texels;
     };
+    struct Faces {
+        std::weak_ptr<const void> scene;
+        Buffer edges;
+    };
     [[nodiscard]] Paint upload(const Scene&) const;
 
     const Api& api_;
     base::KeptFiles<TextureName> pictures_;
     Paint paint_;
+    Faces faces_;
 };
 
 }  // namespace inkedge::gl

@@ -276,7 +276,10 @@ enum class Detector {
     Planes,          ///< where the planes of two visible faces do not go on into each other; needs no threshold
     Classic,         ///< gradients of the depth map and of the normal map, Hertzmann 1999, appendix A
     SaitoTakahashi,  ///< profiles and internal edges of the depth map, Saito and Takahashi 1990 (its reference 18)
-    None,            ///< no lines but those of DetectorSettings::functions
+    /// Back faces that are enlarged, and fins along creases, in one pass: Raskar and Cohen 1999 (its reference 17),
+    /// Raskar 2001.
+    RaskarCohen,
+    None,  ///< no lines but those of DetectorSettings::functions
 };
 enum class Kernel : int {
     Sobel,  ///< 3 x 3, equation 5

@@ -6,6 +6,7 @@
 
 #include "gl/draw.h"
 #include "passes/instance_transforms.h"
+#include "passes/lift.h"
 #include "passes/show_tile.h"
 
 namespace inkedge::passes {
@@ -14,15 +15,6 @@ namespace {
 // How far layers are lifted towards the eye, in pixel footprints: more than the rounding of the depth test between
 // faces in one plane, and less than any step that can be seen.
 constexpr double layerLift = 0.05;
-
-// The lift in clip-space z. It is constant, because a footprint grows with depth in perspective, and is constant in an
-// orthographic view.
-double liftInClipSpace(const Frame& frame, const glm::dmat4& projection) {
-    const double focal = frame.camera.focalLength(frame.tile.whole);
-    if (frame.camera.orthographic()) return layerLift / (focal * frame.unit) * projection[2][2];
-    const double lift = layerLift / focal;
-    return projection[3][2] * lift / (1.0 - lift);
-}
 
 void setUniforms(const Frame& frame, gl::Program program, const glm::mat4& projection, double lift) {
     const GLuint id = frame.gpu.programs.id(program);
@@ -56,7 +48,7 @@ void drawLayers(const Frame& frame, const gl::Texture& planes, const gl::Texture
     api.Enable(GL_BLEND);
     api.BlendEquation(GL_FUNC_ADD);
     api.BlendFunc(GL_ONE, GL_ONE);
-    setUniforms(frame, gl::Program::DrawLayers, glm::mat4{projection}, liftInClipSpace(frame, projection));
+    setUniforms(frame, gl::Program::DrawLayers, glm::mat4{projection}, liftInClipSpace(frame, projection, layerLift));
     frame.upload.draw(gl::UploadedScene::Triangles::Layers, frame.hiddenBacks);
 }
 

@@ -47,8 +47,9 @@ inline PixelRange pixelRange(const ClipTriangle& triangle, int axis, int count) 
 }
 
 /// Calls draw(Sample) for each pixel whose centre sees the triangle nearer than windowDepth, and keeps its depth there.
-template <class Draw>
-void forEachSample(const ClipTriangle& triangle, Image<double>& windowDepth, Draw&& draw) {
+/// @param covers  of a pixel, x and y: whether the triangle is drawn there
+template <class Covers, class Draw>
+void forEachSample(const ClipTriangle& triangle, Image<double>& windowDepth, Covers&& covers, Draw&& draw) {
     // Homogeneous rasterisation: the rows of this inverse are the barycentric edge functions, which need no clipping.
     const auto xyw = [](const glm::dvec4& c) { return glm::dvec3{c.x, c.y, c.w}; };
     const glm::dmat3 corners{xyw(triangle[0]), xyw(triangle[1]), xyw(triangle[2])};
@@ -69,11 +70,17 @@ void forEachSample(const ClipTriangle& triangle, Image<double>& windowDepth, Dra
             double clipZ = 0.0;
             for (int i = 0; i < 3; ++i) clipZ += barycentric[i] * triangle[static_cast<std::size_t>(i)].z;
             const double window = 0.5 * clipZ * inverseW + 0.5;
-            if (window < 0.0 || window > 1.0 || window >= windowDepth(x, y)) continue;
+            if (window < 0.0 || window > 1.0 || window >= windowDepth(x, y) || !covers(x, y)) continue;
             windowDepth(x, y) = window;
             draw(Sample{x, y, barycentric, window, 1.0 / inverseW, determinant > 0.0});
         }
     }
+}
+
+template <class Draw>
+void forEachSample(const ClipTriangle& triangle, Image<double>& windowDepth, Draw&& draw) {
+    forEachSample(
+        triangle, windowDepth, [](int, int) { return true; }, draw);
 }
 
 }  // namespace inkedge::reference

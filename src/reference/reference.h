@@ -126,6 +126,22 @@ struct Edges {
 /// @throws Error        (Kind::Usage) if the materials have pictures
 [[nodiscard]] Image<double> drawShade(const Scene&, const Camera&, Shade, glm::dvec3 towardsLight, Size);
 
+/// Lines by polygons that are added to the model's, hidden by depth alone: Raskar and Cohen 1999, Raskar 2001.
+///
+/// All triangles are drawn as paper. Ink is drawn
+/// - beyond an edge of a back face, beside which the face goes on as a front face (a silhouette), and of any face at a
+///   border: as deep as the edge, and 1/4 of a footprint deeper;
+/// - along an edge of two faces that meet in a crease and are seen from the same side: on each of the two, in its
+///   plane, half as wide, and 1/4 of a footprint nearer; but from edge to edge no depth is used that the face does
+///   not have
+///
+/// where a pixel's centre lies on that side of the edge, or beyond its ends, and within the width of it. Which faces
+/// meet, and in a crease, scene::faceEdgesOf() says. With a width of 1 the silhouettes are those of Gooch et al. 1999,
+/// of back faces as wires. GPU twin: draw_fattened.geom.
+/// @param width  pixels
+/// @return       255 where a pixel's centre sees ink, else 0
+[[nodiscard]] Image<std::uint8_t> drawFattened(const Scene&, const Camera&, double width, Size);
+
 /// How much hatch marks cover of each sample, 0 to 1: Hertzmann 1999, Figure 2(b).
 ///
 /// Where two facets meet between neighbouring samples (a step or two from the sample, along a row or a column) there is

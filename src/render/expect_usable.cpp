@@ -27,7 +27,9 @@ std::uint64_t bytesPerPixel(const RenderSettings& settings) {
                                                 {Map::NormalEdges, 5}, {Map::Edges, 1},   {Map::Types, 2},
                                                 {Map::Ids, 16}};
     for (const auto& [map, cost] : costs) bytes += wants(settings, map) ? cost : 0;
-    if (!settings.detector.functions.empty() || settings.detector.detector == Detector::SaitoTakahashi) ++bytes;  // ink
+    if (!settings.detector.functions.empty() || settings.detector.detector == Detector::SaitoTakahashi ||
+        settings.detector.detector == Detector::RaskarCohen)
+        ++bytes;  // ink
     const StyleRow& style = styleRow(settings.style.style);
     if (style.tileInk != nullptr) ++bytes;
     if (style.redraw != nullptr) bytes += 8;  // the drawing, and the picture that is drawn from it

@@ -18,6 +18,8 @@ LineSource sourceOf(const RenderSettings& settings, const StyleRow& style) {
             return LineSource::Classic;
         case Detector::SaitoTakahashi:
             return LineSource::Profiles;
+        case Detector::RaskarCohen:
+            return LineSource::Fattened;
         case Detector::None:
             break;
     }
@@ -54,6 +56,7 @@ void planGeometry(const RenderSettings& settings, Plan& plan) {
                    plan.surfaceMaps.normal;
     plan.together = plan.surface && (plan.planesOfPixels || (plan.planes && samples == 1)) &&
                     settings.detector.normalLights == NormalLights::Single;
+    plan.fattened = plan.lines == LineSource::Fattened;
     plan.functions = !settings.detector.functions.empty();
     if (style.reach != nullptr) plan.margin = std::max(raster::tileMargin, style.reach(settings.style) * samples);
 }

@@ -17,6 +17,7 @@ enum class LineSource {
     Planes,    ///< traced between pixels whose planes do not go on into each other
     Classic,   ///< pixels marked by gradients of the depth map and of the normal map
     Profiles,  ///< ink of Detector::SaitoTakahashi
+    Fattened,  ///< ink of Detector::RaskarCohen
     Object,    ///< the mesh itself
 };
 
@@ -33,6 +34,7 @@ struct Plan {
     bool functions = false;           ///< DetectorSettings::functions, one after the other
     int margin = raster::tileMargin;  ///< samples around a tile that its passes need
 
+    bool fattened = false;      ///< LineSource::Fattened
     Shade shade = Shade::None;  ///< under the lines, or for its map
 
     // What is found in it.
@@ -53,7 +55,8 @@ struct Plan {
     settings::Paper paper = settings::Paper::Background;  ///< of what is drawn before the last steps
 
     [[nodiscard]] bool drawsTiles() const noexcept {
-        return planes || planesOfPixels || surface || functions || style->tileInk != nullptr || shade != Shade::None;
+        return planes || planesOfPixels || surface || functions || fattened || style->tileInk != nullptr ||
+               shade != Shade::None;
     }
     /// Lines from object space, and pictures of nothing else, need none.
     [[nodiscard]] bool needsContext() const noexcept { return drawsTiles() || style->redraw != nullptr; }

@@ -15,10 +15,12 @@
 #include "passes/detect_edges.h"
 #include "passes/detect_lines.h"
 #include "passes/detect_profiles.h"
+#include "passes/draw_fattened.h"
 #include "passes/draw_shade.h"
 #include "passes/function_edges.h"
 #include "passes/ink_over.h"
 #include "scene/prepared.h"
+#include "settings/lengths.h"
 #include "trace/scraps.h"
 #include "trace/screen_triangles.h"
 #include "trace/thin_lines.h"
@@ -154,6 +156,12 @@ private:
         }
     }
 
+    Image<std::uint8_t> fattened(const passes::Frame& frame) {
+        const PictureSettings& picture = settings_.picture;
+        const double width = picture.supersampling * settings::pixelsOf(picture.lineWidth, picture.pixelsPerInch());
+        return passes::meanOf(passes::drawFattened(frame, inputs_, width), picture.supersampling);
+    }
+
     Image<std::uint8_t> shade(const passes::Frame& frame) {
         const glm::dvec3 light =
             camera::towardsLight(frame.scene, frame.camera, settings_.shade.light, settings_.detector.lightSpace);
@@ -175,6 +183,10 @@ private:
             ink = passes::darker(std::move(ink),
                                  passes::detectProfiles(tile.pixels, geometry.surface->surface, detector));
             clock_.finish("profiles");
+        }
+        if (plan_.fattened) {
+            ink = passes::darker(std::move(ink), fattened(tile.samples));
+            clock_.finish("fattened faces");
         }
         if (styleInk_) {
             ink = passes::darker(std::move(ink), styleInk_(tile, geometry));

@@ -77,6 +77,11 @@ bool drawsStrokes(const Settings& settings, const OutputKinds& kinds) {
     return anyPicture(kinds) && (drawsPlanes(settings) || drawsMeshLines(settings));
 }
 
+Why idlePenOfTypes(const Settings& settings, const OutputKinds& kinds) {
+    if (kinds.svg || drawsStrokes(settings, kinds) || settings.frame.crop) return acts;
+    return anyPicture(kinds) ? whyNoStrokes(settings) : "lines in .json have no width";
+}
+
 }  // namespace
 
 bool needsMeshLines(const RenderSettings& settings) noexcept {
@@ -145,15 +150,15 @@ Why idleTypes(const Settings& settings, const OutputKinds& kinds) {
 }
 
 Why idlePen(const Settings& settings, const OutputKinds& kinds) {
-    if (kinds.svg || drawsStrokes(settings, kinds) || settings.frame.crop) return acts;
-    return anyPicture(kinds) ? whyNoStrokes(settings) : "lines in .json have no width";
+    if (anyPicture(kinds) && drawsLinesOf(settings, Detector::RaskarCohen)) return acts;
+    return idlePenOfTypes(settings, kinds);
 }
 
 Why idleLineStyle(const Settings& settings, const OutputKinds& kinds) {
     const PictureSettings defaults;
     if (settings.picture.pens == defaults.pens && settings.lines.hidden == HiddenLines::None)
         return "hidden: is for --hidden dashed or solid";
-    return idlePen(settings, kinds);
+    return idlePenOfTypes(settings, kinds);
 }
 
 Why idleDpi(const Settings& settings, const OutputKinds& kinds) {
@@ -175,7 +180,8 @@ Why idleSamples(const Settings& settings, const OutputKinds& kinds) {
         if (settings.lines.from == LinesFrom::Image) return acts;
         if (!anyPicture(kinds)) return "lines of the mesh are exact";
     }
-    const bool samples = drawsPlanes(settings) || mapsTrace(settings) || !settings.detector.functions.empty() ||
+    const bool samples = drawsPlanes(settings) || drawsLinesOf(settings, Detector::RaskarCohen) ||
+                         mapsTrace(settings) || !settings.detector.functions.empty() ||
                          settings.style.style == Style::Hatch;
     if (samples) return acts;
     return drawsMeshLines(settings) ? "lines of the mesh are exact" : "it is for the planes detector";

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "settings/idle.h"
+
 namespace inkedge::settings {
 namespace {
 
@@ -13,6 +15,8 @@ double inkReach(const RenderSettings& settings) {
     const PictureSettings& picture = settings.picture;
     if (settings.style.style == Style::Sumi) return settings.style.sumiWidth;
     if (settings.style.style == Style::None) return 0.0;
+    if (settings.detector.detector == Detector::RaskarCohen && !drawsMeshLines(settings))
+        return pixelsOf(picture.lineWidth, picture.pixelsPerInch());
     double widest = 0.0;
     for (std::size_t i = 0; i < lineTypeCount; ++i) {
         if (!picture.lines.contains(static_cast<LineType>(1U << i))) continue;

@@ -18,7 +18,8 @@ inline constexpr std::array<std::string_view, lineTypeCount> lineTypeNames{
 /// In the order of ContourFinder.
 inline constexpr std::array<std::string_view, 3> contourFinderNames{"every", "random", "gauss"};
 /// In the order of Detector.
-inline constexpr std::array<std::string_view, 4> detectorNames{"planes", "classic", "saito-takahashi", "none"};
+inline constexpr std::array<std::string_view, 5> detectorNames{"planes", "classic", "saito-takahashi", "raskar-cohen",
+                                                               "none"};
 
 /// In the order of NamedView.
 inline constexpr std::array<std::string_view, 8> namedViewNames{"front", "back",   "left", "right",

@@ -54,6 +54,7 @@ const std::vector<Beside>& surroundings() {
         {"no lines", {{"style", "none"}, {"shade", "base-color"}}, picture},
         {"shade", {{"shade", "gooch"}}, picture},
         {"map of the shade", {{"maps", "shade"}}, picture},
+        {"fattened", {{"detector", "raskar-cohen"}}, picture},
         {"function", {{"function", "height"}, {"lines-from", "object"}}, picture},
         {"orthographic", {{"camera-orthographic", "0"}}, picture},
         {"svg", {}, svg},

@@ -190,11 +190,20 @@ TEST(PlanOf, aShadeIsDrawnForThePictureOrForItsMap) {
 }
 
 TEST(PlanOf, noStyleIsNoLinesWhateverTheDetector) {
-    for (const Detector detector : {Detector::Planes, Detector::Classic}) {
+    for (const Detector detector : {Detector::Planes, Detector::Classic, Detector::RaskarCohen}) {
         const Plan plan = planOf(with(detector, {}, Style::None));
         EXPECT_EQ(plan.lines, LineSource::None);
         EXPECT_FALSE(plan.drawsTiles());
     }
+}
+
+TEST(PlanOf, fattenedFacesAreDrawnAlone) {
+    const Plan plan = planOf(with(Detector::RaskarCohen));
+    EXPECT_EQ(plan.lines, LineSource::Fattened);
+    EXPECT_TRUE(plan.fattened);
+    EXPECT_TRUE(plan.drawsTiles());
+    EXPECT_EQ(drawn(plan), "");
+    EXPECT_FALSE(planOf(with(Detector::RaskarCohen, {}, Style::Sumi)).fattened);
 }
 
 TEST(PlanOfImageLines, isOfTracedLinesAlone) {

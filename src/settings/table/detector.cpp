@@ -36,7 +36,8 @@ std::vector<SettingDescription> detectorRows() {
         {row(
              {.name = "detector",
               .help = "planes: where visible faces do not go on; classic: gradients of depth and normals; "
-                      "saito-takahashi: profiles and edges of depth; none: functions alone",
+                      "saito-takahashi: profiles and edges of depth; raskar-cohen: enlarged back faces and fins; none: "
+                      "functions alone",
               .idle = idleDetector},
              Choice{detectorNames}, [](auto& s) -> auto& { return s.detector.detector; }),
          row(
