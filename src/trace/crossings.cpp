@@ -31,8 +31,10 @@ void CrossingTracer::traceRow(int y, CrossingRow& crossings) {
     forEachMarked(buffers_.marks, y, columns_.x, columns_.x + columns_.size.width, [&](int x) {
         const unsigned marks = buffers_.marks(x, y);
         const auto column = static_cast<std::size_t>(x);
-        if ((marks & rightMarks) != 0) crossings.right[column] = crossing({x, y}, {x + 1, y}, marks & rightMarks);
-        if ((marks >> 4U) != 0) crossings.down[column] = crossing({x, y}, {x, y + 1}, marks >> 4U);
+        if ((marks & rightMarks) != 0)
+            cross({x, y}, {x + 1, y}, marks & rightMarks, crossings.right[column], crossings.rightStrips[column]);
+        if ((marks >> 4U) != 0)
+            cross({x, y}, {x, y + 1}, marks >> 4U, crossings.down[column], crossings.downStrips[column]);
         crossings.columns.push_back(x);
     });
 }
@@ -107,7 +109,7 @@ std::optional<double> CrossingTracer::planesMeet(Sample p, Sample q) const {
 // Where a line crosses the step from near to far, 0 to 1. If the nearer surface goes on to the far sample, where it is
 // not seen any more, it ends there, within the grid that vertices snap to.
 double CrossingTracer::positionAlong(const Step& step) const {
-    const auto& [near, far, marks, way, whole, farWay, back, bends] = step;
+    const auto& [near, far, marks, way, whole, farWay, back, bends, strip] = step;
     if (step.jumps()) {  // a crease that is nearer than the surface's end has more of the surface behind it
         if (whole.exit && whole.exit->end != End::Crease) return whole.exit->t;
         return way.exit ? way.exit->t : way.arrivedAt ? 1.0 : 0.5;
@@ -118,24 +120,25 @@ double CrossingTracer::positionAlong(const Step& step) const {
         if (bends) return t;
         // A surface that ends before its plane meets the other one's lies in front of it, by little.
         const double begin = farWay.exit ? 1.0 - farWay.exit->t : 0.0;
-        return way.exit ? std::min(std::max(t, begin), way.exit->t) : std::max(t, begin);
+        const double from = std::max(t, begin);
+        return way.exit ? std::min(from, strip ? whole.exit->t : way.exit->t) : from;
     }
-    if (way.exit) return way.exit->t;
+    if (way.exit) return strip ? whole.exit->t : way.exit->t;
     if (farWay.exit) return 1.0 - farWay.exit->t;
     const auto border = layerBorder(near, far);
     return border ? border->t : 0.5;
 }
 
-StepCrossing CrossingTracer::crossing(Sample p, Sample q, unsigned marks) {
+void CrossingTracer::cross(Sample p, Sample q, unsigned marks, StepCrossing& line, StepCrossing& strip) {
     const bool swap = isBackground(p) || (!isBackground(q) && isNearer(q, p));
-    Step step{swap ? q : p, swap ? p : q, marks, {}, {}, {}, {}, false};
+    Step step{swap ? q : p, swap ? p : q, marks, {}, {}, {}, {}, false, false};
     const auto& [near, far] = std::pair{step.near, step.far};
     const auto [patch, surface] = walk(near, far);
     step.way = patch;
-    if ((marks & ~(raster::PairMark::bend | raster::PairMark::jump)) == 0 && goesOnSmoothly(step)) return {};
+    if ((marks & ~(raster::PairMark::bend | raster::PairMark::jump)) == 0 && goesOnSmoothly(step)) return;
     const bool atCrease = step.way.exit && step.way.exit->end == End::Crease;
     // A slight bend is marked for creases that end within their patch; it is none by itself.
-    if (marks == raster::PairMark::bend && !atCrease && !bendsByCreaseAngle(near, far)) return {};
+    if (marks == raster::PairMark::bend && !atCrease && !bendsByCreaseAngle(near, far)) return;
     step.whole = atCrease ? surface : patch;
     if (!step.jumps()) {
         const auto [farPatch, farSurface] = walk(far, near);
@@ -143,13 +146,54 @@ StepCrossing CrossingTracer::crossing(Sample p, Sample q, unsigned marks) {
         step.back = farSurface;
         step.bends = isBend(step);
     }
+    step.passesStrip = passesStrip(step);
+    line = crossing(step);
+    if (step.passesStrip) strip = creaseOfStrip(step);
+    if (step.passesStrip || !step.bends || line.types != LineType::Crease) return;
+    line.width = stripWidth(step, line.position);
+    if (line.width < 1.0F) std::swap(line, strip);
+}
 
+StepCrossing CrossingTracer::crossing(const Step& step) {
+    const auto& [near, far] = std::pair{step.near, step.far};
     const LineTypes types = classify(step);
     types_(near.x, near.y) |= static_cast<std::uint16_t>(types.bits());
     const glm::dvec2 from = centre(near);
     const glm::dvec2 position = from + positionAlong(step) * (centre(far) - from);
     const Sample its = farOwns(step) ? far : near;
     return {glm::vec2{position}, types, inverseDepthAt(its, position - centre(its)), owner(step)};
+}
+
+bool CrossingTracer::passesStrip(const Step& step) const {
+    constexpr double minWidth = 1.0 / 128;  // samples: vertices snap to a grid of 1/256
+    const auto& [way, whole] = std::pair{step.way.exit, step.whole.exit};
+    if (step.bends || !way || !whole || way->end != End::Crease || whole->end == End::Crease) return false;
+    if (whole->t - way->t < minWidth) return false;
+    return step.jumps() || !touches(step.near, step.far, step.way.last, way->t);
+}
+
+StepCrossing CrossingTracer::creaseOfStrip(const Step& step) const {
+    const double t = step.way.exit->t;
+    const glm::dvec2 offset = t * (centre(step.far) - centre(step.near));
+    return {glm::vec2{centre(step.near) + offset}, LineType::Crease, inverseDepthAt(step.near, offset),
+            triangle(step.near), static_cast<float>(step.whole.exit->t - t)};
+}
+
+// How far from a crease its surface ends on one of the two sides, samples along the step; 1: it does not, or further.
+float CrossingTracer::stripWidth(const Step& step, glm::dvec2 crease) const {
+    const auto beyond = [&](Sample from, Sample at) { return glm::distance(crease, centre(at)) + endBeyond(from, at); };
+    return static_cast<float>(std::min({1.0, beyond(step.near, step.far), beyond(step.far, step.near)}));
+}
+
+// Where the surface seen at a sample ends on the step that goes on from another one: samples; 1: it does not.
+double CrossingTracer::endBeyond(Sample from, Sample at) const {
+    const Sample next{2 * at.x - from.x, 2 * at.y - from.y};
+    const Size size = buffers_.marks.size();
+    if (next.x < 0 || next.y < 0 || next.x >= size.width || next.y >= size.height) return 1.0;
+    const unsigned marks = buffers_.marks(std::min(at.x, next.x), std::min(at.y, next.y));
+    if ((at.x != next.x ? marks & rightMarks : marks >> 4U) == 0) return 1.0;
+    const auto exit = triangles_.walk(triangle(at), centre(at), centre(next), ScreenTriangles::Over::Surface).exit;
+    return exit && exit->end != End::Crease ? exit->t : 1.0;
 }
 
 // The inverse depth of the surface that a sample sees, extended to the line. Beyond the sample itself faces seen
@@ -203,11 +247,17 @@ double CrossingTracer::gap(scene::SceneFace front, scene::SceneFace behind, glm:
     return (nearer.w - plane.w) * focalLength_ / glm::length(normal);
 }
 
+// Whether a face that the surface of one sample ends on touches the surface of another one, at a share of the way.
+bool CrossingTracer::touches(Sample from, Sample to, std::uint32_t face, double t) const {
+    constexpr double touching = 0.1;  // samples
+    const glm::dvec2 at = glm::mix(centre(from), centre(to), t);
+    return !(gap({triangle(from).instance, face}, triangle(to), at) > touching);
+}
+
 // What a line is between two surfaces that are not seen to jump. They touch, run into each other, or one ends in front
 // of the other, less than a sample away.
 LineTypes CrossingTracer::meeting(const Step& step) const {
-    constexpr double touching = 0.1;  // samples
-    const auto& [near, far, marks, way, whole, farWay, back, bends] = step;
+    const auto& [near, far, marks, way, whole, farWay, back, bends, strip] = step;
     if (!way.exit && arrives(way, near, far)) return LineType::Intersection;  // with a layer in the plane of both
     if (bends) return LineType::Crease;
     if (way.exit && way.exit->end == End::Fold) return LineType::Occlusion;
@@ -217,13 +267,9 @@ LineTypes CrossingTracer::meeting(const Step& step) const {
     const Walk& surface = farEnds ? back : whole;  // goes on beyond a crease
     const Sample ending = farEnds ? far : near;
     const Sample other = farEnds ? near : far;
-    const auto touches = [&](std::uint32_t face, double t) {
-        const glm::dvec2 at = glm::mix(centre(ending), centre(other), t);
-        return !(gap({triangle(ending).instance, face}, triangle(other), at) > touching);
-    };
-    if (touches(patch.last, patch.exit->t)) return LineType::Intersection;
-    const bool beyondCrease = patch.exit->end == End::Crease;
-    if (!surface.exit || (beyondCrease && touches(surface.last, surface.exit->t)))
+    if (touches(ending, other, patch.last, patch.exit->t)) return LineType::Intersection;
+    const bool beyondCrease = patch.exit->end == End::Crease && !strip;
+    if (!surface.exit || (beyondCrease && touches(ending, other, surface.last, surface.exit->t)))
         return LineType::Crease | LineType::Intersection;
     const bool atBorder = surface.exit->end == End::Border;
     return atBorder ? LineType::Occlusion | LineType::Boundary : LineTypes{LineType::Occlusion};
@@ -235,6 +281,9 @@ LineTypes CrossingTracer::classify(const Step& step) const {
     if ((step.marks & raster::PairMark::background) != 0) return LineType::Outline | boundary;
     const bool otherObject = triangle(step.near).instance != triangle(step.far).instance;
     const LineTypes object = otherObject ? LineTypes{LineType::Object} : LineTypes{};
+    // As where a sample sees the strip.
+    if (step.passesStrip && touches(step.near, step.far, step.whole.last, step.whole.exit->t))
+        return object | LineType::Intersection;
     return object | (step.jumps() ? LineType::Occlusion | boundary : meeting(step));
 }
 

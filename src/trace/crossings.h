@@ -25,21 +25,27 @@ struct StepCrossing {
     LineTypes types;            ///< empty: there is no line
     float inverseDepth = 0.0F;  ///< as TracedPiece has it
     scene::SceneFace face;      ///< that the line belongs to: the nearer one; where surfaces meet see owner()
+    float width = 1.0F;         ///< as TracedPiece has it
 };
 
 /// The crossings of one row of samples with their neighbours to the right and below.
 struct CrossingRow {
-    explicit CrossingRow(int width) : right(static_cast<std::size_t>(width)), down(static_cast<std::size_t>(width)) {}
+    explicit CrossingRow(int width)
+        : right(static_cast<std::size_t>(width)), down(right), rightStrips(right), downStrips(right) {}
 
     /// Most samples have no crossings: only those that have are cleared.
     void clear() {
-        for (const int column : columns) right[static_cast<std::size_t>(column)].types = {};
-        for (const int column : columns) down[static_cast<std::size_t>(column)].types = {};
+        for (std::vector<StepCrossing>* const steps : {&right, &down, &rightStrips, &downStrips})
+            for (const int column : columns) (*steps)[static_cast<std::size_t>(column)].types = {};
         columns.clear();
     }
 
     std::vector<StepCrossing> right;
     std::vector<StepCrossing> down;
+    /// Creases less than a sample from where their surface ends: some samples see the strip between the two lines, and
+    /// others do not. They are as wide as it, and stand beside the other line.
+    std::vector<StepCrossing> rightStrips;
+    std::vector<StepCrossing> downStrips;
     std::vector<int> columns;  ///< of samples with crossings, ascending
 };
 
@@ -77,6 +83,8 @@ private:
         Walk farWay;  // over the far sample's patch, towards the near one
         Walk back;    // over its surface
         bool bends;   // whether the surfaces meet in a crease
+        // In any case:
+        bool passesStrip;  // whether the near surface bends in front of the far one and, a little further, ends
         [[nodiscard]] bool jumps() const noexcept {
             return (marks & (raster::PairMark::background | raster::PairMark::jump)) != 0;
         }
@@ -93,12 +101,18 @@ private:
     [[nodiscard]] bool isNearer(Sample q, Sample p) const;
     [[nodiscard]] std::optional<double> planesMeet(Sample p, Sample q) const;
     [[nodiscard]] double positionAlong(const Step&) const;
-    [[nodiscard]] StepCrossing crossing(Sample p, Sample q, unsigned marks);
+    void cross(Sample p, Sample q, unsigned marks, StepCrossing& line, StepCrossing& strip);
+    [[nodiscard]] StepCrossing crossing(const Step&);
+    [[nodiscard]] bool passesStrip(const Step&) const;
+    [[nodiscard]] StepCrossing creaseOfStrip(const Step&) const;
+    [[nodiscard]] float stripWidth(const Step&, glm::dvec2 crease) const;
+    [[nodiscard]] double endBeyond(Sample from, Sample at) const;
     [[nodiscard]] float inverseDepthAt(Sample, glm::dvec2 offset) const;
     [[nodiscard]] bool arrives(const Walk&, Sample from, Sample to) const;
     [[nodiscard]] bool goesOnSmoothly(const Step&) const;
     [[nodiscard]] bool isBend(const Step&) const;
     [[nodiscard]] double gap(scene::SceneFace front, scene::SceneFace behind, glm::dvec2 at) const;
+    [[nodiscard]] bool touches(Sample from, Sample to, std::uint32_t face, double t) const;
     [[nodiscard]] LineTypes meeting(const Step&) const;
     [[nodiscard]] LineTypes classify(const Step&) const;
     [[nodiscard]] bool farOwns(const Step&) const;

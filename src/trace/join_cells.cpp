@@ -32,11 +32,17 @@ void CellJoiner::join(int y, const CrossingRow& above, const CrossingRow& below)
     for (const int x : cells_) {
         if (x < kept.x || x >= end) continue;
         const auto column = static_cast<std::size_t>(x);
+        const auto drawn = [&](std::span<const StepCrossing*, 4> sides) {
+            const auto drawnEnd = std::remove_if(
+                sides.begin(), sides.end(), [&](const StepCrossing* c) { return (c->types & types_.drawn).empty(); });
+            return std::span<const StepCrossing*>{sides.begin(), drawnEnd};
+        };
         const StepCrossing* sides[4]{&above.right[column], &below.right[column], &above.down[column],
                                      &above.down[column + 1]};
-        const auto drawnEnd =
-            std::remove_if(sides, sides + 4, [&](const StepCrossing* c) { return (c->types & types_.drawn).empty(); });
-        joinCell({sides, static_cast<std::size_t>(drawnEnd - sides)}, x + tile_.drawn.x, y);
+        const StepCrossing* strips[4]{&above.rightStrips[column], &below.rightStrips[column], &above.downStrips[column],
+                                      &above.downStrips[column + 1]};
+        const std::span<const StepCrossing*> lines = drawn(sides);
+        joinCell(joinStrips(drawn(strips), lines, x + tile_.drawn.x, y), x + tile_.drawn.x, y);
     }
 }
 
@@ -52,15 +58,34 @@ void CellJoiner::findCells(const std::vector<int>& above, const std::vector<int>
 }
 
 void CellJoiner::add(glm::vec2 from, glm::vec2 to, const StepCrossing& crossing, float inverseDepthTo) {
-    pieces_.push_back(
-        {{from * scale_, to * scale_}, {crossing.inverseDepth, inverseDepthTo}, typeOf(crossing), crossing.face, 1.0F});
+    pieces_.push_back({{from * scale_, to * scale_},
+                       {crossing.inverseDepth, inverseDepthTo},
+                       typeOf(crossing),
+                       crossing.face,
+                       crossing.width});
+}
+
+void CellJoiner::addBetween(const StepCrossing& a, const StepCrossing& b, int x, int y) {
+    add(toBorder(a, b, x, y), toBorder(b, a, x, y), a, b.inverseDepth);
+}
+
+// Where a strip has become as wide as a sample its crease goes on as any other.
+std::span<const StepCrossing*> CellJoiner::joinStrips(std::span<const StepCrossing*> strips,
+                                                      std::span<const StepCrossing*> lines, int x, int y) {
+    if (strips.size() == 2) addBetween(*strips[0], *strips[1], x, y);
+    if (strips.size() != 1) return lines;
+    const auto isCrease = [](const StepCrossing* c) { return c->types == LineType::Crease; };
+    const auto crease = std::ranges::find_if(lines, isCrease);
+    if (crease == lines.end()) return lines;
+    addBetween(*strips[0], **crease, x, y);
+    std::rotate(crease, crease + 1, lines.end());
+    return lines.first(lines.size() - 1);
 }
 
 void CellJoiner::joinCell(std::span<const StepCrossing*> crossings, int x, int y) {
     if (crossings.empty()) return;
     if (crossings.size() == 2 && typeOf(*crossings[0]) == typeOf(*crossings[1])) {
-        add(toBorder(*crossings[0], *crossings[1], x, y), toBorder(*crossings[1], *crossings[0], x, y), *crossings[0],
-            crossings[1]->inverseDepth);
+        addBetween(*crossings[0], *crossings[1], x, y);
         return;
     }
     glm::vec2 centre{0.0F};

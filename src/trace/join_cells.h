@@ -42,6 +42,10 @@ private:
     void findCells(const std::vector<int>& above, const std::vector<int>& below);
     [[nodiscard]] LineType typeOf(const StepCrossing& c) const { return drawnType(c.types, types_); }
     void add(glm::vec2 from, glm::vec2 to, const StepCrossing&, float inverseDepthTo);
+    void addBetween(const StepCrossing&, const StepCrossing&, int x, int y);
+    // @return  the lines that are still to be joined
+    std::span<const StepCrossing*> joinStrips(std::span<const StepCrossing*> strips,
+                                              std::span<const StepCrossing*> lines, int x, int y);
     void joinCell(std::span<const StepCrossing*>, int x, int y);
     [[nodiscard]] glm::vec2 toBorder(const StepCrossing& end, const StepCrossing& other, int x, int y) const;
 

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <unordered_set>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -61,10 +62,23 @@ private:
         double width;              // their mean
     };
 
+    [[nodiscard]] static bool isOfLine(const Run& a, const Run& b) {
+        return a.piece->type == b.piece->type && a.piece->face.instance == b.piece->face.instance;
+    }
+
     [[nodiscard]] static bool goOn(const Run& a, const Run& b) {
         constexpr double sameWidth = 0.1;  // of the pen's
-        return a.piece->type == b.piece->type && a.piece->face.instance == b.piece->face.instance &&
-               std::abs(a.width - b.width) <= sameWidth;
+        return isOfLine(a, b) && std::abs(a.width - b.width) <= sameWidth;
+    }
+
+    // Under what length a run belongs to the longer one beside it. Strips taper off where lines meet at a sharp angle:
+    // the ends of lines there are of other widths.
+    [[nodiscard]] static double shortestAmong(const std::vector<Run>& runs, const Run& run) {
+        constexpr double minTaper = 8.0;  // pixels
+        const std::size_t i = static_cast<std::size_t>(&run - runs.data());
+        const bool tapers =
+            (i > 0 && isOfLine(runs[i - 1], run)) || (i + 1 < runs.size() && isOfLine(runs[i + 1], run));
+        return tapers ? minTaper : minLength;
     }
 
     // A run, and the one that follows it.
@@ -88,11 +102,15 @@ private:
             }
         }
         for (;;) {
-            const auto shortest = std::ranges::min_element(runs, {}, &Run::length);
-            if (runs.size() == 1 || shortest->length >= minLength) return runs;
+            const auto isShort = [&](const Run& run) { return run.length < shortestAmong(runs, run); };
+            const auto shortest = std::ranges::min_element(runs, {}, [&](const Run& run) {
+                return std::pair{!isShort(run), run.length};
+            });
+            if (runs.size() == 1 || !isShort(*shortest)) return runs;
             const auto after = shortest + 1;
             const bool first = shortest == runs.begin();
-            const bool joinsAfter = first || (after != runs.end() && after->length > (shortest - 1)->length);
+            const auto rank = [&](const Run& run) { return std::pair{isOfLine(run, *shortest), run.length}; };
+            const bool joinsAfter = first || (after != runs.end() && rank(*after) > rank(*(shortest - 1)));
             const auto longer = joinsAfter ? after : shortest - 1;
             *longer = {std::min(longer->begin, shortest->begin), std::max(longer->end, shortest->end),
                        longer->length + shortest->length, longer->piece, longer->width};

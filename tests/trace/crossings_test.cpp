@@ -233,6 +233,37 @@ TEST(TracedCrossings, ofASheetJustBeforeAnotherAreItsBorder) {
     expectCrossing(crossing, 3.3, LineType::Occlusion | LineType::Boundary, 0.5);
 }
 
+// A sheet over a wall that bends down at one column and ends at another.
+Seen bentDown(double bend, double end) {
+    return Seen{together({sheet(-1, -9, 9, -9), sheet(-1, 0, bend, 0), sheet(bend, 0, end, -3)})};
+}
+
+TEST(TracedCrossings, ofStripsThatNoSampleSeesAreBothLines) {
+    const CrossingRow row = bentDown(3.6, 3.9).row(2);
+    expectCrossing(row.rightStrips[3], 3.6, LineType::Crease, 0);
+    EXPECT_NEAR(row.rightStrips[3].width, 0.3, rounding);
+    EXPECT_EQ(row.right[3].types, LineType::Occlusion | LineType::Boundary);
+    EXPECT_NEAR(row.right[3].position.x, 3.9, rounding);
+    EXPECT_EQ(row.right[3].width, 1.0F);
+}
+
+TEST(TracedCrossings, ofStripsThatASampleSeesAreTheSame) {
+    const CrossingRow row = bentDown(3.3, 3.8).row(2);
+    expectCrossing(row.rightStrips[2], 3.3, LineType::Crease, 0);
+    EXPECT_NEAR(row.rightStrips[2].width, 0.5, rounding);
+    EXPECT_EQ(row.right[2].types, LineTypes{});
+    EXPECT_EQ(row.right[3].types, LineType::Occlusion | LineType::Boundary);
+    EXPECT_NEAR(row.right[3].position.x, 3.8, rounding);
+    EXPECT_EQ(row.rightStrips[3].types, LineTypes{});
+}
+
+TEST(TracedCrossings, ofStripsOfASampleAreCreasesAsAnyOther) {
+    const CrossingRow row = bentDown(3.3, 4.4).row(2);
+    expectCrossing(row.right[2], 3.3, LineType::Crease, 0);
+    EXPECT_EQ(row.right[2].width, 1.0F);
+    for (const StepCrossing& crossing : row.rightStrips) EXPECT_EQ(crossing.types, LineTypes{});
+}
+
 TEST(TracedCrossings, markTheTypesOfTheNearerSample) {
     const Seen seen{together({sheet(-1, 0, 9, 0), sheet(3.3, 5, 9, 5)})};
     CrossingTracer tracer = seen.tracer();

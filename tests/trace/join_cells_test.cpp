@@ -72,6 +72,33 @@ TEST(JoinCells, prefersATypeWithAPenOfItsOwn) {
     EXPECT_EQ(joined(2, above, below, {standardLineTypes, LineType::Boundary}).at(0).type, LineType::Boundary);
 }
 
+TEST(JoinCells, joinsCreasesOfStripsBesideTheOtherLine) {
+    CrossingRow above = crossedRight({{3, crossingAt({3.75F, 2.5F}, LineType::Outline)}});
+    CrossingRow below = crossedRight({{3, crossingAt({3.75F, 3.5F}, LineType::Outline)}});
+    const auto strip = [](glm::vec2 position) {
+        StepCrossing crossing = crossingAt(position);
+        crossing.width = 0.25F;
+        return crossing;
+    };
+    above.rightStrips[3] = strip({3.5F, 2.5F});
+    below.rightStrips[3] = strip({3.5F, 3.5F});
+    const auto pieces = joined(2, above, below, all);
+    ASSERT_THAT(pieces, SizeIs(2));
+    EXPECT_EQ(pieces[1].width, 1.0F);
+    EXPECT_EQ(pieces[0].type, LineType::Crease);
+    EXPECT_EQ(pieces[0].width, 0.25F);
+    EXPECT_EQ(pieces[0].ends, (std::array{glm::vec2{3.5F, 2.5F}, glm::vec2{3.5F, 3.5F}}));
+    EXPECT_THAT(joined(2, above, below, {LineType::Outline, {}}), SizeIs(1)) << "creases are not drawn";
+
+    // Where the strip is wider its crease goes on as any other.
+    below.rightStrips[3].types = {};
+    below.right[3] = crossingAt({3.5F, 3.5F});
+    above.right[3].types = {};
+    const auto wider = joined(2, above, below, all);
+    ASSERT_THAT(wider, SizeIs(1));
+    EXPECT_EQ(wider[0].ends, (std::array{glm::vec2{3.5F, 2.5F}, glm::vec2{3.5F, 3.5F}}));
+}
+
 TEST(JoinCells, carriesLinesOverTheEdgeOfThePicture) {
     const CrossingRow above = crossedRight({{3, crossingAt({4.0F, 0.5F})}});
     const CrossingRow below = crossedRight({{3, crossingAt({4.0F, 1.5F})}});
