@@ -80,6 +80,15 @@ ReadPicture readFile(const std::filesystem::path& path) {
         return result;
     }
     const OIIO::ImageSpec& spec = input->spec();
+    constexpr std::uint64_t maxValues = std::uint64_t{1} << 30U;  // 4 GiB of floats; a header costs nothing
+    const std::uint64_t values = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height) *
+                                 static_cast<std::uint64_t>(spec.nchannels);
+    if (values > maxValues) {
+        result.failure = "expected at most " + std::to_string(maxValues) +
+                         " values, width x height x channels, found " + std::to_string(spec.width) + " x " +
+                         std::to_string(spec.height) + " x " + std::to_string(spec.nchannels);
+        return result;
+    }
     result.image = Image<float>{{spec.width, spec.height}, spec.nchannels};
     result.integers = !spec.format.is_floating_point();
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, result.image.mutablePixels().data())) {

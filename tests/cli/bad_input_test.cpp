@@ -175,6 +175,13 @@ TEST_F(BadInput, ChoiceThatAFormatDoesNotHave) {
                   HasSubstr("--camera-index: expected a camera of the file, found 3 for one that has none"));
 }
 
+TEST_F(BadInput, PictureWhoseHeaderAsksForTooMuch) {
+    const std::string huge = file("a.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 60000 +X 60000\n");
+    expectFailure(run({"compare", huge, huge}), 3,
+                  HasSubstr("a.hdr: cannot be read as a picture: expected at most 1073741824 values, width x height x "
+                            "channels, found 60000 x 60000 x 3"));
+}
+
 TEST_F(BadInput, LevelOverOneForPicturesOfWholeNumbers) {
     expectFailure(run({"compare", "a.png", "b.png", "--level", "5"}), 2,
                   HasSubstr("--level: expected 0 to 1 (1 is white over black), found 5"));

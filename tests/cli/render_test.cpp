@@ -83,7 +83,7 @@ TEST_F(Render, PutsEveryLayerIntoOneExr) {
         EXPECT_NE(header.find(std::string{entry} + '\0'), std::string::npos) << entry;
     }
     const json comparison = json::parse(run({"compare", "roof.exr", "roof.exr", "--json"}).out);
-    EXPECT_EQ(comparison["channels"], 15);
+    EXPECT_EQ(comparison["channels"], 19);
     EXPECT_EQ(comparison["width"], 48);
     EXPECT_EQ(comparison["height"], 32);
 }

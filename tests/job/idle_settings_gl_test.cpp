@@ -51,7 +51,7 @@ const std::vector<Beside>& surroundings() {
         {"hatch", {{"style", "hatch"}}, picture},
         {"sumi", {{"style", "sumi"}}, picture},
         {"pencil", {{"style", "pencil"}}, picture},
-        {"no lines", {{"style", "none"}, {"shade", "base-color"}}, picture},
+        {"no lines", {{"style", "none"}, {"shade", "light"}}, picture},
         {"shade", {{"shade", "gooch"}}, picture},
         {"map of the shade", {{"maps", "shade"}}, picture},
         {"fattened", {{"detector", "raskar-cohen"}}, picture},

@@ -63,10 +63,10 @@ Scene sceneOf(const Slab& slab) {
     constexpr double depth = 0.2;
     const double turn = -std::asin(slab.strip * pixel / depth) * 180.0 / std::numbers::pi;
     const Mesh wall = scenes::box({wallSide, wallSide, depth});
-    const glm::dmat4 place = scenes::rotation(7.0, {0, 0, 1}) * scenes::rotation(turn, {1, 0, 0});
+    const glm::dmat4 pose = scenes::rotation(7.0, {0, 0, 1}) * scenes::rotation(turn, {1, 0, 0});
     return scenes::sceneOf(
-        {{scenes::box({slabWidth, slabHeight, depth}), place * scenes::translation({0, 0, 0.5 * depth + slab.gap})},
-         {wall, place * scenes::translation({0, 0, -0.5 * depth})}});
+        {{scenes::box({slabWidth, slabHeight, depth}), pose * scenes::translation({0, 0, 0.5 * depth + slab.gap})},
+         {wall, pose * scenes::translation({0, 0, -0.5 * depth})}});
 }
 
 // The sums of the lengths of lines as wide as their pen, and of narrower ones.
