@@ -46,7 +46,7 @@ struct LineOptions {
 inline Settings settingsOf(const LineOptions& options) {
     Settings settings;
     settings.picture.size = options.size;
-    settings.picture.lines = standardLineTypes;
+    settings.picture.lines = allLineTypes;
     settings.lines.contour = options.contour;
     settings.lines.hidden = options.hidden;
     return settings;
