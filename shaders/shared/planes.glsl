@@ -10,8 +10,8 @@ vec3 normalOf(vec4 plane, vec2 fromCentre) {
                         : vec3(plane.yz * focalLength, plane.x - dot(plane.yz, fromCentre));
 }
 
-// Whether the surface jumps from p to q by more than the limit, in footprints. The slopes of w along the step are gp and
-// gq.
+// Whether the surface jumps from p to q by more than the limit, in footprints. The slopes of w along the step are gp
+// and gq.
 bool jumps(float wp, float wq, float gp, float gq, float limit) {
     float rp = wq - (wp + gp);
     float rq = wp - (wq - gq);

@@ -22,6 +22,12 @@ std::string environmentName(std::string_view setting) {
     return name;
 }
 
+// The variables that set a setting; the first is overridden by the second.
+std::vector<std::string> variablesOf(const SettingDescription& row) {
+    if (row.shortName.empty()) return {environmentName(row.name)};
+    return {environmentName(row.shortName), environmentName(row.name)};
+}
+
 std::string helpFor(const SettingDescription& row) {
     const std::string byDefault = row.defaultValue();
     return byDefault.empty() ? std::string{row.help} : fmt::format("{} [{}]", row.help, byDefault);
@@ -52,7 +58,7 @@ void SettingsSources::addTo(CLI::App& app, std::initializer_list<std::string_vie
 std::vector<std::string> SettingsSources::unknownVariables() {
     std::set<std::string> known;
     for (const SettingDescription& row : settingTable())
-        for (const std::string_view name : {row.shortName, row.name}) known.insert(environmentName(name));
+        for (std::string& variable : variablesOf(row)) known.insert(std::move(variable));
     std::vector<std::string> unknown;
     for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable) {
         const std::string_view text{*variable};
@@ -67,8 +73,7 @@ Settings SettingsSources::resolve() const {
     if (!preset_.empty()) setPreset(settings, preset_, "--preset");
     if (!configFile_.empty()) readConfig(settings, configFile_);
     for (const SettingDescription& row : settingTable()) {
-        for (const std::string_view name : {row.shortName, row.name}) {
-            const std::string variable = environmentName(name);
+        for (const std::string& variable : variablesOf(row)) {
             if (const char* text = std::getenv(variable.c_str())) set(settings, row.name, text, variable);
         }
     }
