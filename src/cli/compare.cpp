@@ -1,11 +1,9 @@
-#include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <inkedge/compare.h>
-#include <inkedge/error.h>
 
 #include "cli/checks.h"
 #include "cli/streams.h"
@@ -47,19 +45,7 @@ void printText(const Comparison& c) {
                     100.0 * c.shareOverLevel, c.maximum, c.maximumX, c.maximumY, c.mean));
 }
 
-// Pictures of whole numbers are shares of the largest one; a level over 1 lets everything pass.
-void expectLevelOfShares(const CompareArguments& arguments) {
-    const auto holdsFloats = [](const std::string& file) {
-        const std::string extension = std::filesystem::path{file}.extension().string();
-        return extension == ".exr" || extension == ".tif" || extension == ".tiff" || extension == ".hdr";
-    };
-    if (arguments.tolerance.level <= 1.0 || holdsFloats(arguments.a) || holdsFloats(arguments.b)) return;
-    throw Error{Error::Kind::Usage,
-                fmt::format("--level: expected 0 to 1 (1 is white over black), found {}", arguments.tolerance.level)};
-}
-
 int compare(const CompareArguments& arguments) {
-    expectLevelOfShares(arguments);
     std::optional<std::filesystem::path> differencePicture;
     if (!arguments.differencePicture.empty()) differencePicture = arguments.differencePicture;
     Tolerance tolerance = arguments.tolerance;

@@ -33,6 +33,7 @@ struct Comparison {
 /// @param differencePicture  where to write the absolute difference, brightened so that the largest is white; written
 ///                           whether they differ or not
 /// @throws Error  (Kind::Input) if a file cannot be read, or if sizes or channel counts differ: the message gives both;
+///                (Kind::Usage) if both files hold integers, which are read as 0..1, and the level is over 1;
 ///                (Kind::Output) if the difference picture cannot be written
 [[nodiscard]] INKEDGE_API Comparison compare(const std::filesystem::path& a, const std::filesystem::path& b,
                                              const Tolerance& tolerance,

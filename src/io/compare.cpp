@@ -160,6 +160,13 @@ void expectUsable(const fs::path& difference, const fs::path& a, const fs::path&
     }
 }
 
+// Differences of integers are shares of the largest one: a level over 1 lets everything pass.
+void expectLevelOfShares(const images::ReadPicture& a, const images::ReadPicture& b, const Tolerance& tolerance) {
+    if (!a.integers || !b.integers || tolerance.level <= 1.0) return;
+    throw Error{Error::Kind::Usage,
+                fmt::format("--level: expected 0 to 1 (1 is white over black), found {}", tolerance.level)};
+}
+
 }  // namespace
 
 Comparison compare(const fs::path& a, const fs::path& b, const Tolerance& tolerance,
@@ -168,6 +175,7 @@ Comparison compare(const fs::path& a, const fs::path& b, const Tolerance& tolera
     images::ReadPicture left = read(a);
     images::ReadPicture right = read(b);
     expectSameShape(a, left.image, b, right.image);
+    expectLevelOfShares(left, right, tolerance);
 
     const double rounding = left.integers && right.integers ? integerRounding : 0.0;
     std::vector<std::uint8_t> picture;
