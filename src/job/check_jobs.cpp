@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <array>
-#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -19,20 +17,6 @@ namespace job {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace std::string_view_literals;
-
-void expectKnownFields(const std::string& text) {
-    constexpr std::array known{"{model}"sv, "{view}"sv, "{map}"sv};
-    for (std::size_t i = text.find('{'); i != std::string::npos; i = text.find('{', i + 1)) {
-        const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz", i + 1);
-        if (end == std::string::npos || end == i + 1 || text[end] != '}') continue;
-        const std::string field = text.substr(i, end + 1 - i);
-        if (std::ranges::find(known, field) == known.end())
-            throw Error{
-                Error::Kind::Usage,
-                fmt::format("{}: expected {{model}}, {{view}} or {{map}} to be filled in, found {}", text, field)};
-    }
-}
 
 // What cannot be written fails before the work, and before another file is written.
 void expectFolderFor(const fs::path& file) {

@@ -67,6 +67,19 @@ fs::path expandTemplate(const std::string& text, const Job& job, const View& vie
 
 }  // namespace
 
+void expectKnownFields(const std::string& text) {
+    constexpr std::array known{"{model}"sv, "{view}"sv, "{map}"sv};
+    for (std::size_t i = text.find('{'); i != std::string::npos; i = text.find('{', i + 1)) {
+        const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz", i + 1);
+        if (end == std::string::npos || end == i + 1 || text[end] != '}') continue;
+        const std::string field = text.substr(i, end + 1 - i);
+        if (std::ranges::find(known, field) == known.end())
+            throw Error{
+                Error::Kind::Usage,
+                fmt::format("{}: expected {{model}}, {{view}} or {{map}} to be filled in, found {}", text, field)};
+    }
+}
+
 std::vector<View> viewsOf(const Job& job) {
     if (!job.views.empty()) return job.views;
     const bool named = job.settings.camera.view.has_value();

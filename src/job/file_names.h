@@ -19,6 +19,11 @@ namespace inkedge::job {
 /// @throws Error  (Kind::Usage) as filesOf()
 [[nodiscard]] std::filesystem::path metadataFileOf(const Job&, const View&);
 
+/// Refuses a field in braces that is none of those that are filled in.
+/// @param text  a name of an output or of metadata
+/// @throws Error  (Kind::Usage)
+void expectKnownFields(const std::string& text);
+
 /// Whether the metadata of several views go into one file.
 [[nodiscard]] bool hasOneMetadataFile(const Job&);
 
