@@ -11,7 +11,7 @@
 
 namespace inkedge {
 
-/// What a line is: one bit of LineTypes and of Maps::types. A pixel of a line may have several types at once. The line
+/// What a line is: one bit of LineTypes and of Maps::types, which has 16. A pixel of a line may have several types at once. The line
 /// is then drawn with the pen of the first type that has a pen of its own (PictureSettings::pens).
 enum class LineType : std::uint32_t {
     Outline = 1,         ///< the model against the background
@@ -24,11 +24,17 @@ enum class LineType : std::uint32_t {
     /// Lines that the file has besides triangles, and edges that it marks, except those drawn as one of the first three
     /// types. Maps::types has none of them.
     Marked = 128,
+    // Lines of form: where a smooth surface bends. They are found on the mesh alone.
+    Suggestive = 256,  ///< nearly contours, which they would become in views near this one; DeCarlo et al. 2003
+    Ridge = 512,       ///< where a surface bulges the sharpest across the line; Ohtake et al. 2004
+    Valley = 1024,     ///< where a surface is hollowed out the sharpest across the line; Ohtake et al. 2004
+    Apparent = 2048,   ///< where a surface, as the eye sees it, bends the sharpest; Judd et al. 2007
 };
-inline constexpr int lineTypeCount = 8;
+inline constexpr int lineTypeCount = 12;
+static_assert(lineTypeCount <= 16, "Maps::types has 16 bits");
 
-/// "outline", "occlusion", "boundary", "crease", "intersection", "object", "isoparametric", "marked"; empty for a value
-/// that is none of them.
+/// "outline", "occlusion", "boundary", "crease", "intersection", "object", "isoparametric", "marked", "suggestive",
+/// "ridge", "valley", "apparent"; empty for a value that is none of them.
 [[nodiscard]] INKEDGE_API std::string_view name(LineType) noexcept;
 
 /// The number of a type's bit: 0 for LineType::Outline. The type must be one of the enumerators.
@@ -102,5 +108,10 @@ private:
 
 /// Every type there is.
 inline constexpr LineTypes allLineTypes = LineTypes::fromBits((1U << lineTypeCount) - 1U);
+/// The types of lines of form: drawn if they are asked for.
+inline constexpr LineTypes formLineTypes =
+    LineType::Suggestive | LineType::Ridge | LineTypes{LineType::Valley} | LineType::Apparent;
+/// What is drawn if nothing else is asked for.
+inline constexpr LineTypes standardLineTypes = allLineTypes - formLineTypes;
 
 }  // namespace inkedge

@@ -176,10 +176,10 @@ struct PictureSettings {
     PictureLength lineWidth{1.5, false};                     ///< 0.5 to 32 pixels
     /// Pixels per inch, for what is measured in millimetres; none: 96, and files of pixels do not tell.
     std::optional<double> dpi;
-    std::optional<PageSize> page;    ///< the sheet that vectors are for; none: the size at dpi
-    int supersampling = 1;           ///< samples per pixel along each axis: 1, 2 or 4
-    int tileSize = 4096;             ///< the largest side of what is drawn at once, samples: trades memory for time
-    LineTypes lines = allLineTypes;  ///< which types are drawn
+    std::optional<PageSize> page;  ///< the sheet that vectors are for; none: the size at dpi
+    int supersampling = 1;         ///< samples per pixel along each axis: 1, 2 or 4
+    int tileSize = 4096;           ///< the largest side of what is drawn at once, samples: trades memory for time
+    LineTypes lines = standardLineTypes;          ///< which types are drawn
     std::array<PenSettings, lineTypeCount> pens;  ///< one per line type, in the order of LineType's bits
     HiddenPenSettings hiddenPen;
 

@@ -88,7 +88,7 @@ bool needsMeshLines(const RenderSettings& settings) noexcept {
     const LineSettings& lines = settings.lines;
     const LineTypes types = settings.picture.lines;
     const bool isolines = lines.isolines != Isolines{} && types.contains(LineType::Isoparametric);
-    const bool marked = types != allLineTypes && types.contains(LineType::Marked);
+    const bool marked = types.contains(LineType::Marked) && !(standardLineTypes - types).empty();
     return lines.hidden != HiddenLines::None || lines.contour != Contour::Auto ||
            lines.contourFinder != ContourFinder::Every || lines.coincident != CoincidentLines::Merge || varies(lines) ||
            !lines.brush.empty() || lines.subdivideAdaptive > 0 || isolines || marked;

@@ -62,7 +62,7 @@ TEST(StrokesOf, leaveOutTypesThatAreNotDrawn) {
     Line line = lineThrough({{10, 10}, {50, 10}});
     line.type = LineType::Marked;
     PictureSettings settings = picture(2.0);
-    settings.lines = allLineTypes - LineType::Marked;
+    settings.lines = standardLineTypes - LineType::Marked;
     EXPECT_TRUE(strokesOf(linesOf({line}), settings, {}).empty());
     settings.lines = LineType::Marked;
     EXPECT_EQ(strokesOf(linesOf({line}), settings, {}).size(), 1U);

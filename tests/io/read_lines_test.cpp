@@ -116,6 +116,16 @@ TEST(ReadLines, givesBackWhatWasWritten) {
     EXPECT_EQ(read.lines[1].width, 0.375);
 }
 
+TEST(ReadLines, haveEveryType) {
+    Settings settings = allOfThem(0.0);
+    settings.picture.lines = allLineTypes;
+    for (const LineType type : allLineTypes) {
+        Lines lines = sample();
+        lines.lines[0].type = type;
+        EXPECT_EQ(linesFromJson(linesJson(lines, settings)).lines.at(0).type, type) << name(type);
+    }
+}
+
 TEST(ReadLines, knowsWhatFoundThem) {
     Lines lines = sample();
     lines.camera = camera(3.5);

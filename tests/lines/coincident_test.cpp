@@ -39,7 +39,7 @@ public:
         line.closed = true;
         return line;
     }
-    [[nodiscard]] std::vector<Line> merged(std::vector<Line> lines, LineTypes drawn = allLineTypes) const {
+    [[nodiscard]] std::vector<Line> merged(std::vector<Line> lines, LineTypes drawn = standardLineTypes) const {
         PictureSettings picture;
         picture.size = size_;
         picture.lines = drawn;

@@ -95,7 +95,7 @@ TEST(FileLines, AreMarkedLinesAmongOthers) {
     const Lines marked = ObjectLines{scene}.findMarked(front, settings);
     EXPECT_THAT(marked.lines, SizeIs(2));
     EXPECT_THAT(views::thoseOf(marked.lines, LineType::Marked), SizeIs(2));
-    settings.picture.lines = allLineTypes - LineType::Marked;
+    settings.picture.lines = standardLineTypes - LineType::Marked;
     EXPECT_THAT(ObjectLines{scene}.findMarked(front, settings).lines, IsEmpty());
     EXPECT_THAT(views::thoseOf(ObjectLines{scene}.find(front, settings).lines, LineType::Marked), IsEmpty());
 }

@@ -61,26 +61,26 @@ constexpr double rounding = 1e-6;
 
 TEST(MarkedEdges, AreLinesWhereNothingElseIs) {
     Mesh mesh = sheet();
-    EXPECT_EQ(seen(mesh, LineType::Marked, drawing(allLineTypes)), 0.0);
+    EXPECT_EQ(seen(mesh, LineType::Marked, drawing(standardLineTypes)), 0.0);
     mesh.edges[2] = EdgeKind::Marked;  // the diagonal, on one of its faces
-    EXPECT_NEAR(seen(mesh, LineType::Marked, drawing(allLineTypes)), 2.0 * std::numbers::sqrt2, rounding);
-    EXPECT_EQ(seen(mesh, LineType::Marked, drawing(allLineTypes - LineType::Marked)), 0.0);
+    EXPECT_NEAR(seen(mesh, LineType::Marked, drawing(standardLineTypes)), 2.0 * std::numbers::sqrt2, rounding);
+    EXPECT_EQ(seen(mesh, LineType::Marked, drawing(standardLineTypes - LineType::Marked)), 0.0);
 }
 
 TEST(MarkedEdges, AreCreasesOnlyWhereMarkedLinesAreNotDrawn) {
     Mesh mesh = roof();
-    EXPECT_NEAR(seen(mesh, LineType::Crease, drawing(allLineTypes)), 2.0, rounding);
+    EXPECT_NEAR(seen(mesh, LineType::Crease, drawing(standardLineTypes)), 2.0, rounding);
     mesh.edges[roofsRidge] = EdgeKind::Marked;
-    EXPECT_NEAR(seen(mesh, LineType::Marked, drawing(allLineTypes)), 2.0, rounding);
-    EXPECT_EQ(seen(mesh, LineType::Crease, drawing(allLineTypes)), 0.0);
+    EXPECT_NEAR(seen(mesh, LineType::Marked, drawing(standardLineTypes)), 2.0, rounding);
+    EXPECT_EQ(seen(mesh, LineType::Crease, drawing(standardLineTypes)), 0.0);
     EXPECT_NEAR(seen(mesh, LineType::Crease, drawing(LineType::Crease)), 2.0, rounding);
 }
 
 TEST(MarkedEdges, AreOutlinesUnlessThoseAreNotDrawn) {
     Mesh mesh = sheet();
     mesh.edges[0] = EdgeKind::Marked;  // from (-1, -1) to (1, -1)
-    EXPECT_NEAR(seen(mesh, LineType::Outline, drawing(allLineTypes)), 8.0, rounding);
-    EXPECT_EQ(seen(mesh, LineType::Marked, drawing(allLineTypes)), 0.0);
+    EXPECT_NEAR(seen(mesh, LineType::Outline, drawing(standardLineTypes)), 8.0, rounding);
+    EXPECT_EQ(seen(mesh, LineType::Marked, drawing(standardLineTypes)), 0.0);
     EXPECT_NEAR(seen(mesh, LineType::Marked, drawing(LineType::Marked)), 2.0, rounding);
 }
 
@@ -90,7 +90,7 @@ TEST(Isolines, AreLinesOfTheirOwnWhoseStepsMayChange) {
     for (const glm::vec3 p : mesh.positions) mesh.textureCoordinates.emplace_back(0.5F * p.x + 0.4F, 0.5F * p.y + 0.4F);
     const Scene scene = scenes::sceneOf(mesh);
     const ObjectLines lines{scene};
-    Settings settings = drawing(allLineTypes);
+    Settings settings = drawing(standardLineTypes);
     const Camera camera = frameCamera(scene, settings.camera, settings.picture.size);
     const auto isolines = [&](Isolines steps) {
         settings.lines.isolines = steps;
@@ -103,14 +103,14 @@ TEST(Isolines, AreLinesOfTheirOwnWhoseStepsMayChange) {
     EXPECT_THAT(isolines({4, 0}), testing::ElementsAreArray(std::vector(4, testing::DoubleNear(2.0, rounding))));
     EXPECT_THAT(isolines({4, 2}), testing::SizeIs(6));
     EXPECT_THAT(isolines({0, 2}), testing::SizeIs(2));
-    settings.picture.lines = allLineTypes - LineType::Isoparametric;
+    settings.picture.lines = standardLineTypes - LineType::Isoparametric;
     EXPECT_THAT(isolines({4, 4}), IsEmpty());
 }
 
 TEST(Isolines, OnTheBackOfASolidAreNotSeen) {
     Mesh mesh = scenes::sphere();
     for (const glm::vec3 p : mesh.positions) mesh.textureCoordinates.emplace_back(0.5F * p.y + 0.25F, 0.0F);
-    Settings settings = drawing(allLineTypes);
+    Settings settings = drawing(standardLineTypes);
     settings.lines.isolines = {1, 0};  // at y = -0.5: a circle, seen from its level
     // Half a circle of radius sqrt(3) / 2; facets are shorter than arcs by (pi / 64)^2 / 6, and the eye sees a little
     // less.

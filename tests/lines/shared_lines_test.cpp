@@ -76,7 +76,7 @@ TEST(SharedLines, outliveTheScene) {
 TEST(SharedLines, areFoundAlikeByManyThreads) {
     const Scene scene = knot();
     Settings settings = objectSettings();
-    settings.picture.lines = allLineTypes;
+    settings.picture.lines = standardLineTypes;
     std::vector<Lines> alone;
     for (int i = 0; i < 4; ++i) alone.push_back(ObjectLines{scene}.find(cameraAt(scene, 90.0 * i), settings));
     std::vector<Lines> together(alone.size());

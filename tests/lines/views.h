@@ -46,7 +46,7 @@ struct LineOptions {
 inline Settings settingsOf(const LineOptions& options) {
     Settings settings;
     settings.picture.size = options.size;
-    settings.picture.lines = allLineTypes;
+    settings.picture.lines = standardLineTypes;
     settings.lines.contour = options.contour;
     settings.lines.hidden = options.hidden;
     return settings;

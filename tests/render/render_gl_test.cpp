@@ -93,7 +93,7 @@ TEST_P(RendererLines, haveThoseOfTheFileInBothSources) {
                 settings.picture.lines = types;
                 return renderer().render(scene, frameCamera(scene, {}, size), settings).picture.pixels();
             };
-            EXPECT_NE(picture(allLineTypes), picture(allLineTypes - LineType::Marked));
+            EXPECT_NE(picture(standardLineTypes), picture(standardLineTypes - LineType::Marked));
         }
         EXPECT_EQ(lengths[0], lengths[1]);
     }
@@ -131,8 +131,8 @@ TEST_P(RendererLines, haveMarkedEdgesInBothSourcesAndEachOnce) {
         settings.picture.lines = types;
         return renderer().lines(scene, camera, settings);
     };
-    EXPECT_NEAR(lengthOf(found(LinesFrom::Object, allLineTypes), LineType::Marked), diagonal + ridge, 1e-4);
-    const Lines all = found(LinesFrom::Image, allLineTypes);
+    EXPECT_NEAR(lengthOf(found(LinesFrom::Object, standardLineTypes), LineType::Marked), diagonal + ridge, 1e-4);
+    const Lines all = found(LinesFrom::Image, standardLineTypes);
     EXPECT_NEAR(lengthOf(all, LineType::Marked), diagonal, 1e-4);
     EXPECT_NEAR(lengthOf(all, LineType::Crease), ridge, pixel);
     EXPECT_NEAR(lengthOf(found(LinesFrom::Image, LineType::Marked), LineType::Marked), diagonal + ridge, 1e-4);
@@ -155,7 +155,7 @@ TEST_P(RendererLines, warnOfPicturesWithoutTheLinesOfTheFile) {
     settings.lines.from = LinesFrom::Object;
     EXPECT_TRUE(renderWarnings(with, settings).empty());
     settings.lines.from = LinesFrom::Auto;
-    settings.picture.lines = allLineTypes - LineType::Marked;
+    settings.picture.lines = standardLineTypes - LineType::Marked;
     EXPECT_TRUE(renderWarnings(with, settings).empty());
     EXPECT_TRUE(renderWarnings(with, Settings{}).empty());
 }

@@ -75,9 +75,25 @@ TEST(LineTypes, goThroughTextUnchanged) {
     }
 }
 
+TEST(LineTypes, haveWordsForSeveral) {
+    const auto typesOf = [](std::string_view text) {
+        Settings settings;
+        settings.picture.lines = {};
+        set(settings, "lines", text, "test");
+        return settings.picture.lines;
+    };
+    EXPECT_EQ(typesOf("all"), allLineTypes);
+    EXPECT_EQ(typesOf("standard"), Settings{}.picture.lines);
+    EXPECT_EQ(typesOf("standard,ridge"), standardLineTypes | LineType::Ridge);
+    EXPECT_EQ(standardLineTypes | formLineTypes, allLineTypes);
+    EXPECT_TRUE((standardLineTypes & formLineTypes).empty());
+    EXPECT_EQ(formLineTypes.size(), 4);
+}
+
 TEST(LineTypes, haveNamesAndWhatIsNoneHasNone) {
     EXPECT_EQ(name(LineType::Outline), "outline");
     EXPECT_EQ(name(LineType::Marked), "marked");
+    EXPECT_EQ(name(LineType::Apparent), "apparent");
     EXPECT_EQ(name(LineType{}), "");
     EXPECT_EQ(name(static_cast<LineType>(1U << 31U)), "");
     EXPECT_EQ(name(static_cast<LineType>(3)), "") << "two at once";

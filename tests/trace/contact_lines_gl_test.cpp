@@ -186,7 +186,7 @@ void expectContacts(Renderer& renderer, const CameraSettings& view, int side, co
         SCOPED_TRACE(testing::Message() << contact.name << (oneMesh ? ", one mesh, " : ", two nodes, ")
                                         << *view.azimuthAngle << ", " << *view.elevationAngle
                                         << (camera.orthographic() ? ", orthographic, " : ", ") << side);
-        settings.picture.lines = LineTypes{allLineTypes};
+        settings.picture.lines = LineTypes{standardLineTypes};
         const Along found = along(renderer.lines(scene, camera, settings), contact, camera);
         EXPECT_NEAR(found.contact, found.expected, 6.0 + 0.01 * found.expected);
         EXPECT_LT(found.farthest, 1.0);

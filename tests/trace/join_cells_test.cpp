@@ -32,7 +32,7 @@ std::vector<TracedPiece> joined(int y, const CrossingRow& above, const CrossingR
     return pieces;
 }
 
-const DrawnTypes all{allLineTypes, {}};
+const DrawnTypes all{standardLineTypes, {}};
 
 TEST(JoinCells, joinsTwoCrossingsByOnePiece) {
     const CrossingRow above = crossedRight({{3, crossingAt({3.75F, 2.5F})}});
@@ -69,7 +69,7 @@ TEST(JoinCells, prefersATypeWithAPenOfItsOwn) {
     const CrossingRow above = crossedRight({{3, crossingAt({4.0F, 2.5F}, both)}});
     const CrossingRow below = crossedRight({{3, crossingAt({4.0F, 3.5F}, both)}});
     EXPECT_EQ(joined(2, above, below, all).at(0).type, LineType::Outline);
-    EXPECT_EQ(joined(2, above, below, {allLineTypes, LineType::Boundary}).at(0).type, LineType::Boundary);
+    EXPECT_EQ(joined(2, above, below, {standardLineTypes, LineType::Boundary}).at(0).type, LineType::Boundary);
 }
 
 TEST(JoinCells, joinsCreasesOfStripsBesideTheOtherLine) {

@@ -28,7 +28,7 @@ struct CurveChoice {
     /// None: lines that a closed component itself hides are not found.
     HiddenLines hidden = HiddenLines::None;
     bool eyeOutside = true;  ///< the eye and the near plane are outside the scene: closed components hide their backs
-    LineTypes lines = allLineTypes;  ///< PictureSettings::lines: whether marked edges are drawn, and as what
+    LineTypes lines = standardLineTypes;  ///< PictureSettings::lines: whether marked edges are drawn, and as what
     MarkedCreases markedCreases = MarkedCreases::AreMarked;
 };
 

@@ -29,21 +29,37 @@ SettingDescription::Field maps() {
             }};
 }
 
+// Words for several types at once.
+struct NamedTypes {
+    std::string_view name;
+    LineTypes types;
+};
+constexpr std::array namedTypes{NamedTypes{"all", allLineTypes}, NamedTypes{"standard", standardLineTypes}};
+
+LineTypes typesOf(const List& list, std::string_view name) {
+    const auto* const named = std::ranges::find(namedTypes, name, &NamedTypes::name);
+    return named != namedTypes.end() ? named->types : static_cast<LineType>(1U << parseChoice(list.names, name));
+}
+
 SettingDescription::Field lineTypes() {
     return {[](const Constraint& c, Settings& s, std::string_view text) {
-                LineTypes types = text == "all" ? allLineTypes : LineTypes{};
-                if (text != "all" && text != "none") {
-                    for (const std::string_view part : split(text, ','))
-                        types |= static_cast<LineType>(1U << parseChoice(std::get<List>(c).names, part));
+                LineTypes types;
+                if (text != "none") {
+                    for (const std::string_view part : split(text, ',')) types |= typesOf(std::get<List>(c), part);
                 }
                 s.picture.lines = types;
             },
             [](const Constraint& c, const Settings& s) {
-                if (s.picture.lines == allLineTypes) return std::string{"all"};
+                LineTypes rest = s.picture.lines;
+                if (rest.empty()) return std::string{"none"};
                 std::vector<std::string> names;
-                for (const LineType type : s.picture.lines)
-                    names.push_back(nameOf(std::get<List>(c).names, bitIndex(type)));
-                return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ","));
+                for (const auto& [name, types] : namedTypes) {
+                    if (!(types - rest).empty()) continue;
+                    names.emplace_back(name);
+                    rest = rest - types;
+                }
+                for (const LineType type : rest) names.push_back(nameOf(std::get<List>(c).names, bitIndex(type)));
+                return fmt::format("{}", fmt::join(names, ","));
             }};
 }
 
@@ -177,7 +193,7 @@ std::vector<SettingDescription> pictureRows() {
              [](auto& s) -> auto& { return s.picture.tileSize; }),
          described({.name = "lines",
                     .help = "types of lines that are drawn; planes detector",
-                    .rangeNote = "or all, none",
+                    .rangeNote = "or standard, which is all but the last four; all; none",
                     .idle = idleTypes},
                    List{lineTypeNames, "TYPE"}, lineTypes()),
          described({.name = "line-style",
