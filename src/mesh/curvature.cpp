@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "base/union_find.h"
+#include "mesh/fans.h"
 
 namespace inkedge::mesh {
 namespace {
@@ -23,23 +23,6 @@ double bend(const Mesh& mesh, const MeshTopology& topology, const std::vector<gl
     const bool woundAgainst = topology.points[halfEdge] == topology.points[twin];
     const glm::dvec3 other = woundAgainst ? -normals[twin / 3] : normals[twin / 3];
     return std::atan2(glm::dot(glm::cross(one, other), along) / length, glm::dot(one, other));
-}
-
-// The corners around a point that are connected across edges that are no creases form a fan, which has one curvature. A
-// fan is named by its first corner.
-std::vector<std::uint32_t> findFans(const MeshTopology& topology) {
-    const auto corners = static_cast<std::uint32_t>(topology.points.size());
-    base::UnionFind fans{corners};
-    for (std::uint32_t h = 0; h < corners; ++h) {
-        const std::uint32_t twin = topology.twins[h];
-        if (!isHalfEdge(twin) || topology.creases[h]) continue;
-        const bool woundAgainst = topology.points[h] == topology.points[twin];
-        fans.unite(h, woundAgainst ? twin : nextHalfEdge(twin));
-        fans.unite(nextHalfEdge(h), woundAgainst ? nextHalfEdge(twin) : twin);
-    }
-    std::vector<std::uint32_t> first(corners);
-    for (std::uint32_t c = 0; c < corners; ++c) first[c] = fans.root(c);
-    return first;
 }
 
 // How much the surface bends around a point, and how much of the surface's area belongs to the point.
