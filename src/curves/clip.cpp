@@ -37,7 +37,8 @@ std::optional<std::pair<double, double>> inside(glm::dvec2 a, glm::dvec2 b, glm:
 LinePoint between(const LinePoint& a, const LinePoint& b, double share) {
     if (share == 0.0) return a;
     if (share == 1.0) return b;
-    return {glm::mix(a.pixel, b.pixel, share), glm::mix(a.position, b.position, share)};
+    return {glm::mix(a.pixel, b.pixel, share), glm::mix(a.position, b.position, share),
+            glm::mix(a.strength, b.strength, share)};
 }
 
 Line emptyLike(const Line& line) {

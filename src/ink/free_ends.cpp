@@ -77,7 +77,7 @@ Course courseOf(const End& end, const Piece& piece, double way) {
 }
 
 bool meets(const End& end, const Piece& piece) {
-    const auto& [pixel, position] = end.point;
+    const glm::dvec2 pixel = end.point.pixel;
     const double distance = distanceTo(pixel, piece.a.pixel, piece.b.pixel);
     if (distance > near) return false;
     const double way = glm::mix(piece.begin, piece.end, nearestShare(pixel, piece.a.pixel, piece.b.pixel));
@@ -85,7 +85,8 @@ bool meets(const End& end, const Piece& piece) {
     const Course course = courseOf(end, piece, way);
     const bool endsToo = course.cosine > asOne && course.ahead <= near;  // both lines run out in one tip
     const bool goesOn = course.cosine > smoothly && course.ahead > near;
-    const bool touches = distance <= touching && distanceTo(position, piece.a.position, piece.b.position) <= end.reach;
+    const bool touches =
+        distance <= touching && distanceTo(end.point.position, piece.a.position, piece.b.position) <= end.reach;
     return goesOn || (touches && !endsToo);
 }
 

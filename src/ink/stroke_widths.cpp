@@ -52,6 +52,12 @@ void setByBends(std::vector<StrokePoint>& points, bool closed) {
     }
 }
 
+void setByStrength(const Line& line, std::vector<StrokePoint>& points) {
+    if (!formLineTypes.contains(line.type)) return;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i].width = std::clamp(line.points[i % line.points.size()].strength, 0.0, 1.0);
+}
+
 double lengthOf(const std::vector<StrokePoint>& points) {
     double length = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) length += glm::distance(points[i - 1].pixel, points[i].pixel);
@@ -127,6 +133,7 @@ std::vector<StrokePoint> StrokeWidths::along(const Line& line, const Line& whole
     if (line.closed) points.push_back(points.front());
     if (kind_ == StrokeWidth::Depth) setByDepth(line, points);
     if (kind_ == StrokeWidth::Curvature) setByBends(points, line.closed);
+    if (kind_ == StrokeWidth::Strength) setByStrength(line, points);
     if (!freeEnds_ || whole.closed) return points;
     const LinePoint& first = whole.points.front();
     const LinePoint& last = whole.points.back();

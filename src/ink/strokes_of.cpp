@@ -67,7 +67,9 @@ void StrokeMaker::add(const Line& line, std::vector<Stroke>& strokes) const {
     const double width = pens_[pen].width;
     const double margin = widths_.vary() ? width : 0.5 * width;  // up to twice as wide
     for (const Line& part : curves::clip(line, glm::dvec2{-margin}, size_ + margin)) {
-        std::vector<StrokePoint> points = widths_.along(curves::simplify(part, tolerance_), line);
+        // What fades does so along straight lines, too.
+        const bool fades = settings_.strokeWidth == StrokeWidth::Strength && formLineTypes.contains(line.type);
+        std::vector<StrokePoint> points = widths_.along(fades ? part : curves::simplify(part, tolerance_), line);
         for (StrokePoint& point : points) point.width *= line.width;
         if (!line.visible && settings_.hidden == HiddenLines::Dashed) {
             addDashes(points, pen, pens_[pen].dash, pens_[pen].gap, strokes);

@@ -22,6 +22,8 @@ namespace inkedge {
 struct LinePoint {
     glm::dvec2 pixel;     ///< output pixels, (0, 0) the picture's top left corner, y down; not rounded
     glm::dvec3 position;  ///< world space
+    /// Of lines of form: from 0, as weak as is drawn, to 1, as strong as makes no difference any more.
+    double strength = 1.0;
 };
 
 /// A polyline of one type, all of it seen or all of it hidden. It lies in front of the near plane; it may reach beyond

@@ -158,7 +158,8 @@ struct HiddenPenSettings {
     friend bool operator==(const HiddenPenSettings&, const HiddenPenSettings&) = default;
 };
 
-/// The pen of one type of line. What is not given is as PictureSettings::lineWidth and ::lineColor.
+/// The pen of one type of line. What is not given is as PictureSettings::lineWidth, of lines of form 0.6 of it, and
+/// ::lineColor.
 struct PenSettings {
     std::optional<PictureLength> width;
     std::optional<Color> color;
@@ -238,6 +239,7 @@ enum class StrokeWidth {
     Constant,
     Depth,      ///< wider where the line is nearer, between the nearest and the furthest of all lines
     Curvature,  ///< wider where it is straighter in the picture
+    Strength,   ///< lines of form are narrower where they are weaker, down to nothing; others are constant
 };
 
 /// In which order the paths of an SVG stand.
@@ -251,6 +253,19 @@ struct Isolines {
     int u = 0;  ///< 0 to 1000
     int v = 0;
     friend bool operator==(const Isolines&, const Isolines&) = default;
+};
+
+/// Which lines of form are drawn: LineType::Suggestive, ::Ridge, ::Valley and ::Apparent. How strong a line is at a
+/// point has no unit: it is the feature size times what bends there, in 1 / length.
+struct FormSettings {
+    /// Percent, 0 to 20, of the radius of a sphere as large as the surface: what is smaller is roughness, which is
+    /// smoothed away; 0: nothing is.
+    double featureSize = 3.0;
+    /// Lines stay if they are this strong somewhere, 0 to 100; 0: every line of the definition.
+    double suggestiveThreshold = 0.08;
+    double ridgeThreshold = 0.15;
+    double apparentThreshold = 0.2;
+    friend bool operator==(const FormSettings&, const FormSettings&) = default;
 };
 
 /// Lines from object space.
@@ -270,6 +285,7 @@ struct LineSettings {
     PathOrder pathOrder = PathOrder::Drawn;  ///< SVG only
     int subdivideAdaptive = 0;               ///< levels of refinement near contours, section 3.3, 0 to 6; 0: none
     Isolines isolines = {};
+    FormSettings form = {};
 };
 
 enum class Detector {

@@ -42,17 +42,22 @@ double positionsPerUnit(const Sphere& bounds) {
 std::string lineText(const Line& line, double perUnit) {
     std::string pixels;
     std::string positions;
+    std::string strengths;
     for (const LinePoint& p : line.points) {
         const std::string_view comma = pixels.empty() ? "" : ",";
         pixels += fmt::format("{}[{},{}]", comma, rounded(p.pixel.x, thousand), rounded(p.pixel.y, thousand));
         positions += fmt::format("{}[{},{},{}]", comma, rounded(p.position.x, perUnit), rounded(p.position.y, perUnit),
                                  rounded(p.position.z, perUnit));
+        strengths += fmt::format("{}{}", comma, rounded(p.strength, thousand));
     }
     const std::string width =
         line.width < 1.0 ? fmt::format("\"width\":{},", rounded(std::max(line.width, 1.0 / thousand), thousand)) : "";
+    const std::string strength =
+        formLineTypes.contains(line.type) ? fmt::format(R"(,"strengths":[{}])", strengths) : "";
     return fmt::format(
-        R"({{"id":{},"type":"{}","visible":{},"closed":{},"object":{},"patch":{},{}"pixels":[{}],"positions":[{}]}})",
-        line.id, name(line.type), line.visible, line.closed, line.object, line.patch, width, pixels, positions);
+        R"({{"id":{},"type":"{}","visible":{},"closed":{},"object":{},"patch":{},{}"pixels":[{}],"positions":[{}]{}}})",
+        line.id, name(line.type), line.visible, line.closed, line.object, line.patch, width, pixels, positions,
+        strength);
 }
 
 bool isFinite(glm::dvec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
@@ -60,7 +65,9 @@ bool isFinite(glm::dvec3 v) { return isFinite(glm::dvec2{v}) && std::isfinite(v.
 
 // As it is written, but for rounding.
 Line written(Line line, double tolerance) {
-    std::erase_if(line.points, [](const LinePoint& p) { return !isFinite(p.pixel) || !isFinite(p.position); });
+    std::erase_if(line.points, [](const LinePoint& p) {
+        return !isFinite(p.pixel) || !isFinite(p.position) || !std::isfinite(p.strength);
+    });
     return tolerance > 0.0 ? curves::simplify(line, tolerance) : line;
 }
 

@@ -83,6 +83,18 @@ LinesSource readSource(const JsonObject& json) {
     return source;
 }
 
+void readStrengths(const JsonObject& json, Line& line) {
+    const Json& strengths = json.list("strengths");
+    const std::string path = json.path("strengths");
+    if (strengths.size() != line.points.size())
+        io::refuseValue(path, fmt::format("a list of {}, as pixels is", line.points.size()), &strengths);
+    for (std::size_t i = 0; i < strengths.size(); ++i) {
+        const double strength = strengths[i].is_number() ? strengths[i].get<double>() : -1.0;
+        if (!(strength >= 0.0 && strength <= 1.0)) io::refuseValue(path, "numbers from 0 to 1", &strengths[i]);
+        line.points[i].strength = strength;
+    }
+}
+
 Line readLine(const JsonObject& json) {
     Line line;
     line.id = json.whole32("id");
@@ -106,6 +118,7 @@ Line readLine(const JsonObject& json) {
     for (std::size_t i = 0; i < pixels.size(); ++i)
         line.points.push_back(
             {io::vectorOf<glm::dvec2>(pixels[i], paths[0]), io::vectorOf<glm::dvec3>(positions[i], paths[1])});
+    if (formLineTypes.contains(line.type)) readStrengths(json, line);
     return line;
 }
 

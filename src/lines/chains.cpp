@@ -21,6 +21,7 @@ bool clipToNear(Segment& segment, std::array<glm::dvec3, 2>& ends, const Screen&
         // Slightly behind the plane, so that the projection is finite.
         const double t = std::min(1.0, (1e-9 * screen.near() - before[k]) / (before[1 - k] - before[k]));
         ends[k] += t * (ends[1 - k] - ends[k]);
+        segment.strengths[k] += t * (segment.strengths[1 - k] - segment.strengths[k]);
         segment.keys[k] = noKey;
     }
     return true;

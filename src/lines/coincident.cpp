@@ -237,7 +237,8 @@ private:
         const LinePoint& q = line.points[(piece + 1) % count];
         const double inSpace = screen_.unproject(share, screen_.project(p.position - origin_).inverseDepth,
                                                  screen_.project(q.position - origin_).inverseDepth);
-        return {p.pixel + share * (q.pixel - p.pixel), p.position + inSpace * (q.position - p.position)};
+        return {p.pixel + share * (q.pixel - p.pixel), p.position + inSpace * (q.position - p.position),
+                p.strength + inSpace * (q.strength - p.strength)};
     }
 
     // A run may go on over the start of a closed line.

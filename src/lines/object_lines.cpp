@@ -19,6 +19,7 @@
 #include "lines/find/contour_finders.h"
 #include "lines/find/contours.h"
 #include "lines/find/file_lines.h"
+#include "lines/find/form_lines.h"
 #include "lines/find/intersections.h"
 #include "lines/find/isolines.h"
 #include "lines/find/mesh_edges.h"
@@ -118,6 +119,14 @@ LineType typeOf(Curve curve, Seen seen) {
             return LineType::Isoparametric;
         case Curve::Marked:
             return LineType::Marked;
+        case Curve::Suggestive:
+            return LineType::Suggestive;
+        case Curve::Ridge:
+            return LineType::Ridge;
+        case Curve::Valley:
+            return LineType::Valley;
+        case Curve::Apparent:
+            return LineType::Apparent;
     }
     return LineType::Crease;
 }
@@ -164,7 +173,9 @@ Line makeLine(const ViewSegments& view, const Chain& chain, const Part& part, Li
         const double own = l.reversed ? 1.0 - at : at;
         const auto& ends = view.projected[l.segment].ends;
         const glm::dvec2 pixel = ends[0].pixel + own * (ends[1].pixel - ends[0].pixel);
-        line.points.push_back({pixel, view.pointAt(l.segment, own) + view.scene.bounds().centre});
+        const auto& strengths = view.segments[l.segment].strengths;
+        line.points.push_back({pixel, view.pointAt(l.segment, own) + view.scene.bounds().centre,
+                               strengths[0] + own * (strengths[1] - strengths[0])});
     };
     const auto begin = static_cast<std::size_t>(part.begin);
     add(begin, part.begin - static_cast<double>(begin));
@@ -246,6 +257,31 @@ struct ObjectLines::Prepared {
         return components_->areOne() ? nullptr : &*components_;
     }
 
+    /// One per mesh. Those of the last feature size asked for are kept.
+    std::shared_ptr<const std::vector<mesh::SurfaceForm>> forms(double featureSize) const {
+        const std::unique_lock lock = base::lockUnlessStopped(mutex_);
+        if (forms_ && formsOf_ == featureSize) return forms_;
+        std::vector<mesh::SurfaceForm> found;
+        for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
+            base::stopIfAsked();
+            found.push_back(mesh::surfaceForm(scene.meshes()[i], scene::topologyOf(scene, i), 0.01 * featureSize));
+        }
+        forms_ = std::make_shared<const std::vector<mesh::SurfaceForm>>(std::move(found));
+        formsOf_ = featureSize;
+        return forms_;
+    }
+
+    void addForm(const Screen& screen, const FormChoice& choice, std::vector<Segment>& to) const {
+        if (choice.types.empty()) return;
+        const auto formsOfMeshes = forms(choice.settings.featureSize);
+        for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
+            base::stopIfAsked();
+            const std::uint32_t mesh = scene.instances()[i].mesh;
+            if (!scene.meshes()[mesh].indices.empty())
+                addFormLines(scene, i, (*formsOfMeshes)[mesh], edges[mesh], screen, choice, to);
+        }
+    }
+
     /// One per mesh. Those for the last steps asked for are kept.
     std::shared_ptr<const std::vector<std::vector<IsolineSegment>>> isolines(Isolines steps) const {
         const std::unique_lock lock = base::lockUnlessStopped(mutex_);
@@ -292,6 +328,8 @@ private:
     mutable std::vector<std::optional<mesh::ControlMesh>> controls_;
     mutable std::shared_ptr<const std::vector<std::vector<IsolineSegment>>> isolines_;
     mutable Isolines isolineSteps_;
+    mutable std::shared_ptr<const std::vector<mesh::SurfaceForm>> forms_;
+    mutable double formsOf_ = 0.0;  // the feature size
 };
 
 ObjectLines::ObjectLines(const Scene& scene)
@@ -308,9 +346,9 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings) co
     return find(camera, settings, MarkedCreases::AreMarked);
 }
 
-Lines ObjectLines::findMarked(const Camera& camera, const RenderSettings& settings) const {
+Lines ObjectLines::findBesidePixels(const Camera& camera, const RenderSettings& settings) const {
     Lines lines = find(camera, settings, MarkedCreases::AreCreasesIfDrawn);
-    std::erase_if(lines.lines, [](const Line& line) { return line.type != LineType::Marked; });
+    std::erase_if(lines.lines, [](const Line& line) { return !typesBesidePixels.contains(line.type); });
     return lines;
 }
 
@@ -328,6 +366,10 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings, Ma
          settings.lines.hidden, camera::standsOutside(camera, scene), settings.picture.lines, markedCreases},
         drawnIsolines(settings), *memories_);
     clock.finish("curves");
+    const LineTypes forms = settings.picture.lines & formLineTypes;
+    prepared_->addForm(
+        screen, {forms, settings.lines.form, settings.lines.hidden, camera::standsOutside(camera, scene)}, segments);
+    if (!forms.empty()) clock.finish("lines of form");
     if (settings.picture.lines.contains(LineType::Marked)) addFileLines(scene, prepared_->fileLines, segments);
     if (settings.picture.lines.contains(LineType::Intersection)) addIntersections(prepared_->intersections(), segments);
     clock.finish("intersections");

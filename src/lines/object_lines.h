@@ -10,6 +10,9 @@
 
 namespace inkedge::lines {
 
+/// The types of lines that no pixels show.
+inline constexpr LineTypes typesBesidePixels = formLineTypes | LineTypes{LineType::Marked};
+
 /// The lines of a scene from object space. Edge tables and bounding volume hierarchies are made once for all views, and
 /// once for all objects of one scene that exist at the same time, on whatever threads. What ContourFinder::Random
 /// remembers of earlier views is each object's own.
@@ -24,8 +27,8 @@ public:
     /// The lines that a camera sees and, if settings.lines.hidden asks for them, those hidden from it: section 3 of
     /// Hertzmann 1999.
     [[nodiscard]] Lines find(const Camera&, const RenderSettings&) const;
-    /// Those of LineType::Marked, but for creases that are drawn: what image space lacks.
-    [[nodiscard]] Lines findMarked(const Camera&, const RenderSettings&) const;
+    /// Those of typesBesidePixels, but for marked creases that are drawn as creases: what image space lacks.
+    [[nodiscard]] Lines findBesidePixels(const Camera&, const RenderSettings&) const;
 
 private:
     struct Prepared;

@@ -14,7 +14,18 @@ inline constexpr scene::SceneFace noFace{~0U, 0};
 inline constexpr std::uint32_t noTriangle = ~0U;
 
 /// What a segment is by its shape alone. Whether a contour is an outline or an occlusion is decided later.
-enum class Curve : std::uint8_t { Contour, Boundary, Crease, Intersection, Isoparametric, Marked };
+enum class Curve : std::uint8_t {
+    Contour,
+    Boundary,
+    Crease,
+    Intersection,
+    Isoparametric,
+    Marked,
+    Suggestive,
+    Ridge,
+    Valley,
+    Apparent,
+};
 
 /// Names a point where segments meet: segments that have an end of the same name are joined.
 using Key = std::uint64_t;
@@ -45,6 +56,11 @@ inline constexpr Key noKey = ~Key{0};
     return (Key{3} << 62U) | (Key{instance} << 32U) | node;
 }
 
+/// A point on an edge, as edgeKey() names it, where a line of form meets it.
+[[nodiscard]] constexpr Key formKey(std::uint32_t instance, std::uint32_t halfEdge) noexcept {
+    return (Key{5} << 61U) | (Key{instance} << 32U) | halfEdge;
+}
+
 /// A straight piece of a line on the surface. Positions are world space less the centre of Scene::bounds().
 struct Segment {
     Curve curve = Curve::Contour;
@@ -57,7 +73,8 @@ struct Segment {
     std::array<scene::SceneFace, 2> faces{noFace, noFace};
     std::array<glm::dvec3, 2> ends{};
     std::array<Key, 2> keys{noKey, noKey};
-    glm::dvec3 inner{0.0};  ///< of contours and boundaries: a point of the surface that ends here
+    std::array<double, 2> strengths{1.0, 1.0};  ///< LinePoint::strength at the ends
+    glm::dvec3 inner{0.0};                      ///< of contours and boundaries: a point of the surface that ends here
     /// How far behind the faces of its component the segment may lie: smooth contours are no edges of faces.
     double slack = 0.0;
     double pixelSlack = 0.0;  ///< how far behind any face it may lie, in footprints: of lines of the file

@@ -13,10 +13,10 @@ inline constexpr double minScrapLength = 3.0;  ///< pixels
 inline constexpr double scrapReach = 1.5;
 
 /// Whether lines of a type may be scraps: what joins no other line is noise if it is short, as of folds of scanned
-/// surfaces or of holes that are smaller than a pixel. What the file or the user asks for is not.
+/// surfaces or of holes that are smaller than a pixel. What the file has, and isoparametric lines, are not.
 [[nodiscard]] constexpr bool mayBeScrap(LineType type) {
     return type == LineType::Outline || type == LineType::Occlusion || type == LineType::Boundary ||
-           type == LineType::Crease || type == LineType::Intersection;
+           type == LineType::Crease || type == LineType::Intersection || formLineTypes.contains(type);
 }
 
 /// Whether scraps are left out of a scene's lines: not with Creases::Angle, which asks for all lines of the definition.

@@ -49,13 +49,18 @@ bool hasMarked(const Scene& scene) {
     });
 }
 
-Lines markedLines(const Scene& scene, const Camera& camera, const RenderSettings& settings, Kept& kept) {
-    if (!settings.picture.lines.contains(LineType::Marked) || !hasMarked(scene)) return {};
+Lines linesBesidePixels(const Scene& scene, const Camera& camera, const RenderSettings& settings, Kept& kept) {
+    const LineTypes drawn = settings.picture.lines;
+    const bool marked = drawn.contains(LineType::Marked) && hasMarked(scene);
+    if (!marked && (drawn & formLineTypes).empty()) return {};
     if (!modules::failureToOpen(lines::embreeModule).empty()) return {};
     RenderSettings seen = settings;
-    seen.lines = LineSettings{.coincident = settings.lines.coincident};
-    Lines found = kept.objectLines(scene).findMarked(camera, seen);
+    seen.lines = LineSettings{};
+    seen.lines.coincident = settings.lines.coincident;
+    seen.lines.form = settings.lines.form;
+    Lines found = kept.objectLines(scene).findBesidePixels(camera, seen);
     lines::leaveOutSpecks(found.lines);
+    if (lines::leavesOutScraps(scene)) lines::leaveOutScraps(found.lines);
     return found;
 }
 
@@ -74,9 +79,9 @@ Lines imageLines(const Scene& scene, const Camera& camera, const RenderSettings&
     const Tiles tiles = drawTiles(frame, graphics.inputs(), settings, planOfImageLines(), clock);
     found.lines = trace::joinPieces(tiles.pieces, scene, {camera, scene.bounds().centre, settings.picture.size});
     clock.finish("join");
-    const Lines marked = markedLines(scene, camera, settings, kept);
-    found.lines.insert(found.lines.end(), marked.lines.begin(), marked.lines.end());
-    if (!marked.lines.empty()) clock.finish("marked lines");
+    const Lines beside = linesBesidePixels(scene, camera, settings, kept);
+    found.lines.insert(found.lines.end(), beside.lines.begin(), beside.lines.end());
+    if (!beside.lines.empty()) clock.finish("lines of the mesh");
     graphics.gpu().textures.trim();
     found.size = settings.picture.size;
     found.camera = camera;

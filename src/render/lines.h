@@ -22,12 +22,12 @@ namespace inkedge::render {
 /// Whether a scene has lines or edges that are drawn as LineType::Marked.
 [[nodiscard]] bool hasMarked(const Scene&);
 
-/// The lines of LineType::Marked that are seen: no pixels show them, so that image space has them from object space.
-/// None where that needs a module that is not there: renderWarnings() says so.
+/// The lines of lines::typesBesidePixels that are seen: no pixels show them, so that image space has them from object
+/// space. None where that needs a module that is not there: renderWarnings() says so.
 /// @throws Error  as lines::ObjectLines
-[[nodiscard]] Lines markedLines(const Scene&, const Camera&, const RenderSettings&, Kept&);
+[[nodiscard]] Lines linesBesidePixels(const Scene&, const Camera&, const RenderSettings&, Kept&);
 
-/// The lines that the planes detector finds between pixels, as polylines, and markedLines().
+/// The lines that the planes detector finds between pixels, as polylines, and linesBesidePixels().
 /// @throws Error  (Kind::Usage) if another detector is asked for; (Kind::Context, Kind::Runtime) as Renderer
 [[nodiscard]] Lines imageLines(const Scene&, const Camera&, const RenderSettings&, Kept&);
 

@@ -9,6 +9,7 @@
 #include "ink/strokes_of.h"
 #include "passes/ink_over.h"
 #include "render/lines.h"
+#include "render/map_form.h"
 #include "render/plan.h"
 #include "render/tiles.h"
 
@@ -20,13 +21,14 @@ Maps drawPicture(const Scene& scene, const Camera& camera, const RenderSettings&
     std::vector<StageTime> times;
     std::vector<ink::Stroke> strokes;
     const ink::Brush* brush = nullptr;
+    Lines ofMesh;
 
     // Lines of the mesh itself are found without drawing a pixel.
     if (plan.lines == LineSource::Object) {
         brush = kept.brush(settings.lines.brush, scene.loadedWith().limits);
-        Lines found = objectLines(scene, camera, settings, kept);
-        times = std::move(found.times);
-        strokes = ink::strokesOf(found, settings.picture, settings.lines);
+        ofMesh = objectLines(scene, camera, settings, kept);
+        times = std::move(ofMesh.times);
+        strokes = ink::strokesOf(ofMesh, settings.picture, settings.lines);
     }
 
     // All else is seen: the triangles are drawn tile by tile, and maps, lines between pixels and ink are found in them.
@@ -41,11 +43,14 @@ Maps drawPicture(const Scene& scene, const Camera& camera, const RenderSettings&
         tiles = drawTiles(frame, graphics->inputs(), settings, plan, clock);
         if (plan.lines == LineSource::Planes) {
             strokes = ink::strokesOf(tiles.pieces);
-            const Lines marked = markedLines(scene, camera, settings, kept);
-            const std::vector<ink::Stroke> ofMarked = ink::strokesOf(marked, settings.picture, {});
-            strokes.insert(strokes.end(), ofMarked.begin(), ofMarked.end());
-            if (!marked.lines.empty()) clock.finish("marked lines");
+            ofMesh = linesBesidePixels(scene, camera, settings, kept);
+            const std::vector<ink::Stroke> beside = ink::strokesOf(ofMesh, settings.picture, {});
+            strokes.insert(strokes.end(), beside.begin(), beside.end());
+            if (!ofMesh.lines.empty()) clock.finish("lines of the mesh");
+        } else if (plan.lines != LineSource::Object && plan.mapsForm) {
+            ofMesh = linesBesidePixels(scene, camera, settings, kept);
         }
+        if (plan.mapsForm) mapForm(ofMesh, settings.picture.lines, tiles.maps);
     }
 
     // The lines are painted as strokes, and the other ink over them. The classic detector's are pixels already.

@@ -36,6 +36,7 @@ void planLines(const RenderSettings& settings, Plan& plan) {
                      edges && detector == Detector::Classic};
     plan.types = wants(settings, Map::Types);
     plan.lineMask = edges && detector == Detector::Planes;
+    plan.mapsForm = (plan.types || plan.lineMask) && !(settings.picture.lines & formLineTypes).empty();
     plan.inkMask = edges;
     plan.ids = ids ? trace::TraceIds::Keep : trace::TraceIds::Drop;
     // All maps show what lies at the middle of each pixel, which is no sample's middle where there are several.

@@ -47,6 +47,7 @@ struct Plan {
     passes::SurfaceMaps surfaceMaps;
     passes::EdgeMaps edgeMaps;
     bool types = false;
+    bool mapsForm = false;  ///< Maps::types and ::edges have lines of form: those that are drawn
     bool lineMask = false;  ///< Maps::edges has the lines that are traced
     bool inkMask = false;   ///< Maps::edges has the ink of functions, profiles and styles
 

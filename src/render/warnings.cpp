@@ -14,6 +14,21 @@
 namespace inkedge {
 namespace {
 
+void warnOfForm(const RenderSettings& settings, std::vector<std::string>& warnings) {
+    if ((settings.picture.lines & formLineTypes).empty() || settings.lines.from == LinesFrom::Object) return;
+    if (!render::styleRow(settings.style.style).drawsLines) return;
+    const Detector detector = settings.detector.detector;
+    const std::string failure = modules::failureToOpen(lines::embreeModule);
+    if (!failure.empty()) {
+        warnings.push_back("lines of form are not drawn: " + failure);
+    } else if (detector != Detector::Planes) {
+        warnings.push_back(
+            fmt::format("pictures of --detector {} have no lines of form: use --detector planes, or "
+                        "--lines-from object",
+                        settings::detectorNames[static_cast<std::size_t>(detector)]));
+    }
+}
+
 void warnOfIsolines(const Scene& scene, const RenderSettings& settings, std::vector<std::string>& warnings) {
     const auto hasNone = [](const Mesh& mesh) { return mesh.textureCoordinates.empty(); };
     const bool wanted =
@@ -47,6 +62,7 @@ std::vector<std::string> renderWarnings(const Scene& scene, const RenderSettings
     std::vector<std::string> warnings;
     warnOfIsolines(scene, settings, warnings);
     warnOfMarkedLines(scene, settings, warnings);
+    warnOfForm(settings, warnings);
     return warnings;
 }
 

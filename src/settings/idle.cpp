@@ -114,9 +114,21 @@ Why idleStroke(const Settings& settings, const OutputKinds& kinds) {
     return anyPicture(kinds) ? whyNoMeshLines(settings) : "lines in .json have no width";
 }
 
+Why idleStrokeWidth(const Settings& settings, const OutputKinds& kinds) {
+    const bool form = !(settings.picture.lines & formLineTypes).empty();
+    if (settings.lines.strokeWidth == StrokeWidth::Strength && !form)
+        return "strength is of lines of form, and --lines leaves them out";
+    return idleStroke(settings, kinds);
+}
+
 Why idleIsolines(const Settings& settings, const OutputKinds& kinds) {
     if (!settings.picture.lines.contains(LineType::Isoparametric)) return "--lines leaves isoparametric lines out";
     return idleWithoutMeshLines(settings, kinds);
+}
+
+Why idleFormTypes(const Settings& settings, const OutputKinds& kinds, LineTypes types) {
+    if ((settings.picture.lines & types).empty()) return "--lines leaves these lines of form out";
+    return idleTypes(settings, kinds);
 }
 
 Why idleSimplify(const Settings& settings, const OutputKinds& kinds) {

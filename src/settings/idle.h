@@ -20,7 +20,13 @@ namespace inkedge::settings {
 [[nodiscard]] std::string_view idleWithoutMeshLines(const Settings&, const OutputKinds&);
 [[nodiscard]] std::string_view idleLinesFrom(const Settings&, const OutputKinds&);
 [[nodiscard]] std::string_view idleStroke(const Settings&, const OutputKinds&);  ///< mesh lines in pictures; SVG
+[[nodiscard]] std::string_view idleStrokeWidth(const Settings&, const OutputKinds&);
 [[nodiscard]] std::string_view idleIsolines(const Settings&, const OutputKinds&);
+[[nodiscard]] std::string_view idleFormTypes(const Settings&, const OutputKinds&, LineTypes);
+template <LineType... types>
+[[nodiscard]] std::string_view idleForm(const Settings& settings, const OutputKinds& kinds) {
+    return idleFormTypes(settings, kinds, LineTypes{types...});
+}
 [[nodiscard]] std::string_view idleSimplify(const Settings&, const OutputKinds&);   ///< polylines in files
 [[nodiscard]] std::string_view idlePathOrder(const Settings&, const OutputKinds&);  ///< SVG of centre lines
 [[nodiscard]] std::string_view idleFitCurves(const Settings&, const OutputKinds&);  ///< SVG of constant widths

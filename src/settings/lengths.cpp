@@ -22,7 +22,8 @@ double inkReach(const RenderSettings& settings) {
         if (!picture.lines.contains(static_cast<LineType>(1U << i))) continue;
         widest = std::max(widest, pixelsOf(picture.pens[i].width.value_or(picture.lineWidth), picture.pixelsPerInch()));
     }
-    if (settings.lines.strokeWidth != StrokeWidth::Constant) widest *= widestStroke;
+    const StrokeWidth kind = settings.lines.strokeWidth;
+    if (kind != StrokeWidth::Constant && kind != StrokeWidth::Strength) widest *= widestStroke;
     return 0.5 * widest + (settings.style.style == Style::Pencil ? settings.style.pencilLooseness : 0.0);
 }
 

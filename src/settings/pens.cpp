@@ -10,7 +10,9 @@ std::array<Pen, penCount> pens(const PictureSettings& picture) {
     const auto& [hiddenPenWidth, hiddenPenColor, hiddenPenDash] = picture.hiddenPen;
     for (std::size_t i = 0; i < lineTypeCount; ++i) {
         const PenSettings& pen = picture.pens[i];
-        const Pen seen{pixelsOf(pen.width.value_or(picture.lineWidth), dpi), pen.color.value_or(picture.lineColor)};
+        const double share = formLineTypes.contains(static_cast<LineType>(1U << i)) ? formWidth : 1.0;
+        const Pen seen{pen.width ? pixelsOf(*pen.width, dpi) : share * pixelsOf(picture.lineWidth, dpi),
+                       pen.color.value_or(picture.lineColor)};
         const double width = hiddenPenWidth ? pixelsOf(*hiddenPenWidth, dpi) : hiddenWidth * seen.width;
         all[i] = seen;
         all[i + lineTypeCount] = {width, hiddenPenColor.value_or(seen.color),

@@ -22,6 +22,9 @@ inline constexpr int penCount = 2 * lineTypeCount;
 /// Hidden lines are half as wide as visible ones: ISO 128's narrow and wide lines.
 inline constexpr double hiddenWidth = 0.5;
 
+/// Lines of form are narrower than the edges beside which they are drawn.
+inline constexpr double formWidth = 0.6;
+
 /// All pens: the line width and colour of the settings, with the overrides of PictureSettings::pens and ::hiddenPen.
 [[nodiscard]] std::array<Pen, penCount> pens(const PictureSettings&);
 

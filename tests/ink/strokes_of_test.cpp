@@ -68,6 +68,23 @@ TEST(StrokesOf, leaveOutTypesThatAreNotDrawn) {
     EXPECT_EQ(strokesOf(linesOf({line}), settings, {}).size(), 1U);
 }
 
+TEST(StrokesOf, fadeWithTheStrengthOfLinesOfForm) {
+    Line line = lineThrough({{10, 10}, {30, 10}, {50, 10}});
+    line.type = LineType::Valley;
+    line.points[0].strength = 0.0;
+    line.points[1].strength = 0.5;
+    LineSettings settings;
+    EXPECT_EQ(strokesOf(linesOf({line}), picture(2.0), settings).at(0).widthFrom, fullWidth);
+    settings.strokeWidth = StrokeWidth::Strength;
+    const auto strokes = strokesOf(linesOf({line}), picture(2.0), settings);
+    ASSERT_EQ(strokes.size(), 2U) << "a straight line keeps the points between which it fades";
+    EXPECT_EQ(strokes[0].widthFrom, 0);
+    EXPECT_EQ(strokes[0].widthTo, fullWidth / 2);
+    EXPECT_EQ(strokes[1].widthTo, fullWidth);
+    line.type = LineType::Crease;
+    EXPECT_EQ(strokesOf(linesOf({line}), picture(2.0), settings).at(0).widthFrom, fullWidth);
+}
+
 TEST(StrokesOf, drawHiddenLinesAsTheSettingSays) {
     const Lines lines = linesOf({hidden(lineThrough({{10, 10}, {110, 10}}))});
     LineSettings settings;

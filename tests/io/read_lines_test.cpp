@@ -126,6 +126,27 @@ TEST(ReadLines, haveEveryType) {
     }
 }
 
+TEST(ReadLines, haveTheStrengthsOfLinesOfForm) {
+    Lines lines = sample();
+    lines.lines[0].type = LineType::Ridge;
+    lines.lines[0].points[1].strength = 0.25;
+    Settings settings = allOfThem(0.0);
+    settings.picture.lines = allLineTypes;
+    const std::string text = linesJson(lines, settings);
+    EXPECT_EQ(linesFromJson(text).lines.at(0).points[0].strength, 1.0);
+    EXPECT_EQ(linesFromJson(text).lines.at(0).points[1].strength, 0.25);
+    const std::string strengths = "\"strengths\":[1,0.25,";
+    ASSERT_THAT(text, HasSubstr(strengths));
+    const auto expectRefusal = [&](const std::string& instead, std::string_view message) {
+        std::string changed = text;
+        changed.replace(changed.find(strengths), strengths.size(), instead);
+        expectError(Error::Kind::Input, HasSubstr(message), [&] { (void)linesFromJson(changed); });
+    };
+    expectRefusal("\"strengths\":[1,1.25,", "lines[0].strengths: expected numbers from 0 to 1, found 1.25");
+    expectRefusal("\"strengths\":[", "lines[0].strengths: expected a list of 3, as pixels is");
+    expectRefusal("\"other\":[1,0.25,", "lines[0].strengths: expected a list");
+}
+
 TEST(ReadLines, knowsWhatFoundThem) {
     Lines lines = sample();
     lines.camera = camera(3.5);

@@ -16,6 +16,7 @@
 
 #include "base/temporary_folder.h"
 #include "gl/gl_test.h"
+#include "mesh/curved_shapes.h"
 #include "scenes.h"
 
 namespace inkedge::job {
@@ -47,6 +48,8 @@ const std::vector<Beside>& surroundings() {
         {"profiles", {{"detector", "saito-takahashi"}}, picture},
         {"object", {{"lines-from", "object"}}, picture},
         {"hidden", {{"hidden", "dashed"}}, picture},
+        {"form", {{"lines", "all"}, {"lines-from", "object"}, {"feature-size", "4"}}, picture},
+        {"form from image", {{"lines", "all"}}, picture},
         {"image", {{"lines-from", "image"}}, picture},
         {"hatch", {{"style", "hatch"}}, picture},
         {"sumi", {{"style", "sumi"}}, picture},
@@ -93,6 +96,10 @@ std::map<std::string_view, std::string> samples(const std::string& brush) {
             {"fit-curves", "0.5"},
             {"subdivide-adaptive", "2"},
             {"isolines", "3"},
+            {"feature-size", "20"},
+            {"suggestive-threshold", "90"},
+            {"ridge-threshold", "90"},
+            {"apparent-threshold", "90"},
             {"style", "pencil"},
             {"shade", "flat"},
             {"light", "60,-20"},
@@ -141,16 +148,18 @@ const std::set<std::string_view> oftenUnseen{"coincident", "stroke-taper", "norm
 // They act on the scene, whatever is drawn of it; settings_flags_test shows how.
 const std::set<std::string_view> ofTheScene{"model", "limits"};
 
-// A sphere, shaded smooth, two boxes that touch, and a sheet with texture coordinates.
+// A sphere, shaded smooth, two boxes that touch, a sheet with texture coordinates, and one with a dent.
 Scene scene() {
     Scene::Data data;
     Mesh sheet = scenes::quad({-1.5, -1, 1}, {0, -1, 1.2}, {0, 0.2, 1}, {-1.5, 0.2, 1});
     sheet.textureCoordinates = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
-    data.meshes = {scenes::sphere(0.8, 12), scenes::cube(1.0), sheet};
+    const Mesh dented = curved::sheet(40, [](double x, double y) { return -0.5 * std::exp(-4.0 * (x * x + y * y)); });
+    data.meshes = {scenes::sphere(0.8, 12), scenes::cube(1.0), sheet, dented};
     data.instances = {{"ball", 0, scenes::translation({0.3, 0.9, 0})},
                       {"left", 1, scenes::translation({-0.5, -0.5, 0})},
                       {"right", 1, scenes::translation({0.5, -0.5, 0})},
-                      {"sheet", 2, glm::dmat4{1.0}}};
+                      {"sheet", 2, glm::dmat4{1.0}},
+                      {"dented", 3, scenes::translation({0, 0.5, -1})}};
     data.cameras = {{"ahead", scenes::translation({0, 0, 6}), 50.0, 0.0}};
     LoadSettings settings;
     settings.textureCoordinates = true;
@@ -268,6 +277,11 @@ TEST_F(IdleSettings, SayWhichFlagAndWhy) {
     EXPECT_THAT(idle({{"dpi", "200"}, {"line-width", "1mm"}}, {.exr = true}), IsEmpty());
     EXPECT_THAT(idle({{"line-style", "hidden:width=1"}}, {.svg = true}),
                 testing::ElementsAre("--line-style does nothing: hidden: is for --hidden dashed or solid"));
+    EXPECT_THAT(idle({{"stroke-width", "strength"}}, {.svg = true}),
+                testing::ElementsAre("--stroke-width does nothing: strength is of lines of form, and --lines leaves "
+                                     "them out"));
+    EXPECT_THAT(idle({{"stroke-width", "strength"}, {"lines", "standard,ridge"}}, {.svg = true}), IsEmpty());
+    EXPECT_THAT(idle({{"suggestive-threshold", "1"}, {"lines", "ridge"}}, {.svg = true}), testing::SizeIs(1));
 }
 
 TEST_F(IdleSettings, OfAJobAreThoseOfAllItsOutputs) {

@@ -92,11 +92,11 @@ TEST(FileLines, AreMarkedLinesAmongOthers) {
     mesh.lines = {{-1.5F, 0, -2}, {1.5F, 0, -2}};
     const Scene scene = scenes::sceneOf(mesh);
     Settings settings = views::settingsOf({});
-    const Lines marked = ObjectLines{scene}.findMarked(front, settings);
+    const Lines marked = ObjectLines{scene}.findBesidePixels(front, settings);
     EXPECT_THAT(marked.lines, SizeIs(2));
     EXPECT_THAT(views::thoseOf(marked.lines, LineType::Marked), SizeIs(2));
     settings.picture.lines = standardLineTypes - LineType::Marked;
-    EXPECT_THAT(ObjectLines{scene}.findMarked(front, settings).lines, IsEmpty());
+    EXPECT_THAT(ObjectLines{scene}.findBesidePixels(front, settings).lines, IsEmpty());
     EXPECT_THAT(views::thoseOf(ObjectLines{scene}.find(front, settings).lines, LineType::Marked), IsEmpty());
 }
 
@@ -136,7 +136,7 @@ TEST(FileLines, AlongOtherLinesAreThoseUnlessAllAreKept) {
     const double atEnds = 2 * std::sqrt(2.0) * coincidentWithin;  // as near to the outline as that it is a part of it
     EXPECT_NEAR(lengthOf(LineType::Marked), diagonal, atEnds);
     EXPECT_NEAR(lengthOf(LineType::Outline), 400, exact);
-    EXPECT_NEAR(views::length(ObjectLines{scene}.findMarked(front, settings).lines), diagonal, atEnds);
+    EXPECT_NEAR(views::length(ObjectLines{scene}.findBesidePixels(front, settings).lines), diagonal, atEnds);
     settings.lines.coincident = CoincidentLines::Keep;
     EXPECT_NEAR(lengthOf(LineType::Marked), 100 + diagonal, exact);
     settings.lines.coincident = CoincidentLines::Merge;

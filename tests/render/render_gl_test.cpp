@@ -5,6 +5,7 @@
 #include <inkedge/write.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <thread>
 
@@ -13,6 +14,7 @@
 
 #include "base/expect_error.h"
 #include "gl/gl_test.h"
+#include "mesh/curved_shapes.h"
 #include "scenes.h"
 
 namespace inkedge::render {
@@ -158,6 +160,51 @@ TEST_P(RendererLines, warnOfPicturesWithoutTheLinesOfTheFile) {
     settings.picture.lines = standardLineTypes - LineType::Marked;
     EXPECT_TRUE(renderWarnings(with, settings).empty());
     EXPECT_TRUE(renderWarnings(with, Settings{}).empty());
+}
+
+TEST_P(RendererLines, haveLinesOfFormInBothSourcesAndInMaps) {
+    const Scene scene =
+        scenes::sceneOf(curved::sheet(60, [](double x, double) { return 0.3 * std::exp(-x * x / 0.1); }));
+    Settings settings = settingsOf(LinesFrom::Object);
+    settings.lines.hidden = HiddenLines::None;
+    settings.camera.direction = glm::dvec3{0.0, 0.3, -1.0};
+    settings.maps = {Map::Types, Map::Edges};
+    const Camera camera = frameCamera(scene, settings.camera, size);
+    std::vector<double> lengths;
+    for (const LinesFrom from : {LinesFrom::Object, LinesFrom::Image}) {
+        settings.lines.from = from;
+        settings.picture.lines = standardLineTypes;
+        const Maps without = renderer().render(scene, camera, settings);
+        settings.picture.lines = standardLineTypes | LineType::Ridge;
+        const Lines lines = renderer().lines(scene, camera, settings);
+        lengths.push_back(lengthOf(lines, LineType::Ridge));
+        const Maps with = renderer().render(scene, camera, settings);
+        EXPECT_NE(with.picture.pixels(), without.picture.pixels());
+        int ridges = 0;
+        for (std::size_t i = 0; i < with.types.pixels().size(); ++i) {
+            const auto ridge = static_cast<std::uint16_t>(LineType::Ridge);
+            const bool isRidge = (with.types.pixels()[i] & ridge) != 0;
+            ridges += isRidge ? 1 : 0;
+            EXPECT_EQ(with.types.pixels()[i] & ~ridge, without.types.pixels()[i]) << "the others stay";
+            EXPECT_EQ(with.edges.pixels()[i], isRidge ? 255 : without.edges.pixels()[i]);
+        }
+        EXPECT_GT(ridges, 10);
+    }
+    EXPECT_NEAR(lengths[0], 2.0, 0.2) << "all along the sheet";
+    EXPECT_EQ(lengths[0], lengths[1]);
+}
+
+TEST_P(RendererLines, warnOfPicturesWithoutLinesOfForm) {
+    const Scene scene = scenes::sceneOf(scenes::cube());
+    Settings settings;
+    settings.detector.detector = Detector::Classic;
+    EXPECT_TRUE(renderWarnings(scene, settings).empty());
+    settings.picture.lines = allLineTypes;
+    EXPECT_EQ(renderWarnings(scene, settings),
+              std::vector<std::string>{"pictures of --detector classic have no lines of form: use --detector planes, "
+                                       "or --lines-from object"});
+    settings.lines.from = LinesFrom::Object;
+    EXPECT_TRUE(renderWarnings(scene, settings).empty());
 }
 
 TEST_P(RendererLines, sayWhatFoundThem) {

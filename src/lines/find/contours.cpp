@@ -6,11 +6,11 @@
 #include <unordered_set>
 
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "base/parallel.h"
 #include "lines/find/beside_edge.h"
 #include "lines/find/facet.h"
+#include "lines/find/instance_view.h"
 #include "mesh/subdivide.h"
 #include "scene/prepared.h"
 
@@ -32,16 +32,11 @@ public:
           borders_{edges.borders},
           isolines_{edges.isolines},
           to_{to},
-          toWorld_{scene.instances()[instance].transform} {
-        toWorld_[3] += toWorld_ * glm::dvec4{mesh_.origin, 0.0} - glm::dvec4{scene.bounds().centre, 0.0};
-        scale_ = std::cbrt(std::abs(glm::determinant(glm::dmat3{toWorld_})));
-        const glm::dmat4 back = glm::inverse(toWorld_);
-        eye_ = {screen.orthographic(), glm::dvec3{back * glm::dvec4{screen.eye(), 1.0}},
-                glm::dmat3{back} * screen.direction()};
-    }
+          view_{scene, instance, screen},
+          eye_{view_.eye} {}
 
     void collect(ContourMemory& memory) {
-        if (glm::determinant(glm::dmat3{toWorld_}) == 0.0) return;  // scaled to a point
+        if (view_.scale == 0.0) return;
         contours_ = search_.find(eye_, choice_.finder, memory);
         chooseSmoothPatches();
         if (choice_.contour == Contour::Auto && choice_.refinement == 0) findLargeFaces();
@@ -57,7 +52,7 @@ private:
     [[nodiscard]] glm::dvec3 position(std::uint32_t corner) const {
         return glm::dvec3{mesh_.positions[mesh_.indices[corner]]};
     }
-    [[nodiscard]] glm::dvec3 toWorld(glm::dvec3 p) const { return glm::dvec3{toWorld_ * glm::dvec4{p, 1.0}}; }
+    [[nodiscard]] glm::dvec3 toWorld(glm::dvec3 p) const { return view_.world(p); }
     // The vector from the eye to a point: x - C.
     [[nodiscard]] glm::dvec3 view(glm::dvec3 p) const { return eye_.view(p); }
     [[nodiscard]] scene::SceneFace face(std::uint32_t t) const { return {instance_, t}; }
@@ -125,7 +120,7 @@ private:
     [[nodiscard]] bool isLarge(std::uint32_t t) const {
         const glm::dvec3 corner = toWorld(position(3 * t));
         return screen_.depth(corner) > screen_.near() &&
-               longestEdge(t) * scale_ > largeEdge * screen_.footprint(corner);
+               longestEdge(t) * view_.scale > largeEdge * screen_.footprint(corner);
     }
 
     // A smooth contour, which may cross a face anywhere, leaves out parts of large ones: mesh contours are drawn there.
@@ -420,7 +415,7 @@ private:
             segment.keys[found++] = edges[k];
         }
         segment.inner = toWorld(corners[inner]);
-        segment.slack = size * scale_;
+        segment.slack = size * view_.scale;
         to_.push_back(segment);
     }
 
@@ -434,9 +429,8 @@ private:
     std::span<const BorderSegment> borders_;
     std::span<const IsolineSegment> isolines_;
     std::vector<Segment>& to_;
-    glm::dmat4 toWorld_;
-    double scale_;  // of lengths, to world units
-    MeshEye eye_;
+    InstanceView view_;
+    const MeshEye& eye_;
     FoundContours contours_;
     std::vector<bool> smooth_;                 // one per patch
     std::vector<double> viewDots_;             // one per position: n . (x - C)

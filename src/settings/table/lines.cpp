@@ -12,7 +12,9 @@ constexpr std::array contourNames{Names{"auto"}, Names{"mesh"}, Names{"smooth"}}
 constexpr std::array hiddenNames{Names{"none"}, Names{"dashed"}, Names{"solid"}};
 constexpr std::array coincidentNames{Names{"merge"}, Names{"keep"}};
 constexpr std::array pathOrderNames{Names{"drawn"}, Names{"travel"}};
-constexpr std::array strokeWidthNames{Names{"constant"}, Names{"depth"}, Names{"curvature"}};
+constexpr std::array strokeWidthNames{Names{"constant"}, Names{"depth"}, Names{"curvature"}, Names{"strength"}};
+
+const Number strengths{.min = 0.0, .max = 100.0, .unit = "X"};
 
 std::string isolineRange() { return rangeOf(isolineSteps); }
 std::filesystem::path parsePath(std::string_view text) { return text; }
@@ -49,8 +51,9 @@ std::vector<SettingDescription> lineRows() {
              Choice{coincidentNames}, [](auto& s) -> auto& { return s.lines.coincident; }),
          row(
              {.name = "stroke-width",
-              .help = "wider where nearer, or where straighter: half to one and a half widths; lines from object",
-              .idle = idleStroke},
+              .help = "wider where nearer, or where straighter: half to one and a half widths; strength: lines of form "
+                      "fade where they are weak; lines from object",
+              .idle = idleStrokeWidth},
              Choice{strokeWidthNames}, [](auto& s) -> auto& { return s.lines.strokeWidth; }),
          row(
              {.name = "stroke-taper",
@@ -90,7 +93,30 @@ std::vector<SettingDescription> lineRows() {
              {.name = "isolines",
               .help = "lines at N steps of each texture coordinate's unit; lines from object",
               .idle = idleIsolines},
-             {"N|u:N,v:N", isolineRange}, [](auto& s) -> auto& { return s.lines.isolines; })});
+             {"N|u:N,v:N", isolineRange}, [](auto& s) -> auto& { return s.lines.isolines; }),
+         row(
+             {.name = "feature-size",
+              .help = "what is smaller is roughness: of the radius of a sphere as large as the surface; lines of form",
+              .idle = idleForm<LineType::Suggestive, LineType::Ridge, LineType::Valley, LineType::Apparent>},
+             Number{.min = 0.01, .max = 20.0, .unit = "%"}, [](auto& s) -> auto& { return s.lines.form.featureSize; }),
+         row(
+             {.name = "suggestive-threshold",
+              .help = "suggestive contours that are this strong somewhere are drawn: feature sizes per length over "
+                      "which radial curvature comes",
+              .idle = idleForm<LineType::Suggestive>},
+             strengths, [](auto& s) -> auto& { return s.lines.form.suggestiveThreshold; }),
+         row(
+             {.name = "ridge-threshold",
+              .help = "ridges and valleys that are this strong somewhere are drawn: feature sizes per radius of their "
+                      "curvature",
+              .idle = idleForm<LineType::Ridge, LineType::Valley>},
+             strengths, [](auto& s) -> auto& { return s.lines.form.ridgeThreshold; }),
+         row(
+             {.name = "apparent-threshold",
+              .help = "apparent ridges that are this strong somewhere are drawn: feature sizes per radius of curvature "
+                      "as it is seen",
+              .idle = idleForm<LineType::Apparent>},
+             strengths, [](auto& s) -> auto& { return s.lines.form.apparentThreshold; })});
 }
 
 }  // namespace inkedge::settings
