@@ -142,7 +142,7 @@ TEST(ReadLines, haveTheStrengthsOfLinesOfForm) {
         changed.replace(changed.find(strengths), strengths.size(), instead);
         expectError(Error::Kind::Input, HasSubstr(message), [&] { (void)linesFromJson(changed); });
     };
-    expectRefusal("\"strengths\":[1,1.25,", "lines[0].strengths: expected numbers from 0 to 1, found 1.25");
+    expectRefusal("\"strengths\":[1,1.25,", "lines[0].strengths: expected numbers from 0 to 1, found '1.25'");
     expectRefusal("\"strengths\":[", "lines[0].strengths: expected a list of 3, as pixels is");
     expectRefusal("\"other\":[1,0.25,", "lines[0].strengths: expected a list");
 }

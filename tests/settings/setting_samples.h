@@ -44,6 +44,7 @@ inline std::vector<std::string> samples(const SettingDescription& row) {
     if (row.values() == "HEIGHT" || row.values() == "FACTOR" || row.values() == "T") return {"0.25", "2", "1000"};
     if (row.name == "dpi") return {"72", "300.5"};
     if (row.values() == "PX" && row.group == "lines") return {"0", "0.25", "2.5"};
+    if (row.values() == "%" || (row.group == "lines" && row.values() == "X")) return {"0.25", "2.5"};
     if (row.group == "style" && row.values() == "X") return {"0.25", "1"};
     if (row.group == "style" && row.values() == "PX") return {"1", "1.5"};
     if (row.group == "style" && row.values() == "N") return {"1", "7"};
