@@ -74,9 +74,11 @@ TEST(StrokesOf, fadeWithTheStrengthOfLinesOfForm) {
     line.points[0].strength = 0.0;
     line.points[1].strength = 0.5;
     LineSettings settings;
-    EXPECT_EQ(strokesOf(linesOf({line}), picture(2.0), settings).at(0).widthFrom, fullWidth);
+    PictureSettings every = picture(2.0);
+    every.lines = allLineTypes;
+    EXPECT_EQ(strokesOf(linesOf({line}), every, settings).at(0).widthFrom, fullWidth);
     settings.strokeWidth = StrokeWidth::Strength;
-    const auto strokes = strokesOf(linesOf({line}), picture(2.0), settings);
+    const auto strokes = strokesOf(linesOf({line}), every, settings);
     ASSERT_EQ(strokes.size(), 2U) << "a straight line keeps the points between which it fades";
     EXPECT_EQ(strokes[0].widthFrom, 0);
     EXPECT_EQ(strokes[0].widthTo, fullWidth / 2);

@@ -48,8 +48,20 @@ const std::vector<Beside>& surroundings() {
         {"profiles", {{"detector", "saito-takahashi"}}, picture},
         {"object", {{"lines-from", "object"}}, picture},
         {"hidden", {{"hidden", "dashed"}}, picture},
-        {"form", {{"lines", "all"}, {"lines-from", "object"}, {"feature-size", "4"}}, picture},
-        {"form from image", {{"lines", "all"}}, picture},
+        {"form",
+         {{"lines", "all"},
+          {"lines-from", "object"},
+          {"feature-size", "4"},
+          {"suggestive-threshold", "0.02"},
+          {"ridge-threshold", "0.02"},
+          {"apparent-threshold", "0.02"}},
+         picture},
+        {"form from image",
+         {{"lines", "all"},
+          {"suggestive-threshold", "0.02"},
+          {"ridge-threshold", "0.02"},
+          {"apparent-threshold", "0.02"}},
+         picture},
         {"image", {{"lines-from", "image"}}, picture},
         {"hatch", {{"style", "hatch"}}, picture},
         {"sumi", {{"style", "sumi"}}, picture},
@@ -159,7 +171,7 @@ Scene scene() {
                       {"left", 1, scenes::translation({-0.5, -0.5, 0})},
                       {"right", 1, scenes::translation({0.5, -0.5, 0})},
                       {"sheet", 2, glm::dmat4{1.0}},
-                      {"dented", 3, scenes::translation({0, 0.5, -1})}};
+                      {"dented", 3, scenes::translation({-0.9, 0.9, -0.3}) * scenes::scaling(glm::dvec3{0.4})}};
     data.cameras = {{"ahead", scenes::translation({0, 0, 6}), 50.0, 0.0}};
     LoadSettings settings;
     settings.textureCoordinates = true;

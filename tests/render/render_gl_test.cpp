@@ -167,6 +167,7 @@ TEST_P(RendererLines, haveLinesOfFormInBothSourcesAndInMaps) {
         scenes::sceneOf(curved::sheet(60, [](double x, double) { return 0.3 * std::exp(-x * x / 0.1); }));
     Settings settings = settingsOf(LinesFrom::Object);
     settings.lines.hidden = HiddenLines::None;
+    settings.lines.form.ridgeThreshold = 0.05;  // the fold's curvature of 6 is 0.1 feature sizes per radius
     settings.camera.direction = glm::dvec3{0.0, 0.3, -1.0};
     settings.maps = {Map::Types, Map::Edges};
     const Camera camera = frameCamera(scene, settings.camera, size);
