@@ -81,5 +81,6 @@ void HeatSmoothing::smooth(std::vector<std::array<float, n>>& values) const {
 
 template void HeatSmoothing::smooth(std::vector<std::array<float, 3>>&) const;
 template void HeatSmoothing::smooth(std::vector<std::array<float, 6>>&) const;
+template void HeatSmoothing::smooth(std::vector<std::array<float, 10>>&) const;
 
 }  // namespace inkedge::mesh

@@ -17,6 +17,16 @@
 namespace inkedge::mesh {
 namespace {
 
+// Of smoothing: their variances add up to the square of the resolution. One alone has a kernel with a peak.
+constexpr int passes = 3;
+
+glm::dvec3 unit(glm::dvec3 v) {
+    const double length = glm::length(v);
+    return length > 0.0 ? v / length : v;
+}
+
+double angleBetween(glm::dvec3 a, glm::dvec3 b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
+
 class FormBuilder {
 public:
     FormBuilder(const Mesh& mesh, const MeshTopology& topology) : mesh_{mesh}, topology_{topology} {}
@@ -24,19 +34,22 @@ public:
     SurfaceForm build(double featureSize) {
         numberFans();
         measureSurfaces(featureSize);
-        sumNormals();
         markOneSided();
+        sumNormals();
         const HeatSmoothing smoothing = smoothingOf();
-        // Three of the same kernel, whose variances add up to the square of the resolution.
-        smoothing.smooth(normals_);
-        smoothing.smooth(normals_);
         makeFrames();
         fitTensors();
-        std::vector<std::array<float, 6>> inSpace = tensorsInSpace();
-        fillOneSided(inSpace);
-        smoothing.smooth(inSpace);
-        takeTensors(inSpace);
+        std::vector<std::array<float, 6>> tensors = tensorsInSpace();
+        fillOneSided(tensors);
+        // The tensor, not the normals that it is of: smoothing keeps what bends the same everywhere, up to borders.
+        for (int pass = 0; pass < passes; ++pass) smoothing.smooth(tensors);
+        for (int pass = 0; pass < passes; ++pass) smoothing.smooth(normals_);
+        makeFrames();
+        takeTensors(tensors);
         fitDerivatives();
+        std::vector<std::array<float, 10>> derivatives = derivativesInSpace();
+        smoothing.smooth(derivatives);
+        takeDerivatives(derivatives);
         takePoints();
         return std::move(form_);
     }
@@ -99,7 +112,15 @@ private:
         });
     }
 
-    // Exact on spheres: Max 1999.
+    [[nodiscard]] glm::dvec3 normalOf(std::size_t fan) const {
+        return {normals_[fan][0], normals_[fan][1], normals_[fan][2]};
+    }
+    void setNormal(std::size_t fan, glm::dvec3 n) {
+        normals_[fan] = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
+    }
+
+    // Within surfaces exact on spheres, Max 1999; at their ends, where a cylinder's sides may be long triangles that
+    // all reach from end to end, exact on these: by angles, Thürmer and Wüthrich 1998.
     void sumNormals() {
         normals_.resize(fanCount());
         onFans([&](std::size_t fan) {
@@ -110,12 +131,12 @@ private:
                 const std::array<glm::dvec3, 3> p = cornersOf(c / 3);
                 const glm::dvec3 one = p[(c + 1) % 3] - p[c % 3];
                 const glm::dvec3 other = p[(c + 2) % 3] - p[c % 3];
+                const glm::dvec3 cross = glm::cross(one, other);
                 const double squares = glm::dot(one, one) * glm::dot(other, other);
-                if (squares > 0.0) sum += glm::cross(one, other) / squares;
+                if (squares == 0.0) continue;
+                sum += oneSided_[fan] == 0 ? cross / squares : angleBetween(one, other) * unit(cross);
             }
-            const double length = glm::length(sum);
-            if (length > 0.0) sum /= length;
-            normals_[fan] = {static_cast<float>(sum.x), static_cast<float>(sum.y), static_cast<float>(sum.z)};
+            setNormal(fan, unit(sum));
         });
     }
 
@@ -159,17 +180,14 @@ private:
             if (conductance > 0.0)
                 edges.push_back({form_.fans[h], form_.fans[nextHalfEdge(h)], conductance * width * width});
         }
-        constexpr double third = 1.0 / 3.0;
-        return {edges, areas, third};
+        return {edges, areas, 1.0 / passes};
     }
 
     void makeFrames() {
         frames_.resize(fanCount());
         onFans([&](std::size_t fan) {
-            const glm::dvec3 n{normals_[fan][0], normals_[fan][1], normals_[fan][2]};
-            const double length = glm::length(n);
-            frames_[fan] = frameOf(length > 0.0 ? n / length : glm::dvec3{0.0, 0.0, 1.0});
-            if (length == 0.0) oneSided_[fan] = 1;
+            const glm::dvec3 n = normalOf(fan);
+            frames_[fan] = frameOf(n == glm::dvec3{0.0} ? glm::dvec3{0.0, 0.0, 1.0} : glm::normalize(n));
         });
     }
 
@@ -302,17 +320,21 @@ private:
             });
     }
 
-    // As symmetric tensors of the three axes of space: xx, xy, xz, yy, yz, zz.
+    // The coordinates of the axes of space in a fan's frame.
+    [[nodiscard]] std::array<glm::dvec2, 3> axesIn(std::size_t fan) const {
+        const auto& [u, v, normal] = frames_[fan];
+        return {{{u.x, v.x}, {u.y, v.y}, {u.z, v.z}}};
+    }
+
+    // As symmetric tensors of the axes of space, of which smoothing can be done: xx, xy, xz, yy, yz, zz.
     [[nodiscard]] std::vector<std::array<float, 6>> tensorsInSpace() const {
         std::vector<std::array<float, 6>> inSpace(fanCount());
         onFans([&](std::size_t fan) {
-            const auto& [u, v, normal] = frames_[fan];
-            const Tensor2& t = tensors_[fan];
+            const std::array<glm::dvec2, 3> axes = axesIn(fan);
             std::size_t next = 0;
-            for (int i = 0; i < 3; ++i)
-                for (int j = i; j < 3; ++j)
-                    inSpace[fan][next++] = static_cast<float>(t[0] * u[i] * u[j] + t[1] * (u[i] * v[j] + v[i] * u[j]) +
-                                                              t[2] * v[i] * v[j]);
+            for (std::size_t i = 0; i < 3; ++i)
+                for (std::size_t j = i; j < 3; ++j)
+                    inSpace[fan][next++] = static_cast<float>(along(tensors_[fan], axes[i], axes[j]));
         });
         return inSpace;
     }
@@ -339,16 +361,54 @@ private:
 
     void takeTensors(const std::vector<std::array<float, 6>>& inSpace) {
         onFans([&](std::size_t fan) {
-            const auto& [u, v, normal] = frames_[fan];
-            const std::array<float, 6>& t = inSpace[fan];
-            const auto times = [&](glm::dvec3 x) {
-                return glm::dvec3{
-                    static_cast<double>(t[0]) * x.x + static_cast<double>(t[1]) * x.y + static_cast<double>(t[2]) * x.z,
-                    static_cast<double>(t[1]) * x.x + static_cast<double>(t[3]) * x.y + static_cast<double>(t[4]) * x.z,
-                    static_cast<double>(t[2]) * x.x + static_cast<double>(t[4]) * x.y +
-                        static_cast<double>(t[5]) * x.z};
-            };
-            tensors_[fan] = {glm::dot(u, times(u)), glm::dot(u, times(v)), glm::dot(v, times(v))};
+            const std::array<glm::dvec2, 3> axes = axesIn(fan);
+            Tensor2 sum{};
+            std::size_t next = 0;
+            for (std::size_t i = 0; i < 3; ++i) {
+                for (std::size_t j = i; j < 3; ++j) {
+                    const double value = (i == j ? 1.0 : 2.0) * static_cast<double>(inSpace[fan][next++]);
+                    sum[0] += value * axes[i].x * axes[j].x;
+                    sum[1] += value * 0.5 * (axes[i].x * axes[j].y + axes[i].y * axes[j].x);
+                    sum[2] += value * axes[i].y * axes[j].y;
+                }
+            }
+            tensors_[fan] = sum;
+        });
+    }
+
+    // xxx, xxy, xxz, xyy, xyz, xzz, yyy, yyz, yzz, zzz.
+    [[nodiscard]] std::vector<std::array<float, 10>> derivativesInSpace() const {
+        std::vector<std::array<float, 10>> inSpace(fanCount());
+        onFans([&](std::size_t fan) {
+            const std::array<glm::dvec2, 3> axes = axesIn(fan);
+            std::size_t next = 0;
+            for (std::size_t i = 0; i < 3; ++i)
+                for (std::size_t j = i; j < 3; ++j)
+                    for (std::size_t k = j; k < 3; ++k)
+                        inSpace[fan][next++] = static_cast<float>(along(derivatives_[fan], axes[i], axes[j], axes[k]));
+        });
+        return inSpace;
+    }
+
+    void takeDerivatives(const std::vector<std::array<float, 10>>& inSpace) {
+        constexpr std::array<std::array<std::size_t, 9>, 3> components{
+            {{0, 1, 2, 1, 3, 4, 2, 4, 5}, {1, 3, 4, 3, 6, 7, 4, 7, 8}, {2, 4, 5, 4, 7, 8, 5, 8, 9}}};
+        onFans([&](std::size_t fan) {
+            const std::array<glm::dvec2, 3> axes = axesIn(fan);
+            Tensor3 sum{};
+            for (std::size_t i = 0; i < 3; ++i) {
+                for (std::size_t jk = 0; jk < 9; ++jk) {
+                    const auto value = static_cast<double>(inSpace[fan][components[i][jk]]);
+                    const glm::dvec2 a = axes[i];
+                    const glm::dvec2 b = axes[jk / 3];
+                    const glm::dvec2 c = axes[jk % 3];
+                    sum[0] += value * a.x * b.x * c.x;
+                    sum[1] += value * a.x * b.x * c.y;
+                    sum[2] += value * a.x * b.y * c.y;
+                    sum[3] += value * a.y * b.y * c.y;
+                }
+            }
+            derivatives_[fan] = sum;
         });
     }
 

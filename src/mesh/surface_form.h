@@ -36,8 +36,8 @@ struct SurfaceForm {
 /// faces around a point by their shares of the area: Rusinkiewicz 2004. Nothing is averaged across creases. Faces at
 /// borders and creases, whose normals there are one-sided, count only where there are no others.
 ///
-/// Normals and the tensor are smoothed by a kernel about as wide as the feature size, or as the mean length of an edge
-/// if that is more, so that what is smaller does not count.
+/// All is smoothed by a kernel about as wide as the feature size, or as the mean length of an edge if that is more, so
+/// that what is smaller does not count.
 /// @param featureSize  as a share of the radius of a sphere of the surface's area: over 0. A surface is what is
 ///                     connected across edges that are no creases.
 /// O(n), on all cores.
