@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "base/parallel.h"
@@ -13,12 +14,10 @@
 #include "mesh/fans.h"
 #include "mesh/heat_smoothing.h"
 #include "mesh/tensors.h"
+#include "mesh/z_order.h"
 
 namespace inkedge::mesh {
 namespace {
-
-// Of smoothing: their variances add up to the square of the resolution. One alone has a kernel with a peak.
-constexpr int passes = 3;
 
 glm::dvec3 unit(glm::dvec3 v) {
     const double length = glm::length(v);
@@ -42,13 +41,14 @@ public:
         std::vector<std::array<float, 6>> tensors = tensorsInSpace();
         fillOneSided(tensors);
         // The tensor, not the normals that it is of: smoothing keeps what bends the same everywhere, up to borders.
-        for (int pass = 0; pass < passes; ++pass) smoothing.smooth(tensors);
-        for (int pass = 0; pass < passes; ++pass) smoothing.smooth(normals_);
+        smoothing.smooth(tensors, 1.0);
+        smoothing.smooth(normals_, 1.0);
         makeFrames();
         takeTensors(tensors);
         fitDerivatives();
         std::vector<std::array<float, 10>> derivatives = derivativesInSpace();
-        smoothing.smooth(derivatives);
+        // Differences within faces are as coarse as these.
+        smoothing.smooth(derivatives, coarseness_);
         takeDerivatives(derivatives);
         takePoints();
         return std::move(form_);
@@ -65,12 +65,28 @@ private:
     [[nodiscard]] double unitOf(std::uint32_t t) const { return units_[topology_.patches[t]]; }
     [[nodiscard]] bool counts(std::uint32_t t) const { return topology_.originals[t] == t && unitOf(t) > 0.0; }
 
+    // The first corners of fans, in an order in which neighbours are near: smoothing goes through all many times.
+    [[nodiscard]] std::vector<ZOrderKey> fanKeys() const {
+        const auto position = [&](std::uint32_t c) { return mesh_.positions[mesh_.indices[c]]; };
+        glm::vec3 low = position(0);
+        glm::vec3 high = low;
+        for (const glm::vec3& p : mesh_.positions) low = glm::min(low, p), high = glm::max(high, p);
+        const ZOrder order{low, high};
+        std::vector<ZOrderKey> keys;
+        for (std::uint32_t c = 0; c < form_.fans.size(); ++c)
+            if (form_.fans[c] == c) keys.push_back({order.key(position(c)), c});
+        sortByKey(keys);
+        return keys;
+    }
+
     void numberFans() {
         form_.fans = findFans(topology_);
-        std::uint32_t count = 0;
-        for (std::uint32_t c = 0; c < form_.fans.size(); ++c)
-            form_.fans[c] = form_.fans[c] == c ? count++ : form_.fans[form_.fans[c]];
-        begins_.assign(count + std::size_t{1}, 0);
+        const std::vector<ZOrderKey> keys = fanKeys();
+        const std::size_t count = keys.size();
+        std::vector<std::uint32_t> numbers(form_.fans.size());  // of first corners
+        for (std::uint32_t fan = 0; fan < count; ++fan) numbers[keys[fan].index] = fan;
+        for (std::uint32_t& fan : form_.fans) fan = numbers[fan];
+        begins_.assign(count + 1, 0);
         for (const std::uint32_t fan : form_.fans) ++begins_[fan + 1];
         for (std::size_t i = 0; i < count; ++i) begins_[i + 1] += begins_[i];
         corners_.resize(form_.fans.size());
@@ -94,13 +110,19 @@ private:
             for (std::size_t k = 0; k < 3; ++k) sum.length += glm::distance(p[k], p[(k + 1) % 3]);
             sum.edges += 3.0;
         }
+        double edges = 0.0;
         for (std::size_t patch = 0; patch < sums.size(); ++patch) {
             const Sums& sum = sums[topology_.surfaces[patch]];
             const double radius = std::sqrt(sum.area / (4.0 * std::numbers::pi));
             form_.featureSizes.push_back(featureSize * radius);
             form_.resolutions.push_back(radius > 0.0 ? std::max(featureSize * radius, sum.length / sum.edges) : 0.0);
             units_.push_back(radius > 0.0 ? 1.0 / form_.featureSizes[patch] : 0.0);
+            if (radius == 0.0 || sums[patch].edges == 0.0) continue;
+            const double edge = sum.length / sum.edges;
+            coarseness_ += sum.length * edge / (form_.resolutions[patch] * form_.resolutions[patch]);
+            edges += sum.edges;
         }
+        if (edges > 0.0) coarseness_ /= edges;
     }
 
     [[nodiscard]] std::size_t fanCount() const { return begins_.size() - 1; }
@@ -153,6 +175,7 @@ private:
         }
     }
 
+    // Counts lengths in resolutions.
     [[nodiscard]] HeatSmoothing smoothingOf() const {
         constexpr double maxCotangent = 20.0;  // of an angle of 3 degrees: slivers conduct no better
         std::vector<double> areas(fanCount(), 0.0);
@@ -180,7 +203,7 @@ private:
             if (conductance > 0.0)
                 edges.push_back({form_.fans[h], form_.fans[nextHalfEdge(h)], conductance * width * width});
         }
-        return {edges, areas, 1.0 / passes};
+        return {edges, areas};
     }
 
     void makeFrames() {
@@ -438,6 +461,7 @@ private:
     const MeshTopology& topology_;
     SurfaceForm form_;
     std::vector<double> units_;           // one per patch: 1 / the feature size, or 0
+    double coarseness_ = 0.0;             // mean square of an edge's length in resolutions
     std::vector<std::uint32_t> begins_;   // one per fan, and the end: into corners_
     std::vector<std::uint32_t> corners_;  // sorted by fans
     std::vector<std::array<float, 3>> normals_;

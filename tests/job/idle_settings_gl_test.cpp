@@ -165,13 +165,13 @@ Scene scene() {
     Scene::Data data;
     Mesh sheet = scenes::quad({-1.5, -1, 1}, {0, -1, 1.2}, {0, 0.2, 1}, {-1.5, 0.2, 1});
     sheet.textureCoordinates = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
-    const Mesh dented = curved::sheet(40, [](double x, double y) { return -0.5 * std::exp(-4.0 * (x * x + y * y)); });
+    const Mesh dented = curved::sheet(14, [](double x, double y) { return -0.5 * std::exp(-4.0 * (x * x + y * y)); });
     data.meshes = {scenes::sphere(0.8, 12), scenes::cube(1.0), sheet, dented};
     data.instances = {{"ball", 0, scenes::translation({0.3, 0.9, 0})},
                       {"left", 1, scenes::translation({-0.5, -0.5, 0})},
                       {"right", 1, scenes::translation({0.5, -0.5, 0})},
                       {"sheet", 2, glm::dmat4{1.0}},
-                      {"dented", 3, scenes::translation({-0.9, 0.9, -0.3}) * scenes::scaling(glm::dvec3{0.4})}};
+                      {"dented", 3, scenes::translation({-1.1, 0.8, 0.3}) * scenes::scaling(glm::dvec3{0.4})}};
     data.cameras = {{"ahead", scenes::translation({0, 0, 6}), 50.0, 0.0}};
     LoadSettings settings;
     settings.textureCoordinates = true;

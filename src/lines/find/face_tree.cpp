@@ -3,27 +3,14 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "mesh/z_order.h"
+
 namespace inkedge::lines {
 namespace {
-
-struct Keyed {
-    std::uint64_t key;
-    std::uint32_t triangle;
-};
-
-// The low 21 bits of a number, with two zeros after each.
-std::uint64_t spread(std::uint64_t x) {
-    x = (x | x << 32U) & 0x1F00000000FFFFU;
-    x = (x | x << 16U) & 0x1F0000FF0000FFU;
-    x = (x | x << 8U) & 0x100F00F00F00F00FU;
-    x = (x | x << 4U) & 0x10C30C30C30C30C3U;
-    return (x | x << 2U) & 0x1249249249249249U;
-}
 
 class Builder {
 public:
@@ -58,41 +45,17 @@ private:
         glm::vec3 low{tree_.points.empty() ? glm::vec3{0.0F} : tree_.points.front()};
         glm::vec3 high = low;
         for (const glm::vec3& p : tree_.points) low = glm::min(low, p), high = glm::max(high, p);
-        const glm::vec3 size = high - low;
-        const double cells = 2097151.0 / std::max({double{size.x}, double{size.y}, double{size.z}, 1e-300});
+        const mesh::ZOrder order{low, high};
         const auto count = static_cast<std::uint32_t>(topology_.originals.size());
         keys_.reserve(count);
         for (std::uint32_t t = 0; t < count; ++t) {
             if (topology_.originals[t] != t || tree_.normals[t] == glm::dvec3{0.0}) continue;
-            const auto corner = corners(t);
-            const auto cell = [&](int axis) {
-                const double sum = double{corner[0][axis]} + double{corner[1][axis]} + double{corner[2][axis]};
-                const double middle = sum / 3.0 - double{low[axis]};
-                return spread(static_cast<std::uint64_t>(std::clamp(middle * cells, 0.0, 2097151.0)));
-            };
-            keys_.push_back({cell(0) << 2U | cell(1) << 1U | cell(2), t});
+            const auto [a, b, c] = corners(t);
+            keys_.push_back({order.key((glm::dvec3{a} + glm::dvec3{b} + glm::dvec3{c}) / 3.0), t});
         }
-        sortByKey();
+        sortByKey(keys_);
         tree_.triangles.reserve(keys_.size());
-        for (const Keyed& keyed : keys_) tree_.triangles.push_back(keyed.triangle);
-    }
-
-    // A radix sort by 16 bits at a time, the lowest first.
-    void sortByKey() {
-        constexpr std::size_t few = 4096;
-        if (keys_.size() < few) {
-            std::ranges::stable_sort(keys_, {}, &Keyed::key);
-            return;
-        }
-        std::vector<Keyed> sorted(keys_.size());
-        std::vector<std::uint32_t> begin(65537);
-        for (std::uint32_t shift = 0; shift < 64; shift += 16) {
-            std::ranges::fill(begin, 0U);
-            for (const Keyed& k : keys_) ++begin[(k.key >> shift & 0xFFFFU) + 1];
-            std::partial_sum(begin.begin(), begin.end(), begin.begin());
-            for (const Keyed& k : keys_) sorted[begin[k.key >> shift & 0xFFFFU]++] = k;
-            keys_.swap(sorted);
-        }
+        for (const mesh::ZOrderKey& each : keys_) tree_.triangles.push_back(each.index);
     }
 
     // The first key of a range that has the highest bit in which the keys differ.
@@ -101,7 +64,7 @@ private:
         if (differing == 0) return (begin + end) / 2;
         const std::uint64_t bit = std::bit_floor(differing);
         const auto one = std::partition_point(keys_.begin() + begin, keys_.begin() + end,
-                                              [&](const Keyed& k) { return (k.key & bit) == 0; });
+                                              [&](const mesh::ZOrderKey& k) { return (k.key & bit) == 0; });
         return static_cast<std::uint32_t>(one - keys_.begin());
     }
 
@@ -172,7 +135,7 @@ private:
     const mesh::MeshTopology& topology_;
     float widest_;
     FaceTree tree_;
-    std::vector<Keyed> keys_;
+    std::vector<mesh::ZOrderKey> keys_;
 };
 
 }  // namespace
