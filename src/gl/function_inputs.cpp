@@ -99,8 +99,10 @@ std::vector<GLuint> materialsOfTriangles(const Scene& scene) {
     return materials;
 }
 
+// No buffer is of no bytes: of lines alone, or without a picture, it holds one value that nothing reads.
 template <class T>
-Buffer filled(const Api& api, const std::vector<T>& data) {
+Buffer filled(const Api& api, std::vector<T> data) {
+    if (data.empty()) data.emplace_back();
     Buffer buffer = createBuffer(api);
     api.NamedBufferStorage(buffer.id(), static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), 0);
     return buffer;
@@ -149,7 +151,6 @@ FunctionInputs::Paint FunctionInputs::upload(const Scene& scene) const {
         entry.wrap = {static_cast<GLuint>(material.wrap[0]), static_cast<GLuint>(material.wrap[1])};
         if (material.picture) append(*material.picture, side, entry, texels);
     }
-    if (texels.empty()) texels.push_back(0);
     Paint paint{scene::identityOf(scene), filled(api_, materialsOfTriangles(scene)), filled(api_, entries),
                 filled(api_, texels)};
     checkErrors(api_, "the pictures of a scene's materials", "draw a smaller model or use --backend osmesa");

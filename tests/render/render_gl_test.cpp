@@ -101,6 +101,31 @@ TEST_P(RendererLines, haveThoseOfTheFileInBothSources) {
     }
 }
 
+TEST_P(RendererLines, areDrawnWithoutATriangleOverEveryShadeAndByEveryDetector) {
+    Mesh mesh;
+    mesh.lines = {{-1, 0, 0}, {1, 0.5F, 0}};
+    const Scene scene = scenes::sceneOf(mesh);
+    const auto picture = [&](const Settings& settings) {
+        const Maps maps = renderer().render(scene, frameCamera(scene, {}, size), settings);
+        std::vector<std::uint8_t> values;  // of the first channel: a shaded picture has three
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) values.push_back(maps.picture(x, y, 0));
+        return values;
+    };
+    const Settings plain = settingsOf(LinesFrom::Object);
+    const auto expected = picture(plain);
+    for (const Shade shade : {Shade::Flat, Shade::Gooch, Shade::Light, Shade::BaseColor}) {
+        Settings settings = plain;
+        settings.shade.shade = shade;
+        EXPECT_EQ(picture(settings), expected);
+    }
+    for (const Detector detector : {Detector::Classic, Detector::SaitoTakahashi, Detector::RaskarCohen}) {
+        Settings settings = settingsOf(LinesFrom::Image);
+        settings.detector.detector = detector;
+        EXPECT_NO_THROW(picture(settings));
+    }
+}
+
 // World length of the lines of a type.
 double lengthOf(const Lines& lines, LineType type) {
     double sum = 0.0;
