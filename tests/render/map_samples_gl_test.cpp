@@ -60,7 +60,7 @@ const std::set<std::string> withThinParts{"grazing_plane", "primitives", "sheet"
 TEST_P(MapSamples, agreeWhateverTheDetectorAndTheSamples) {
     for (const char* const name :
          {"bracket", "gear", "touching_solids", "boxes", "folded_paper", "grazing_plane", "blob", "sheet", "torus_knot",
-          "teapot", "sphere", "cube", "statue", "vase", "primitives", "lantern"}) {
+          "teapot", "sphere", "cube", "statue", "vase", "primitives", "lantern", "head"}) {
         const Scene scene = loadScene(INKEDGE_SOURCE_DIR "/assets/" + std::string{name} + ".glb");
         const Camera camera = frameCamera(scene, {}, size);
         for (const Detector detector :
