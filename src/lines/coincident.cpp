@@ -161,8 +161,10 @@ private:
         // Shares of q: first where it lies beside p, then where it is near enough.
         double shares[2]{(0.0 - at[0]) / whole, (length - at[0]) / whole};
         if (shares[0] > shares[1]) std::swap(shares[0], shares[1]);
-        double from = std::max(0.0, shares[0]);
-        double to = std::min(1.0, shares[1]);
+        const double begin = std::max(0.0, shares[0]);
+        const double end = std::min(1.0, shares[1]);
+        double from = begin;
+        double to = end;
         const double slope = apart[1] - apart[0];
         if (std::abs(slope) > 1e-12) {
             const double low = (-within - apart[0]) / slope;
@@ -170,7 +172,11 @@ private:
             from = std::max(from, std::min(low, high));
             to = std::min(to, std::max(low, high));
         }
-        if ((to - from) * std::abs(whole) <= shortest) return {};
+        const double overlap = (to - from) * std::abs(whole);
+        if (overlap <= shortest) return {};
+        // Pieces that only cross part on either side. Many such in a row are no line that falls on another.
+        const bool seen = lines_[p.line].visible && lines_[q.line].visible;
+        if (seen && from > begin && to < end && overlap < minCoincident) return {};
         const auto shareOfP = [&](double share) { return std::clamp((at[0] + share * whole) / length, 0.0, 1.0); };
         if (p.line == q.line && bends(p, shareOfP(0.5 * (from + to)), q, 0.5 * (from + to))) return {};
         return decided(sideOf(p, shareOfP(from), shareOfP(to)), sideOf(q, from, to));
@@ -243,11 +249,12 @@ private:
 
     // A run may go on over the start of a closed line.
     [[nodiscard]] Line cut(const Line& line, const Run& run) const {
-        Line part = line;
-        part.type = *run.type;
-        if (line.closed && run.end - run.begin >= static_cast<double>(line.points.size())) return part;
-        part.closed = false;
-        part.points.clear();
+        if (line.closed && run.end - run.begin >= static_cast<double>(line.points.size())) {
+            Line whole = line;
+            whole.type = *run.type;
+            return whole;
+        }
+        Line part{*run.type, line.visible, false, line.id, line.object, line.patch, {}, line.width};
         part.points.push_back(pointAt(line, run.begin));
         for (double joint = std::floor(run.begin) + 1.0; joint < run.end; ++joint)
             part.points.push_back(pointAt(line, joint));

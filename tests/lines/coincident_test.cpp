@@ -93,6 +93,30 @@ TEST(Coincident, HiddenLinesGoBelowSeenOnesAndKeepTheTypeOfThese) {
     EXPECT_EQ(merged[1].type, LineType::Crease);
 }
 
+// Each falls on the line that it crosses for a fifth of a pixel, all together for a good part of it.
+TEST(Coincident, LinesThatOnlyCrossAreWholeHoweverManyTheyAre) {
+    std::vector<Line> lines{Plane::line(LineType::Crease, {{10, 50}, {110, 50}}, 5.0)};
+    constexpr int count = 400;
+    for (int i = 0; i < count; ++i)
+        lines.push_back(Plane::line(LineType::Crease, {{15.0 + 0.2 * i, 49}, {15.1 + 0.2 * i, 51}}, 1.0));
+    const auto merged = Plane{}.merged(lines);
+    ASSERT_THAT(merged, SizeIs(count + 1));
+    expectPixels(merged[0], {{10, 50}, {110, 50}});
+}
+
+TEST(Coincident, PartsOfALongLineHoldNoMoreThanTheirPoints) {
+    std::vector<glm::dvec2> wave;
+    for (int i = 0; i <= 3000; ++i) wave.emplace_back(10.0 + 0.1 * i, 50.0 + 0.02 * (i % 2));
+    std::vector<Line> lines{Plane::line(LineType::Crease, wave, 5.0)};
+    for (int i = 0; i < 40; ++i)
+        lines.push_back(Plane::line(LineType::Crease, {{12.0 + 7.0 * i, 50}, {15.0 + 7.0 * i, 50}}, 1.0));
+    const auto merged = Plane{}.merged(lines);
+    EXPECT_GT(merged.size(), 75U);
+    std::size_t held = 0;
+    for (const Line& line : merged) held += line.points.capacity();
+    EXPECT_LT(held, 3U * wave.size());
+}
+
 TEST(Coincident, OfSeveralHiddenLinesOneStays) {
     std::vector<Line> lines;
     for (int i = 0; i < 5; ++i) lines.push_back(Plane::hidden(Plane::line(LineType::Crease, {{10, 20}, {110, 50}}, i)));
