@@ -14,8 +14,6 @@
 namespace inkedge::scene {
 namespace {
 
-constexpr double seamTolerance = 5e-5;  // of the scene's radius: 1/40 pixel of a model framed at 1024 pixels
-
 // Only very many unconnected faces that overlap each other need more steps. Seams that are then missed are drawn.
 std::uint64_t maximumSteps(std::size_t borders) { return 40'000'000 + 100 * std::uint64_t{borders}; }
 

@@ -11,6 +11,9 @@
 
 namespace inkedge::scene {
 
+/// Of the scene's radius: within it borders run along each other. A fortieth of a pixel of a model framed at 1024 pixels.
+inline constexpr double seamTolerance = 5e-5;
+
 /// A border edge of an instance's mesh, in world space less the centre of InstancedMeshes::bounds.
 struct BorderEdge {
     std::uint32_t instance;
@@ -28,7 +31,7 @@ public:
             const std::function<const std::vector<glm::dvec3>&(std::uint32_t mesh)>& faceNormals);
 
     [[nodiscard]] const std::vector<BorderEdge>& edges() const noexcept { return edges_; }
-    /// The distance within which two borders run along each other: 1/20,000 of the scene's radius.
+    /// seamTolerance in scene units.
     [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
 
     /// Calls visit(j) for the borders j > i near border i. Where very many unconnected faces overlap each other the
@@ -58,8 +61,8 @@ struct SharedLength {
 /// The shared stretch of two segments; none if they are further apart than the tolerance, or share no more than that.
 [[nodiscard]] std::optional<SharedLength> runAlong(const BorderEdge&, const BorderEdge&, double tolerance);
 
-/// Joins the patches on both sides of every seam: two mesh borders that run along each other within 1/20,000 of the
-/// scene's radius, where the surfaces bend by less than the crease angle. O(b log b + pairs of borders near each
+/// Joins the patches on both sides of every seam: two mesh borders that run along each other within
+/// seamTolerance, where the surfaces bend by less than the crease angle. O(b log b + pairs of borders near each
 /// other).
 /// @param base    PatchNumbers::base
 /// @param joined  sets of the patches of all instances

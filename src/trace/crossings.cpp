@@ -145,6 +145,7 @@ void CrossingTracer::cross(Sample p, Sample q, unsigned marks, StepCrossing& lin
         step.farWay = farPatch;
         step.back = farSurface;
         step.bends = isBend(step);
+        if (!step.bends && isSeam(step)) return;
     }
     step.passesStrip = passesStrip(step);
     line = crossing(step);
@@ -234,6 +235,15 @@ bool CrossingTracer::isBend(const Step& step) const {
     const std::optional<Exit> other = walkBeyond(step.far, step.near);
     if (!exit || !other || exit->end != other->end || exit->end == End::Fold) return false;
     return std::abs((exit->t + other->t) * (1.0 + sameEdge) - 1.0) < sameEdge;
+}
+
+// Whether both samples' meshes end at one seam, across which one surface goes on.
+bool CrossingTracer::isSeam(const Step& step) const {
+    const auto& [one, other] = std::pair{step.way.exit, step.farWay.exit};
+    if (!one || !other || one->end != End::Border || other->end != End::Border) return false;
+    const double perUnit = orthographic_ ? focalLength_ : focalLength_ * plane(step.near).w;
+    return std::abs(one->t + other->t - 1.0) <= triangles_.seamWidth() * perUnit &&
+           !bendsByCreaseAngle(step.near, step.far);
 }
 
 // How far a face lies in front of another one, across the other one's plane, in samples.

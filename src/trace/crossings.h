@@ -111,6 +111,7 @@ private:
     [[nodiscard]] bool arrives(const Walk&, Sample from, Sample to) const;
     [[nodiscard]] bool goesOnSmoothly(const Step&) const;
     [[nodiscard]] bool isBend(const Step&) const;
+    [[nodiscard]] bool isSeam(const Step&) const;
     [[nodiscard]] double gap(scene::SceneFace front, scene::SceneFace behind, glm::dvec2 at) const;
     [[nodiscard]] bool touches(Sample from, Sample to, std::uint32_t face, double t) const;
     [[nodiscard]] LineTypes meeting(const Step&) const;

@@ -15,6 +15,7 @@
 #include <inkedge/scene.h>
 
 #include "scene/scene_face.h"
+#include "scene/seams.h"
 
 namespace inkedge::trace {
 
@@ -27,6 +28,9 @@ public:
 
     /// Of the scene, degrees.
     [[nodiscard]] double creaseAngle() const noexcept { return scene_.creaseAngle(); }
+
+    /// Scene units between two borders that run along each other.
+    [[nodiscard]] double seamWidth() const { return scene::seamTolerance * scene_.bounds().radius; }
 
     /// @param number  of a triangle of the scene, from 0
     [[nodiscard]] scene::SceneFace locate(std::uint32_t number) const;

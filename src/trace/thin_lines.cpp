@@ -53,6 +53,7 @@ public:
         if (!std::isfinite(own.w)) return {};
         const auto seen = face(at);
         if (seen && isFarther(own, triangles_.plane(*seen, centre(at)))) return {};
+        if (stretch.isGap) return seeGap(stretch, components);
         bool outline = false;
         bool object = false;
         for (const glm::dvec2 beside : pointsBeside(stretch, samplesPerPixel_)) {
@@ -74,9 +75,10 @@ public:
         return ThinLine{stretch, types, {w, w}};
     }
 
-    // Whether the surface that a sample sees ends within a thin part's thickness to both sides.
+    // Whether a sample sees through a gap, or a surface that ends within a thin part's thickness to both sides.
     [[nodiscard]] bool isThin(SamplePosition s, const ThinStretch& stretch) const {
         const auto seen = face(s);
+        if (stretch.isGap) return !seen || isFarther(triangles_.plane(*seen, middleOf(stretch)), stretch.plane);
         if (!seen) return false;
         double width = 0.0;
         for (const double sign : {-1.0, 1.0}) {
@@ -89,6 +91,19 @@ public:
     }
 
 private:
+    // Beyond either border the surface goes on, so that it is no outline.
+    [[nodiscard]] std::optional<ThinLine> seeGap(const ThinStretch& stretch, Components& components) const {
+        for (const glm::dvec2 beside : pointsBeside(stretch, samplesPerPixel_)) {
+            const SamplePosition s = sampleAt(beside, buffers_.tile);
+            const auto other = isIn(s, buffers_.tile) ? face(s) : std::nullopt;
+            if (!other || !components.connect(stretch.face, *other)) return {};
+            const ScreenTriangles::Plane plane = triangles_.plane(*other, beside);
+            if (isFarther(plane, stretch.plane) || isFarther(stretch.plane, plane)) return {};
+        }
+        const auto w = static_cast<float>(stretch.plane.w);
+        return ThinLine{stretch, LineType::Boundary, {w, w}};
+    }
+
     // Whether a thin part's middle lies in front of a face that is seen beside it, or on its plane.
     [[nodiscard]] bool liesOn(const ThinStretch& stretch, scene::SceneFace face) const {
         constexpr double rounding = 1e-6;  // of positions: vertices are floats
@@ -125,7 +140,7 @@ private:
 };
 
 // How far the lines of a thin part have parted. 0: its middle line, 1: its contours. @param thickness  pixels
-double partedAt(double thickness) { return std::max(2.0 * thickness - 1.0, 0.0); }
+double partedAt(double thickness) { return std::clamp(2.0 * thickness - 1.0, 0.0, 1.0); }
 
 // Calls visit for the samples whose centres lie on a stretch.
 template <class Visit>
@@ -204,7 +219,8 @@ void addThinLines(std::span<const ThinLine> lines, const raster::Tile& tile, Dra
             s.x >= kept.x && s.y >= kept.y && s.x < kept.x + kept.size.width && s.y < kept.y + kept.size.height;
         if (!isKept || (line.types & drawn.drawn).empty()) continue;
         const double thickness = scale * thicknessOf(stretch);
-        const auto width = static_cast<float>(glm::mix(thickness, 1.0, partedAt(thickness)));
+        const double thinnest = stretch.isGap ? 1.0 : thickness;
+        const auto width = static_cast<float>(glm::mix(thinnest, 1.0, partedAt(thickness)));
         const auto add = [&](double side) {
             const auto end = [&](std::size_t k) {
                 const double own = stretch.thickness[k];

@@ -31,17 +31,18 @@ struct ThinLine {
 
 /// The thin parts of a tile that are seen, alone: to both sides there is something farther away, nothing, another thin
 /// part, or a surface that they lie on and are not connected to. What else a thin part has beside it at its own depth
-/// belongs to the same surface, whose lines samples see.
+/// belongs to the same surface, whose lines samples see. And the gaps that have their surface on both sides.
 [[nodiscard]] std::vector<ThinLine> seeThinParts(const LineBuffers&, std::span<const ThinStretch>, const Scene&,
                                                  const ScreenTriangles&, const Camera&, int samplesPerPixel);
 
-/// The samples that see these thin parts. They are to show what is beside, so that lines behind go on there.
+/// The samples that see these thin parts, or through these gaps. They are to show what is beside, so that lines behind go on there.
 [[nodiscard]] std::vector<Replacement> samplesOn(std::span<const ThinLine>, const LineBuffers&, const ScreenTriangles&,
                                                  const Camera&, int samplesPerPixel);
 
 /// Draws thin parts. Up to half a pixel they are their middle lines, as thin as they are. From there on two lines part,
 /// and widen, until at a pixel they are the contours that samples see: ink grows steadily with the thickness. Adds the
-/// pieces of those whose middle the tile keeps, and their types to the map of the samples that the tile draws.
+/// pieces of those whose middle the tile keeps, and their types to the map of the samples that the tile draws. The two
+/// borders of a gap are both whole, so that the line in its middle is.
 void addThinLines(std::span<const ThinLine>, const raster::Tile&, DrawnTypes, int samplesPerPixel,
                   Image<std::uint16_t>& types, std::vector<TracedPiece>&);
 

@@ -167,8 +167,82 @@ private:
                       contour.across);
         }
         for (const Contour& contour : contours_) follow(contour);
+        findGaps();
         contours_.clear();
         map_.clear();
+    }
+
+    void findGaps() {
+        if (std::ranges::none_of(contours_, &Contour::isBorder)) return;
+        BorderSpots spots{1.0 / (maxGap * pixel_)};
+        for (std::uint32_t i = 0; i < contours_.size(); ++i) {
+            const Contour& contour = contours_[i];
+            if (!contour.isBorder) continue;
+            const auto [from, to] = shownPart(contour);
+            const glm::dvec2 begin = glm::mix(contour.ends[0], contour.ends[1], from);
+            const glm::dvec2 end = glm::mix(contour.ends[0], contour.ends[1], to);
+            const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(begin, end) / (0.5 * pixel_))));
+            for (int k = 0; k <= steps; ++k) spots.add(i, glm::mix(begin, end, static_cast<double>(k) / steps));
+        }
+        for (const Contour& contour : contours_)
+            if (contour.isBorder) followGap(contour, spots);
+    }
+
+    // Borders by the cells that they pass through.
+    struct BorderSpots {
+        double perSide;  // 1 / the side of a cell
+        CellLists cells;
+        std::vector<std::uint32_t> contours;
+        explicit BorderSpots(double perSide_) : perSide{perSide_} {}
+        void add(std::uint32_t contour, glm::dvec2 at) {
+            cells.add(cellOf(at, perSide));
+            contours.push_back(contour);
+        }
+    };
+
+    void followGap(const Contour& contour, const BorderSpots& spots) {
+        const auto [from, to] = shownPart(contour);
+        const double length = glm::distance(contour.ends[0], contour.ends[1]);
+        const int count = std::max(1, static_cast<int>(std::ceil((to - from) * length / pixel_)));
+        std::optional<Facing> facing;
+        std::optional<double> before = gapAt(contour, from, spots);
+        for (int i = 0; i < count; ++i) {
+            const double begin = from + i * (to - from) / count;
+            const double end = from + (i + 1) * (to - from) / count;
+            const std::optional<double> after = gapAt(contour, end, spots);
+            if (before && after) {
+                if (!facing) facing = facingOf(contour);
+                const auto at = [&](double share) { return glm::mix(contour.ends[0], contour.ends[1], share); };
+                grid_.add({{at(begin) - 0.5 * *before * contour.across, at(end) - 0.5 * *after * contour.across},
+                           -contour.across,
+                           {*before, *after},
+                           facing->face,
+                           {facing->w(at(0.5 * (begin + end))), facing->plane.x, facing->plane.y},
+                           true,
+                           true});
+            }
+            before = after;
+        }
+    }
+
+    // How far it is from a border, away from the surface, to the next one that faces it: minGap to maxGap.
+    [[nodiscard]] std::optional<double> gapAt(const Contour& contour, double share, const BorderSpots& spots) const {
+        constexpr double inset = 1e-3;  // corners belong to two edges
+        const glm::dvec2 from = glm::mix(contour.ends[0], contour.ends[1], std::clamp(share, inset, 1.0 - inset));
+        if (!map_.mayHaveOpposite(from, contour.across)) return {};
+        double nearest = std::numeric_limits<double>::infinity();
+        spots.cells.anyAround(cellOf(from, spots.perSide), [&](std::uint32_t spot) {
+            const Contour& other = contours_[spots.contours[spot]];
+            if (glm::dot(other.across, contour.across) > -0.5) return false;
+            const glm::dvec2 along = other.ends[1] - other.ends[0];
+            const double scale = cross(contour.across, along);
+            const double t = -cross(other.ends[0] - from, along) / scale;
+            const double u = cross(other.ends[0] - from, contour.across) / scale;
+            if (u >= 0.0 && u <= 1.0 && t >= 0.0) nearest = std::min(nearest, t);
+            return false;
+        });
+        if (!(nearest >= minGap * pixel_ && nearest <= maxGap * pixel_)) return {};
+        return nearest;
     }
 
     void collectContours(std::uint32_t instance) {

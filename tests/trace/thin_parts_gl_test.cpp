@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -233,6 +235,79 @@ TEST_P(ThinParts, leaveTheLinesBehindThemWhole) {
         for (int x = 76; x < 84; ++x) ink += (255 - picture(x, y)) / 255.0;
         EXPECT_GT(ink, 0.9) << y;
     }
+}
+
+// A square sheet with a slit along the x axis.
+Mesh slitSheet(double gap) {
+    Mesh mesh;
+    for (const auto& [x, y] : {std::pair{1.5, 1.5}, std::pair{half, 0.5 * gap * pixel}})
+        for (const glm::dvec2 corner : {glm::dvec2{-x, -y}, {x, -y}, {x, y}, {-x, y}})
+            mesh.positions.emplace_back(corner.x, corner.y, 0.0);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        const std::uint32_t next = (i + 1) % 4;
+        mesh.indices.insert(mesh.indices.end(), {i, next, next + 4, i, next + 4, i + 4});
+    }
+    return mesh;
+}
+
+const Mesh behind = scenes::quad({-1.9, -1.9, -2}, {1.9, -1.9, -2}, {1.9, 1.9, -2}, {-1.9, 1.9, -2});
+
+TEST_P(ThinParts, thatAreGapsAreWhole) {
+    for (const double gap : {0.15, 0.4, 0.7, 0.95, 1.2}) {
+        for (const double degrees : {0.0, 17.0, 45.0, 71.0, 90.0}) {
+            for (const bool beforeWall : {false, true}) {
+                for (const int supersampling : {1, 2}) {
+                    SCOPED_TRACE(testing::Message() << gap << ", " << degrees
+                                                    << (beforeWall ? ", before a wall, " : ", ") << supersampling);
+                    std::vector<std::pair<Mesh, glm::dmat4>> parts{{slitSheet(gap), turned(degrees)}};
+                    if (beforeWall) parts.emplace_back(behind, glm::dmat4{1.0});
+                    const Maps maps = renderer().render(scenes::sceneOf(parts), camera(), drawn(supersampling));
+                    const Ink ink = inkAlong(maps.picture, degrees);
+                    // Of one line that parts in two from half a pixel on; windows across the grid hold more pixels or
+                    // fewer.
+                    const double apart = std::clamp(2.0 * gap - 1.0, 0.0, 1.0) * gap;
+                    EXPECT_GT(ink.min, 0.7);
+                    EXPECT_NEAR(ink.mean, 1.0 + std::min(apart, 1.0), 0.25);  // a pixel that both cover is inked once
+                    EXPECT_LT(ink.max, 1.5 * ink.mean);
+                }
+            }
+        }
+    }
+}
+
+TEST_P(ThinParts, thatAreGapsHaveTheTypesThatTheMeshGivesThem) {
+    for (const bool beforeWall : {false, true}) {
+        std::vector<std::pair<Mesh, glm::dmat4>> parts{{slitSheet(0.4), turned(17.0)}};
+        if (beforeWall) parts.emplace_back(behind, glm::dmat4{1.0});
+        const Scene scene = scenes::sceneOf(parts);
+        std::vector<std::set<LineType>> found;
+        for (const LinesFrom from : {LinesFrom::Image, LinesFrom::Object}) {
+            Settings settings = drawn(1);
+            settings.lines.from = from;
+            std::set<LineType>& types = found.emplace_back();
+            for (const Line& line : renderer().lines(scene, camera(), settings).lines) {
+                const auto isAtSlit = [](const LinePoint& p) { return glm::distance(p.pixel, {100.0, 100.0}) < 62.0; };
+                if (line.visible && std::ranges::all_of(line.points, isAtSlit)) types.insert(line.type);
+            }
+            EXPECT_EQ(types.size(), 1U);
+        }
+        EXPECT_EQ(found[0], found[1]) << beforeWall;
+    }
+}
+
+TEST_P(ThinParts, areNoCracks) {
+    for (const double degrees : {0.0, 17.0, 45.0}) {
+        const Scene scene = scenes::sceneOf({{slitSheet(0.06), turned(degrees)}, {behind, glm::dmat4{1.0}}});
+        EXPECT_LT(inkAlong(renderer().render(scene, camera(), drawn(1)).picture, degrees).mean, 0.05) << degrees;
+    }
+}
+
+TEST_P(ThinParts, thatAreGapsAreHiddenByWhatLiesBeforeThem) {
+    const Mesh screen = scenes::quad({-0.5, -0.8, 1}, {0.5, -0.8, 1}, {0.5, 0.8, 1}, {-0.5, 0.8, 1});
+    const Scene scene = scenes::sceneOf({{slitSheet(0.5), turned(10.0)}, {screen, glm::dmat4{1.0}}});
+    const Image<std::uint8_t> picture = renderer().render(scene, camera(), drawn(1)).picture;
+    for (int y = 70; y < 130; ++y)
+        for (int x = 78; x < 122; ++x) ASSERT_EQ(picture(x, y), 255) << x << ", " << y;
 }
 
 }  // namespace
