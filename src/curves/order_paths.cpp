@@ -169,7 +169,7 @@ namespace {
 // Lets a closed line begin at the point that lies nearest on the way between two positions.
 void beginNear(Line& line, glm::dvec2 before, glm::dvec2 after) {
     const auto way = [&](const LinePoint& p) { return glm::distance(before, p.pixel) + glm::distance(p.pixel, after); };
-    std::ranges::rotate(line.points, std::ranges::min_element(line.points, {}, way));
+    std::rotate(line.points.begin(), std::ranges::min_element(line.points, {}, way), line.points.end());
 }
 
 }  // namespace
