@@ -26,6 +26,7 @@ OWNERS = {  # of the other public headers
 }
 LIBRARIES = {  # start of a header's name: what stands for it after LIBRARIES
     "CLI/": "CLI11",
+    "cairo": "Cairo",
     "OpenImageIO/": "OpenImageIO",
     "draco/": "draco",
     "libdeflate.h": "Deflate",

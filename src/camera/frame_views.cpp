@@ -41,23 +41,6 @@ struct Wanted {
     }
 };
 
-double millimetresOf(LengthUnit unit) {
-    switch (unit) {
-        case LengthUnit::Metre:
-            return 1000.0;
-        case LengthUnit::Centimetre:
-            return 10.0;
-        case LengthUnit::Inch:
-            return 25.4;
-        case LengthUnit::Foot:
-            return 304.8;
-        case LengthUnit::Millimetre:
-        case LengthUnit::None:
-            break;
-    }
-    return 1.0;
-}
-
 int side(const Wanted& wanted, const PictureExtent& extent, double length) {
     const double pixels = extent.millimetres ? std::max(std::round(wanted.pixels(length)), 1.0) : length;
     if (pixels > PictureSettings::maxSide)
@@ -92,7 +75,7 @@ Wanted wantedOf(const Settings& settings, const Scene& scene) {
         wanted.onPaper = wanted.onPaper || frame.crop->millimetres;
     }
     if (frame.scale) {
-        wanted.pixelsPerUnit = *frame.scale * wanted.pixels(millimetresOf(scene.source().unit));
+        wanted.pixelsPerUnit = *frame.scale * wanted.pixels(settings::millimetresOf(scene.source().unit));
         wanted.onPaper = true;
     }
     return wanted;
@@ -271,7 +254,7 @@ void expectOnPage(Size size, const Wanted& wanted, const std::optional<PageSize>
     if (!page || !wanted.onPaper) return;
     const double perPixel = 1.0 / wanted.pixels(1.0);
     if ((size.width - 1) * perPixel <= page->width && (size.height - 1) * perPixel <= page->height) return;
-    refuse(fmt::format("--page-size: expected a sheet that holds the picture, {:.4g} x {:.4g} mm, found {} x {} mm",
+    refuse(fmt::format("--page-size: expected a page that holds the picture, {:.4g} x {:.4g} mm, found {} x {} mm",
                        size.width * perPixel, size.height * perPixel, page->width, page->height));
 }
 

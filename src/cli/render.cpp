@@ -139,10 +139,10 @@ void addRender(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<RenderArguments>();
     CLI::App* verb = app.add_subcommand("render", "Draw the outlines of models.");
     addModels(*verb, arguments->models);
-    verb->add_option(
-            "-o,--output", arguments->output,
-            "picture to write, .png .tif .exr .npz, or lines, .svg .json, or - for PNG on stdout; {model}, {view} "
-            "and {map} are filled in")
+    verb->add_option("-o,--output", arguments->output,
+                     "picture to write, .png .tif .exr .npz, or lines, .svg .pdf .dxf .json, or - for PNG on stdout; "
+                     "{model}, {view} "
+                     "and {map} are filled in")
         ->type_name("FILE");
     verb->add_option("--metadata", arguments->metadataFile,
                      "write camera, names, settings, backend and timings as JSON; without {view} in it "

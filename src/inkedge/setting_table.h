@@ -58,7 +58,8 @@ using Constraint = std::variant<Number, Count, Choice, List, Custom>;
 struct OutputKinds {
     bool pictures = false;  ///< of pixels, but for OpenEXR
     bool exr = false;
-    bool svg = false;
+    bool vectors = false;  ///< SVG and PDF
+    bool dxf = false;
     bool json = false;      ///< lines as JSON
     std::size_t views = 1;  ///< of each model
 };

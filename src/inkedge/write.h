@@ -75,6 +75,20 @@ INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<
 /// @throws Error  (Kind::Usage) if lines.size has no pixel, or settings.lines.brush is given: it needs pixels
 [[nodiscard]] INKEDGE_API std::string linesSvg(const Lines&, const Settings&, std::string_view title = "Line drawing");
 
+/// The same drawing as a PDF of one page: of the page's size, or a pixel 1 / dpi inch wide. It has no date: the same
+/// lines and settings give the same bytes.
+/// @throws Error  as linesSvg(); (Kind::Output) if the module for PDF, or Cairo, is not there
+[[nodiscard]] INKEDGE_API std::vector<std::uint8_t> linesPdf(const Lines&, const Settings&,
+                                                             std::string_view title = "Line drawing");
+
+/// The same lines as a DXF (ASCII, AC1015), in millimetres, y up, (0, 0) the lower left corner: one layer a type and
+/// visibility, "crease-hidden", with the nearest of DXF's colours and line widths; polylines, curves within a twentieth
+/// of a pixel. An orthographic view is as large as the model, unless settings ask for a size on paper: a page, a scale,
+/// a size or a crop in millimetres; then, and in perspective, it is as large as the SVG. A model without a unit is in
+/// millimetres. Lines are as wide as their pens whatever the settings say of strokes; nothing is drawn under them.
+/// @throws Error  as linesSvg()
+[[nodiscard]] INKEDGE_API std::string linesDxf(const Lines&, const Settings&);
+
 /// The same lines, not cut, as one JSON object, which linesFromJson() reads: README.md describes it. "pixels" are
 /// rounded to 0.001, "positions" to a millionth of the bounds' radius. Points that are not finite are left
 /// out. Lines are simplified by what settings.lines.simplify leaves over Lines::tolerance: what was read and is written
@@ -82,12 +96,13 @@ INKEDGE_API std::vector<std::filesystem::path> writeMaps(const Maps&, std::span<
 /// @throws Error  (Kind::Usage) if lines.size has no pixel, or camera, bounds or tolerance are not finite
 [[nodiscard]] INKEDGE_API std::string linesJson(const Lines&, const Settings&);
 
-/// Whether a file of this name holds lines rather than pixels: its extension is .svg or .json, in whatever case.
+/// Whether a file of this name holds lines rather than pixels: its extension is .svg, .pdf, .dxf or
+/// .json, in whatever case.
 [[nodiscard]] INKEDGE_API bool holdsLines(const std::filesystem::path&);
 
-/// Writes linesSvg() or linesJson(), by the extension; an SVG's title is the file's name. The file appears whole or not
-/// at all.
-/// @throws Error  (Kind::Usage) as they do, or if the extension is neither; (Kind::Output) if the file cannot
+/// Writes linesSvg(), linesPdf(), linesDxf() or linesJson(), by the extension; the title of an SVG or PDF is the file's
+/// name. The file appears whole or not at all.
+/// @throws Error  (Kind::Usage) as they do, or if the extension is none of these; (Kind::Output) if the file cannot
 ///                be written
 INKEDGE_API void writeLines(const Lines&, const Settings&, const std::filesystem::path&);
 

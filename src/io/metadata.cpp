@@ -136,6 +136,8 @@ std::string textOf(const Json& json, int indent) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
+std::string validText(std::string_view text) { return Json::parse(textOf(std::string{text}, -1)).get<std::string>(); }
+
 }  // namespace io
 
 std::string metadataJson(const Scene& scene, const Maps& maps, const Settings& settings, const ViewFiles& files) {

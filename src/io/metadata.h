@@ -43,4 +43,7 @@ struct ModelFacts {
 /// @param indent  -1: on one line
 std::string textOf(const Json&, int indent);
 
+/// UTF-8; what is not becomes U+FFFD.
+[[nodiscard]] std::string validText(std::string_view);
+
 }  // namespace inkedge::io

@@ -19,10 +19,11 @@ struct Extension {
     OutputFormat format;
 };
 constexpr std::array extensions{
-    Extension{".png", PictureFormat::Png},   Extension{".tif", PictureFormat::Tiff},
-    Extension{".tiff", PictureFormat::Tiff}, Extension{".exr", PictureFormat::OpenExr},
-    Extension{".npz", PictureFormat::Npz},   Extension{".svg", LinesFormat::Svg},
-    Extension{".json", LinesFormat::Json},
+    Extension{".png", PictureFormat::Png},      Extension{".tif", PictureFormat::Tiff},
+    Extension{".tiff", PictureFormat::Tiff},    Extension{".exr", PictureFormat::OpenExr},
+    Extension{".npz", PictureFormat::Npz},      Extension{".svg", LinesFormat::Svg},
+    Extension{".pdf", LinesFormat::Pdf},        Extension{".dxf", LinesFormat::Dxf},
+    Extension{".json", LinesFormat::LinesJson},
 };
 
 template <class Format>

@@ -8,7 +8,7 @@
 namespace inkedge::io {
 
 enum class PictureFormat { Png, Tiff, OpenExr, Npz };
-enum class LinesFormat { Svg, Json };
+enum class LinesFormat { Svg, Pdf, Dxf, LinesJson };
 using OutputFormat = std::variant<PictureFormat, LinesFormat>;
 
 /// The format of files of this name, by its extension in whatever case; none: it is not written.
@@ -20,6 +20,11 @@ template <class Format>
     const std::optional<OutputFormat> format = outputFormat(file);
     if (!format || !std::holds_alternative<Format>(*format)) return {};
     return std::get<Format>(*format);
+}
+
+/// Whether what lies under the lines, and strokes of varying width, can be drawn in it.
+[[nodiscard]] constexpr bool holdsAreas(LinesFormat format) noexcept {
+    return format == LinesFormat::Svg || format == LinesFormat::Pdf;
 }
 
 /// Whether a file of the format holds the picture and all maps; else each has a file of its own.

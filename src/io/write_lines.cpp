@@ -16,9 +16,18 @@ void writeLines(const Lines& lines, const Settings& settings, const std::filesys
         throw Error{Error::Kind::Usage, fmt::format("{}: expected a file name that ends in {}, found '{}'",
                                                     file.string(), io::linesExtensions(), file.extension().string())};
     }
-    const std::string text = *format == io::LinesFormat::Svg ? linesSvg(lines, settings, file.filename().string())
-                                                             : linesJson(lines, settings);
-    writeFile(file, std::vector<std::uint8_t>(text.begin(), text.end()));
+    const std::string title = file.filename().string();
+    const auto bytesOf = [](const std::string& text) { return std::vector<std::uint8_t>(text.begin(), text.end()); };
+    switch (*format) {
+        case io::LinesFormat::Svg:
+            return writeFile(file, bytesOf(linesSvg(lines, settings, title)));
+        case io::LinesFormat::Pdf:
+            return writeFile(file, linesPdf(lines, settings, title));
+        case io::LinesFormat::Dxf:
+            return writeFile(file, bytesOf(linesDxf(lines, settings)));
+        case io::LinesFormat::LinesJson:
+            return writeFile(file, bytesOf(linesJson(lines, settings)));
+    }
 }
 
 }  // namespace inkedge

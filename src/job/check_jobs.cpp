@@ -9,6 +9,7 @@
 #include <inkedge/write.h>
 
 #include "base/staged_files.h"
+#include "io/output_formats.h"
 #include "job/file_names.h"
 #include "job/files_apart.h"
 
@@ -50,7 +51,8 @@ void expectLinesOnly(const Job& job, const std::string& output) {
     refuseIf(!settings.maps.empty() && !hasPicture, "--maps", "holds lines");
     refuseIf(settings.style.style != Style::Ink, "--style", "holds lines");
     refuseIf(!settings.detector.functions.empty(), "--function", "holds lines");
-    refuseIf(!settings.lines.brush.empty() && fs::path{output}.extension() == ".svg", "--brush", "has no textures");
+    refuseIf(!settings.lines.brush.empty() && io::formatOf<io::LinesFormat>(output) != io::LinesFormat::LinesJson,
+             "--brush", "has no textures");
 }
 
 // @param viewsBefore  of other jobs

@@ -5,9 +5,9 @@
 
 #include <inkedge/write.h>
 
-#include "base/file_extension.h"
 #include "base/stage_clock.h"
 #include "base/stop.h"
+#include "io/output_formats.h"
 #include "io/write_map_files.h"
 #include "job/file_names.h"
 
@@ -19,10 +19,13 @@ struct Drawn {
     std::optional<Lines> lines;
 };
 
-// What files of lines hold: JSON has nothing under its lines.
+// What files of lines hold: some have nothing under their lines.
 RenderSettings forLines(const std::vector<std::string>& outputs, RenderSettings settings) {
-    const auto isSvg = [](const std::string& output) { return base::lowerCaseExtension(output) == ".svg"; };
-    if (std::ranges::none_of(outputs, isSvg)) settings.shade.shade = Shade::None;
+    const auto holdsShade = [](const std::string& output) {
+        const auto format = io::formatOf<io::LinesFormat>(output);
+        return format && io::holdsAreas(*format);
+    };
+    if (std::ranges::none_of(outputs, holdsShade)) settings.shade.shade = Shade::None;
     return settings;
 }
 

@@ -1,8 +1,8 @@
 #include <inkedge/job.h>
 #include <inkedge/setting_table.h>
-#include <inkedge/write.h>
 
 #include "base/file_extension.h"
+#include "io/output_formats.h"
 #include "job/file_names.h"
 
 namespace inkedge {
@@ -14,9 +14,10 @@ std::vector<std::string> idleSettings(const Job& job) {
     for (const std::string& output : job.outputs) {
         const std::filesystem::path file = job::filesOfOutput(job, output, views.front()).front();
         const std::string extension = base::lowerCaseExtension(file);
-        const bool lines = holdsLines(file);
-        kinds.svg = kinds.svg || (lines && extension == ".svg");
-        kinds.json = kinds.json || (lines && extension == ".json");
+        const auto lines = io::formatOf<io::LinesFormat>(file);
+        kinds.vectors = kinds.vectors || (lines && io::holdsAreas(*lines));
+        kinds.dxf = kinds.dxf || lines == io::LinesFormat::Dxf;
+        kinds.json = kinds.json || lines == io::LinesFormat::LinesJson;
         kinds.exr = kinds.exr || extension == ".exr";
         kinds.pictures = kinds.pictures || (!lines && extension != ".exr");
     }

@@ -15,7 +15,8 @@ constexpr Why forPictures = "it is for pictures";
 constexpr Why noLinesInStyle = "this --style draws no lines";
 
 bool anyPicture(const OutputKinds& kinds) { return kinds.pictures || kinds.exr; }
-bool anyLines(const OutputKinds& kinds) { return kinds.svg || kinds.json; }
+bool anyDrawing(const OutputKinds& kinds) { return kinds.vectors || kinds.dxf; }
+bool anyLines(const OutputKinds& kinds) { return anyDrawing(kinds) || kinds.json; }
 
 bool wants(const Settings& settings, Map map) { return std::ranges::find(settings.maps, map) != settings.maps.end(); }
 
@@ -26,7 +27,7 @@ bool styleDrawsLines(const RenderSettings& settings) {
 // Whether light falls on what is drawn under the lines, or in the map of it.
 bool isLit(const Settings& settings, const OutputKinds& kinds) {
     const Shade shade = anyPicture(kinds) ? drawnShade(settings) : settings.shade.shade;
-    return (anyPicture(kinds) || kinds.svg) && shade != Shade::None && shade != Shade::BaseColor;
+    return (anyPicture(kinds) || kinds.vectors) && shade != Shade::None && shade != Shade::BaseColor;
 }
 
 // Whether a picture's lines are traced between pixels by the planes detector.
@@ -78,7 +79,7 @@ bool drawsStrokes(const Settings& settings, const OutputKinds& kinds) {
 }
 
 Why idlePenOfTypes(const Settings& settings, const OutputKinds& kinds) {
-    if (kinds.svg || drawsStrokes(settings, kinds) || settings.frame.crop) return acts;
+    if (anyDrawing(kinds) || drawsStrokes(settings, kinds) || settings.frame.crop) return acts;
     return anyPicture(kinds) ? whyNoStrokes(settings) : "lines in .json have no width";
 }
 
@@ -110,8 +111,9 @@ Why idleLinesFrom(const Settings& settings, const OutputKinds& kinds) {
 }
 
 Why idleStroke(const Settings& settings, const OutputKinds& kinds) {
-    if (kinds.svg || (anyPicture(kinds) && drawsMeshLines(settings))) return acts;
-    return anyPicture(kinds) ? whyNoMeshLines(settings) : "lines in .json have no width";
+    if (kinds.vectors || (anyPicture(kinds) && drawsMeshLines(settings))) return acts;
+    if (anyPicture(kinds)) return whyNoMeshLines(settings);
+    return kinds.dxf ? "lines in .dxf are as wide as their pens" : "lines in .json have no width";
 }
 
 Why idleStrokeWidth(const Settings& settings, const OutputKinds& kinds) {
@@ -132,28 +134,24 @@ Why idleFormTypes(const Settings& settings, const OutputKinds& kinds, LineTypes 
 }
 
 Why idleSimplify(const Settings& settings, const OutputKinds& kinds) {
-    if (!anyLines(kinds)) return "it is for lines in .svg and .json";
-    const bool curved = settings.lines.fitCurves > 0.0 && !varies(settings.lines);
+    if (!anyLines(kinds)) return "it is for lines in .svg, .pdf, .dxf and .json";
+    const bool curved = settings.lines.fitCurves > 0.0 && !(kinds.vectors && varies(settings.lines));
     return curved && !kinds.json ? "--fit-curves says how far curves may stray" : acts;
 }
 
-Why idlePathOrder(const Settings& settings, const OutputKinds& kinds) {
-    if (!kinds.svg) return "it is for lines in .svg";
-    return varies(settings.lines) ? "lines whose width varies are outlines of strokes" : acts;
-}
-
-Why idleFitCurves(const Settings& settings, const OutputKinds& kinds) {
-    if (!kinds.svg) return "it is for lines in .svg";
-    return varies(settings.lines) ? "lines whose width varies are outlines of strokes" : acts;
+Why idleCentreLines(const Settings& settings, const OutputKinds& kinds) {
+    if (!anyDrawing(kinds)) return "it is for lines in .svg, .pdf and .dxf";
+    return varies(settings.lines) && !kinds.dxf ? "lines whose width varies are outlines of strokes" : acts;
 }
 
 Why idleLineColor(const Settings& settings, const OutputKinds& kinds) {
     const bool inks = settings.style.style != Style::None || !settings.detector.functions.empty();
-    return inks || kinds.svg ? idleColor(settings, kinds) : noLinesInStyle;
+    if (!inks && !anyDrawing(kinds)) return noLinesInStyle;
+    return anyPicture(kinds) || anyDrawing(kinds) ? acts : "lines in .json have no colour";
 }
 
-Why idleColor(const Settings&, const OutputKinds& kinds) {
-    return anyPicture(kinds) || kinds.svg ? acts : "lines in .json have no colour";
+Why idleBackground(const Settings&, const OutputKinds& kinds) {
+    return anyPicture(kinds) || kinds.vectors ? acts : "lines in .dxf and .json have nothing behind them";
 }
 
 Why idleTypes(const Settings& settings, const OutputKinds& kinds) {
@@ -174,21 +172,21 @@ Why idleLineStyle(const Settings& settings, const OutputKinds& kinds) {
 }
 
 Why idleDpi(const Settings& settings, const OutputKinds& kinds) {
-    if (kinds.pictures || kinds.svg || isSizedOnPaper(settings.frame)) return acts;
+    if (kinds.pictures || anyDrawing(kinds) || isSizedOnPaper(settings.frame)) return acts;
     return idlePen(settings, kinds).empty() && settings.picture.lineWidth.millimetres
                ? acts
-               : "it is for what is in millimetres, and for .png, .tif and .svg";
+               : "it is for what is in millimetres, and for .png, .tif, .svg, .pdf and .dxf";
 }
 
 Why idlePage(const Settings& settings, const OutputKinds& kinds) {
     const bool givesSize = settings.frame.scale && !settings.frame.size;
-    return kinds.svg || givesSize ? acts : "it is for .svg; --size takes millimetres";
+    return anyDrawing(kinds) || givesSize ? acts : "it is for .svg, .pdf and .dxf; --size takes millimetres";
 }
 
 Why idleSamples(const Settings& settings, const OutputKinds& kinds) {
-    if (anyPicture(kinds) ? drawnShade(settings) != Shade::None : kinds.svg && settings.shade.shade != Shade::None)
+    if (anyPicture(kinds) ? drawnShade(settings) != Shade::None : kinds.vectors && settings.shade.shade != Shade::None)
         return acts;
-    if (kinds.svg || kinds.json) {
+    if (anyLines(kinds)) {
         if (settings.lines.from == LinesFrom::Image) return acts;
         if (!anyPicture(kinds)) return "lines of the mesh are exact";
     }
@@ -233,7 +231,7 @@ Why idleLights(const Settings& settings, const OutputKinds& kinds) {
 }
 
 Why idleShade(const Settings&, const OutputKinds& kinds) {
-    return anyPicture(kinds) || kinds.svg ? acts : "lines in .json have nothing under them";
+    return anyPicture(kinds) || kinds.vectors ? acts : "lines in .dxf and .json have nothing under them";
 }
 
 Why idleLight(const Settings& settings, const OutputKinds& kinds) {
@@ -259,7 +257,8 @@ Why idleFraming(const Settings&, const OutputKinds& kinds) {
 }
 
 Why idleUnit(const Settings& settings, const OutputKinds& kinds) {
-    return settings.frame.scale || kinds.json ? acts : "there is no --scale";
+    const bool ownSize = kinds.dxf && !settings.picture.page && !isSizedOnPaper(settings.frame);
+    return settings.frame.scale || kinds.json || ownSize ? acts : "there is no --scale";
 }
 
 Why idleTime(const Settings& settings, const OutputKinds&) {

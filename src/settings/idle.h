@@ -19,7 +19,7 @@ namespace inkedge::settings {
 // Lines
 [[nodiscard]] std::string_view idleWithoutMeshLines(const Settings&, const OutputKinds&);
 [[nodiscard]] std::string_view idleLinesFrom(const Settings&, const OutputKinds&);
-[[nodiscard]] std::string_view idleStroke(const Settings&, const OutputKinds&);  ///< mesh lines in pictures; SVG
+[[nodiscard]] std::string_view idleStroke(const Settings&, const OutputKinds&);  ///< mesh lines in pictures; SVG, PDF
 [[nodiscard]] std::string_view idleStrokeWidth(const Settings&, const OutputKinds&);
 [[nodiscard]] std::string_view idleIsolines(const Settings&, const OutputKinds&);
 [[nodiscard]] std::string_view idleFormTypes(const Settings&, const OutputKinds&, LineTypes);
@@ -27,13 +27,12 @@ template <LineType... types>
 [[nodiscard]] std::string_view idleForm(const Settings& settings, const OutputKinds& kinds) {
     return idleFormTypes(settings, kinds, LineTypes{types...});
 }
-[[nodiscard]] std::string_view idleSimplify(const Settings&, const OutputKinds&);   ///< polylines in files
-[[nodiscard]] std::string_view idlePathOrder(const Settings&, const OutputKinds&);  ///< SVG of centre lines
-[[nodiscard]] std::string_view idleFitCurves(const Settings&, const OutputKinds&);  ///< SVG of constant widths
+[[nodiscard]] std::string_view idleSimplify(const Settings&, const OutputKinds&);     ///< polylines in files
+[[nodiscard]] std::string_view idleCentreLines(const Settings&, const OutputKinds&);  ///< vectors of centre lines
 
 // Picture
 [[nodiscard]] std::string_view idleLineColor(const Settings&, const OutputKinds&);
-[[nodiscard]] std::string_view idleColor(const Settings&, const OutputKinds&);  ///< anything but JSON
+[[nodiscard]] std::string_view idleBackground(const Settings&, const OutputKinds&);
 [[nodiscard]] std::string_view idleTypes(const Settings&, const OutputKinds&);  ///< lines with types
 [[nodiscard]] std::string_view idlePen(const Settings&, const OutputKinds&);    ///< strokes
 [[nodiscard]] std::string_view idleLineStyle(const Settings&, const OutputKinds&);

@@ -11,6 +11,23 @@ constexpr double widestStroke = 1.5;  // of its pen, where widths vary
 
 }  // namespace
 
+double millimetresOf(LengthUnit unit) noexcept {
+    switch (unit) {
+        case LengthUnit::Metre:
+            return 1000.0;
+        case LengthUnit::Centimetre:
+            return 10.0;
+        case LengthUnit::Inch:
+            return 25.4;
+        case LengthUnit::Foot:
+            return 304.8;
+        case LengthUnit::Millimetre:
+        case LengthUnit::None:
+            break;
+    }
+    return 1.0;
+}
+
 double inkReach(const RenderSettings& settings) {
     const PictureSettings& picture = settings.picture;
     if (settings.style.style == Style::Sumi) return settings.style.sumiWidth;

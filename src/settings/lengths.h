@@ -15,6 +15,9 @@ inline constexpr double millimetresPerInch = 25.4;
     return length.millimetres ? pixelsOf(length.value, dpi) : length.value;
 }
 
+/// Of one unit of a model; LengthUnit::None counts as millimetres.
+[[nodiscard]] double millimetresOf(LengthUnit) noexcept;
+
 /// Output pixels that ink may lie beyond the line that it draws: half the widest pen, and what the style adds.
 [[nodiscard]] double inkReach(const RenderSettings&);
 

@@ -198,7 +198,7 @@ TEST(FrameViews, fillAPageAtAScale) {
                   "--scale: expected what is drawn, 400 x 200 mm at this scale, to fit into a picture of 147.9 x "
                   "210.1 mm, found it larger");
     expectRefused({{"size", "90x60mm"}, {"page-size", "80mmx60mm"}},
-                  "--page-size: expected a sheet that holds the picture, 89.96 x 60.06 mm, found 80 x 60 mm");
+                  "--page-size: expected a page that holds the picture, 89.96 x 60.06 mm, found 80 x 60 mm");
 }
 
 TEST(FrameViews, togetherHaveOneScaleAndOneMiddle) {

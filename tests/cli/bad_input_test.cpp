@@ -3,6 +3,7 @@
 
 namespace {
 
+using testing::AnyOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -129,12 +130,13 @@ TEST_F(BadInput, BrushThatIsNone) {
     expectFailure(draw("missing.png", "picture.png"), 3, HasSubstr("missing.png: expected a file, found none"));
     const std::string text = file("brush.png", "hello there\n");
     expectFailure(draw(text, "picture.png"), 3, HasSubstr(text + ": expected a PNG picture, found other text"));
-    for (const std::string output : {"lines.svg", "lines.SVG"})
-        expectFailure(draw(text, output), 2, HasSubstr("brush: expected a picture"));
+    for (const std::string output : {"lines.svg", "lines.SVG", "lines.pdf", "lines.dxf"})
+        expectFailure(draw(text, output), 2,
+                      AnyOf(HasSubstr("brush: expected a picture"), HasSubstr("--brush: expected a picture")));
 }
 
 TEST_F(BadInput, WhatMarksPixelsForAFileOfLines) {
-    for (const std::string output : {"lines.svg", "lines.json"}) {
+    for (const std::string output : {"lines.svg", "lines.pdf", "lines.dxf", "lines.json"}) {
         expectFailure(run({"render", roof(), "-o", output, "--style", "sumi"}), 2,
                       HasSubstr("--style: expected a picture as --output, found " + output));
         expectFailure(run({"render", roof(), "-o", output, "--function", "height"}), 2,
@@ -143,11 +145,11 @@ TEST_F(BadInput, WhatMarksPixelsForAFileOfLines) {
 }
 
 TEST_F(BadInput, OutputOfAnUnknownKind) {
-    for (const std::string name : {"picture.jpg", "picture.pdf", "picture", "picture.png.gz"}) {
+    for (const std::string name : {"picture.jpg", "picture.dwg", "picture", "picture.png.gz"}) {
         expectFailure(
             run({"render", roof(), "-o", name}), 2,
-            HasSubstr(name + ": expected a name that ends in .png, .tif, .tiff, .exr or .npz, or for lines in .svg "
-                             "or .json, found "));
+            HasSubstr(name + ": expected a name that ends in .png, .tif, .tiff, .exr or .npz, or for lines in .svg, "
+                             ".pdf, .dxf or .json, found "));
     }
 }
 

@@ -268,8 +268,8 @@ TEST_F(Sizes, AFlagThatCannotActSaysSo) {
         draw(roof(), "p.png", {"--size", "32x32", "--page-size", "A4", "--fit-curves", "1", "--detector", "classic"});
     expectSuccess(outcome);
     EXPECT_EQ(outcome.error,
-              "inkedge: warning: --page-size does nothing: it is for .svg; --size takes millimetres\n"
-              "inkedge: warning: --fit-curves does nothing: it is for lines in .svg\n");
+              "inkedge: warning: --page-size does nothing: it is for .svg, .pdf and .dxf; --size takes millimetres\n"
+              "inkedge: warning: --fit-curves does nothing: it is for lines in .svg, .pdf and .dxf\n");
     EXPECT_EQ(draw(roof(), "p.png", {"--size", "32x32", "--page-size", "A4", "-q"}).error, "");
     EXPECT_EQ(draw(roof(), "p.png", {"--size", "32x32", "--line-width", "3"}).error, "");
     EXPECT_EQ(run({"render", roof(), "-o", "p.png", "--size", "32x32"}, {{"INKEDGE_LINE_WIDHT", "3"}}).error,

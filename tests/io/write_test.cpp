@@ -60,8 +60,8 @@ TEST(OutputFiles, nameAMapOnceThatIsAskedForTwice) {
 TEST(OutputFiles, refuseAnUnknownExtensionAndListTheKnown) {
     expectError(
         Error::Kind::Usage,
-        testing::StrEq("a.jpg: expected a name that ends in .png, .tif, .tiff, .exr or .npz, or for lines in .svg or "
-                       ".json, found .jpg"),
+        testing::StrEq("a.jpg: expected a name that ends in .png, .tif, .tiff, .exr or .npz, or for lines in .svg, "
+                       ".pdf, .dxf or .json, found .jpg"),
         [] { static_cast<void>(outputFiles("a.jpg", {})); });
     expectError(Error::Kind::Usage, HasSubstr("found no extension"), [] { static_cast<void>(outputFiles("a", {})); });
     expectError(Error::Kind::Usage,

@@ -37,9 +37,10 @@ struct Beside {
 
 const std::vector<Beside>& surroundings() {
     static const OutputKinds picture{.pictures = true};
-    static const OutputKinds svg{.svg = true};
+    static const OutputKinds svg{.vectors = true};
+    static const OutputKinds dxf{.dxf = true};
     static const OutputKinds json{.json = true};
-    static const OutputKinds both{.pictures = true, .svg = true};
+    static const OutputKinds both{.pictures = true, .vectors = true};
     static const std::vector<Beside> all{
         {"planes", {}, picture},
         {"planes with maps", {{"maps", "types,normal"}}, picture},
@@ -78,6 +79,9 @@ const std::vector<Beside>& surroundings() {
         {"svg with shade", {{"shade", "light"}}, svg},
         {"svg from image", {{"lines-from", "image"}}, svg},
         {"svg and picture", {}, both},
+        {"dxf", {}, dxf},
+        {"dxf of an orthographic view", {{"camera-orthographic", "0"}, {"hidden", "dashed"}}, dxf},
+        {"tapered dxf", {{"stroke-taper", "5"}}, dxf},
         {"json", {}, json},
         {"json from image", {{"lines-from", "image"}}, json},
     };
@@ -214,13 +218,14 @@ protected:
             const std::string file = folder_ / "picture.png";
             for (const auto& each : writeMaps(maps, settings.maps, file)) all += each.string() + contents(each);
         }
-        if (!kinds.svg && !kinds.json) return all;
+        if (!kinds.vectors && !kinds.dxf && !kinds.json) return all;
         const Lines lines = renderer_->lines(scene_, framed.camera, resolved);
-        if (kinds.svg) {
+        if (kinds.vectors) {
             const std::string svg = linesSvg(lines, resolved);
             const std::size_t from = svg.find("<metadata>");
             all += svg.substr(0, from) + svg.substr(svg.find("</metadata>"));
         }
+        if (kinds.dxf) all += linesDxf(lines, resolved);
         if (kinds.json) {
             auto json = nlohmann::json::parse(linesJson(lines, resolved));
             json.erase("settings");
@@ -250,7 +255,7 @@ TEST_F(IdleSettings, AreThoseWithoutWhichTheOutputIsTheSame) {
             ASSERT_TRUE(values.contains(row.name)) << "a new setting, " << row.name << ", needs a value above";
             const bool given =
                 std::ranges::any_of(beside.values, [&](const auto& one) { return one.first == row.name; });
-            const bool noVectors = row.name == "brush" && beside.kinds.svg;  // refused
+            const bool noVectors = row.name == "brush" && (beside.kinds.vectors || beside.kinds.dxf);  // refused
             const bool refused = forPictures.contains(row.name) && !beside.kinds.pictures;
             if (given || noVectors || refused) continue;
             Values with = beside.values;
@@ -275,10 +280,11 @@ TEST_F(IdleSettings, SayWhichFlagAndWhy) {
         return idleSettings(settingsOf(values), kinds);
     };
     EXPECT_THAT(idle({}, {.pictures = true}), IsEmpty());
-    EXPECT_THAT(idle({{"page-size", "A4"}}, {.pictures = true}),
-                testing::ElementsAre("--page-size does nothing: it is for .svg; --size takes millimetres"));
+    EXPECT_THAT(
+        idle({{"page-size", "A4"}}, {.pictures = true}),
+        testing::ElementsAre("--page-size does nothing: it is for .svg, .pdf and .dxf; --size takes millimetres"));
     EXPECT_THAT(idle({{"page-size", "A4"}, {"scale", "1:2"}}, {.pictures = true}), IsEmpty());
-    EXPECT_THAT(idle({{"fit-curves", "1"}}, {.pictures = true, .svg = true}), IsEmpty());
+    EXPECT_THAT(idle({{"fit-curves", "1"}}, {.pictures = true, .vectors = true}), IsEmpty());
     EXPECT_THAT(idle({{"fit-curves", "1"}}, {.pictures = true}), Contains(HasSubstr("--fit-curves does nothing: ")));
     EXPECT_THAT(idle({{"hidden", "dashed"}, {"lines-from", "image"}}, {.pictures = true}),
                 Contains("--hidden does nothing: it needs lines of the mesh, and --lines-from is image"));
@@ -287,13 +293,13 @@ TEST_F(IdleSettings, SayWhichFlagAndWhy) {
                 testing::ElementsAre("--time does nothing: there is no --animation"));
     EXPECT_THAT(idle({{"dpi", "200"}}, {.exr = true}), Not(IsEmpty()));
     EXPECT_THAT(idle({{"dpi", "200"}, {"line-width", "1mm"}}, {.exr = true}), IsEmpty());
-    EXPECT_THAT(idle({{"line-style", "hidden:width=1"}}, {.svg = true}),
+    EXPECT_THAT(idle({{"line-style", "hidden:width=1"}}, {.vectors = true}),
                 testing::ElementsAre("--line-style does nothing: hidden: is for --hidden dashed or solid"));
-    EXPECT_THAT(idle({{"stroke-width", "strength"}}, {.svg = true}),
+    EXPECT_THAT(idle({{"stroke-width", "strength"}}, {.vectors = true}),
                 testing::ElementsAre("--stroke-width does nothing: strength is of lines of form, and --lines leaves "
                                      "them out"));
-    EXPECT_THAT(idle({{"stroke-width", "strength"}, {"lines", "standard,ridge"}}, {.svg = true}), IsEmpty());
-    EXPECT_THAT(idle({{"suggestive-threshold", "1"}, {"lines", "ridge"}}, {.svg = true}), testing::SizeIs(1));
+    EXPECT_THAT(idle({{"stroke-width", "strength"}, {"lines", "standard,ridge"}}, {.vectors = true}), IsEmpty());
+    EXPECT_THAT(idle({{"suggestive-threshold", "1"}, {"lines", "ridge"}}, {.vectors = true}), testing::SizeIs(1));
 }
 
 TEST_F(IdleSettings, OfAJobAreThoseOfAllItsOutputs) {

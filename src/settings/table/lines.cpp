@@ -26,7 +26,8 @@ std::vector<SettingDescription> lineRows() {
         "lines",
         {row(
              {.name = "lines-from",
-              .help = "image: between pixels; object: exact lines of the mesh; auto: object for .svg and .json",
+              .help =
+                  "image: between pixels; object: exact lines of the mesh; auto: object for .svg, .pdf, .dxf and .json",
               .idle = idleLinesFrom},
              Choice{linesFromNames}, [](auto& s) -> auto& { return s.lines.from; }),
          row(
@@ -68,21 +69,21 @@ std::vector<SettingDescription> lineRows() {
              [](auto& s) -> auto& { return s.lines.brush; }),
          row(
              {.name = "simplify",
-              .help = "how far polylines in .svg and .json may stray from the lines found",
+              .help = "how far polylines in .svg, .pdf, .dxf and .json may stray from the lines found",
               .rangeNote = "0 keeps every point",
               .idle = idleSimplify},
              Number{.min = 0.0, .max = 100.0, .unit = "PX"}, [](auto& s) -> auto& { return s.lines.simplify; }),
          row(
              {.name = "fit-curves",
-              .help = "cubic curves in .svg that stray from the lines no further than this; 0: polylines",
-              .idle = idleFitCurves},
+              .help = "curves in .svg, .pdf and .dxf that stray from the lines no further than this; 0: polylines",
+              .idle = idleCentreLines},
              Number{.min = 0.01, .max = 100.0, .unit = "PX", .zeroToo = true},
              [](auto& s) -> auto& { return s.lines.fitCurves; }),
          row(
              {.name = "path-order",
-              .help = "order of the paths in .svg: drawn: one an object; travel: one a line, so that a pen travels "
-                      "little between them",
-              .idle = idlePathOrder},
+              .help = "order of the paths in .svg, .pdf and .dxf: drawn: one an object; travel: one a line, so that "
+                      "a pen travels little between them",
+              .idle = idleCentreLines},
              Choice{pathOrderNames}, [](auto& s) -> auto& { return s.lines.pathOrder; }),
          row(
              {.name = "subdivide-adaptive",

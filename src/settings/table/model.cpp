@@ -55,7 +55,7 @@ std::vector<SettingDescription> modelRows() {
              directionField([](auto& s) -> auto& { return s.load.up; })),
          row(
              {.name = "unit",
-              .help = "what one unit of the model is, for --scale; auto: m in glTF, mm in other formats",
+              .help = "what one unit of the model is, for --scale and .dxf; auto: m in glTF, mm in other formats",
               .idle = idleUnit},
              Choice{unitNames}, [](auto& s) -> auto& { return s.load.unit; }),
          described({.name = "only",

@@ -154,7 +154,7 @@ std::vector<SettingDescription> pictureRows() {
          described({.name = "background",
                     .help = "colour behind the lines; none, or transparent, is no colour",
                     .defaultInWords = "white",
-                    .idle = idleColor},
+                    .idle = idleBackground},
                    Custom{"COLOR|none", [] { return std::string{"#RGB, #RRGGBB, a name, none or transparent"}; }},
                    background()),
          row<parseLength>(
@@ -164,14 +164,14 @@ std::vector<SettingDescription> pictureRows() {
              {"PX", penWidths}, [](auto& s) -> auto& { return s.picture.lineWidth; }),
          row(
              {.name = "dpi",
-              .help = "pixels an inch, for what is in mm; PNG, TIFF and SVG tell it",
+              .help = "pixels an inch, for what is in mm; files but EXR and JSON tell it",
               .defaultInWords = "96",
               .idle = idleDpi},
              Number{.min = 1.0, .max = 100'000.0, .unit = "N"}, [](auto& s) -> auto& { return s.picture.dpi; }),
          row<parsePage>(
              {.name = "page-size",
-              .help = "sheet that an SVG fills as far as its shape allows, or in whose middle a picture in mm or at "
-                      "--scale lies; widths in mm hold on it",
+              .help = "page that an .svg, .pdf or .dxf fills as far as its shape allows, or in whose middle a picture "
+                      "in mm or at --scale lies; widths in mm hold on it",
               .defaultInWords = "the size at --dpi",
               .idle = idlePage},
              {"WIDTHxHEIGHT",

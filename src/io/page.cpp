@@ -1,4 +1,4 @@
-#include "io/sheet.h"
+#include "io/page.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ PageSize paperOf(const Settings& settings, Size size, double dpi) {
 
 }  // namespace
 
-Sheet sheetOf(const Settings& settings, Size size) {
+Page pageOf(const Settings& settings, Size size) {
     const PictureSettings& picture = settings.picture;
     const glm::dvec2 pixels{size.width, size.height};
     double dpi = picture.pixelsPerInch();
@@ -46,10 +46,10 @@ Sheet sheetOf(const Settings& settings, Size size) {
         dpi = millimetresPerInch / std::min(picture.page->width / size.width, picture.page->height / size.height);
     const PageSize paper = picture.page ? *picture.page : paperOf(settings, size, dpi);
     const bool fills = !picture.page && !(settings.frame.size && settings.frame.size->millimetres);
-    const glm::dvec2 sheet = fills ? pixels : dpi / millimetresPerInch * glm::dvec2{paper.width, paper.height};
-    // A picture in millimetres may reach over the sheet by half a pixel, which is not drawn then.
-    const glm::dvec2 margin = 0.5 * (sheet - pixels);
-    return {sheet, onPaper ? margin : glm::max(margin, 0.0), dpi, paper};
+    const glm::dvec2 whole = fills ? pixels : dpi / millimetresPerInch * glm::dvec2{paper.width, paper.height};
+    // A picture in millimetres may reach over the page by half a pixel, which is not drawn then.
+    const glm::dvec2 margin = 0.5 * (whole - pixels);
+    return {whole, onPaper ? margin : glm::max(margin, 0.0), dpi, paper};
 }
 
 }  // namespace inkedge::io

@@ -1,0 +1,19 @@
+#include "io/pdf.h"
+
+#include <inkedge/write.h>
+
+#include "io/vector_formats.h"
+#include "modules/failure.h"
+
+namespace inkedge {
+
+std::vector<std::uint8_t> io::pdfOf(const Drawing& drawing) {
+    constexpr Error::Kind kind = Error::Kind::Output;
+    return modules::expectNoFailure(modules::functionsOf<vectorModule>(kind).encodePdf(drawing), kind).bytes;
+}
+
+std::vector<std::uint8_t> linesPdf(const Lines& lines, const Settings& settings, std::string_view title) {
+    return io::pdfOf(io::drawingOf(lines, settings, title, io::VaryingWidths::Outlines));
+}
+
+}  // namespace inkedge

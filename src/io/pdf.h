@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "io/drawing.h"
+
+namespace inkedge::io {
+
+/// A drawing as a PDF of one page, without a date.
+/// @throws Error  (Kind::Output) if the module of vector formats cannot be opened, or Cairo fails
+[[nodiscard]] std::vector<std::uint8_t> pdfOf(const Drawing&);
+
+}  // namespace inkedge::io
