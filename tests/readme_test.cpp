@@ -13,6 +13,7 @@
 
 #include <inkedge/load_scene.h>
 #include <inkedge/setting_table.h>
+#include <inkedge/sheet.h>
 
 namespace inkedge {
 namespace {
@@ -74,6 +75,14 @@ TEST(Readme, presetsAreThePresets) {
         table += fmt::format("| `{}` | {} | {} |\n", preset.name, preset.help, fmt::join(settings, ", "));
     }
     expectBetween("<!-- presets -->\n", "<!-- /presets -->", table);
+}
+
+TEST(Readme, sheetOptionsAreTheSheetOptions) {
+    std::string table = "| Flag | Default | Meaning |\n| --- | --- | --- |\n";
+    for (const SheetOption& option : sheetOptions())
+        table += fmt::format("| `--{} {}` | {} | {} |\n", option.name, escaped(option.values), option.byDefault,
+                             escaped(option.help));
+    expectBetween("<!-- sheet -->\n", "<!-- /sheet -->", table);
 }
 
 TEST(Readme, formatsAreThoseOfTheTableOfReaders) {

@@ -23,6 +23,7 @@ OWNERS = {  # of the other public headers
     "render": ["renderer"],
     "io": ["compare", "read_lines", "write"],
     "job": ["job"],
+    "sheet": ["sheet"],
 }
 LIBRARIES = {  # start of a header's name: what stands for it after LIBRARIES
     "CLI/": "CLI11",

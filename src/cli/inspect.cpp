@@ -168,7 +168,8 @@ void addInspect(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand("inspect", "Say what is in a model: meshes, bounds, cameras and warnings.");
     addModel(*verb, arguments->model);
     verb->add_flag("--json", arguments->json, "print it as JSON");
-    arguments->settings.addTo(*verb, {"model", "limits"});
+    arguments->settings.addTo(
+        *verb, [](const SettingDescription& row) { return row.group == "model" || row.group == "limits"; });
     verb->callback([arguments, &action] { action = [arguments] { return inspect(*arguments); }; });
 }
 

@@ -42,7 +42,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
     const std::vector<std::string> unknown = app.remaining(true);
     const std::string text = error.what();
     if (verbs.empty()) {
-        return fmt::format("expected render, inspect, compare or doctor, found {}; see inkedge --help",
+        return fmt::format("expected render, sheet, inspect, compare or doctor, found {}; see inkedge --help",
                            unknown.empty() ? "nothing" : fmt::format("'{}'", unknown.front()));
     }
     const std::string remedy = fmt::format("see inkedge {} --help", verbs.front()->get_name());
@@ -65,6 +65,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
 int run(CLI::App& app, int argc, char** argv) {
     inkedge::cli::Action action;
     inkedge::cli::addRender(app, action);
+    inkedge::cli::addSheet(app, action);
     inkedge::cli::addCompare(app, action);
     inkedge::cli::addInspect(app, action);
     inkedge::cli::addDoctor(app, action);

@@ -1,6 +1,5 @@
 #include "cli/settings_sources.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <set>
 #include <utility>
@@ -41,11 +40,11 @@ std::string presetHelp() {
 
 }  // namespace
 
-void SettingsSources::addTo(CLI::App& app, std::initializer_list<std::string_view> groups) {
+void SettingsSources::addTo(CLI::App& app, const std::function<bool(const SettingDescription&)>& uses) {
     app.add_option("--preset", preset_, presetHelp())->type_name("NAME");
     app.add_option("--config", configFile_, "read settings from a file of lines: name = value")->type_name("FILE");
     for (const SettingDescription& row : settingTable()) {
-        if (groups.size() > 0 && std::ranges::find(groups, row.group) == groups.end()) continue;
+        if (uses && !uses(row)) continue;
         std::string names = fmt::format("--{}", row.name);
         if (!row.shortName.empty()) names += fmt::format(",--{}", row.shortName);
         options_[row.name] = app.add_option(names, flags_[row.name], helpFor(row))

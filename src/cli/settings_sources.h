@@ -1,7 +1,7 @@
 #pragma once
 
 #include <filesystem>
-#include <initializer_list>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,8 +17,8 @@ namespace inkedge::cli {
 class SettingsSources {
 public:
     /// Adds the flags, from the table of settings.
-    /// @param groups  the groups of settings that the verb uses; empty: all
-    void addTo(CLI::App&, std::initializer_list<std::string_view> groups = {});
+    /// @param uses  whether the verb uses a setting; none: it uses all
+    void addTo(CLI::App&, const std::function<bool(const SettingDescription&)>& uses = {});
 
     /// The settings. A flag overrides the environment, that a configuration file, that a preset, that the default.
     /// @throws Error  (Kind::Usage) if a source has an unknown name or a wrong value: the message names the source;

@@ -24,6 +24,7 @@
 #include <inkedge/scene_names.h>
 #include <inkedge/setting_table.h>
 #include <inkedge/settings.h>
+#include <inkedge/sheet.h>
 #include <inkedge/stage_time.h>
 #include <inkedge/surface_functions.h>
 #include <inkedge/version.h>

@@ -1,6 +1,7 @@
-// PDF by Cairo.
+// PDF and pictures by Cairo.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 
 #include <cairo-pdf.h>
@@ -161,11 +162,41 @@ EncodedDocument encodePdf(const Drawing& drawing) {
     return result;
 }
 
+PaintedDrawing paint(const Drawing& drawing, Size size) {
+    PaintedDrawing result{Image<std::uint8_t>{size, 3}, {}};
+    const Surface surface{cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height),
+                          cairo_surface_destroy};
+    const Context context{cairo_create(surface.get()), cairo_destroy};
+    setColor(context.get(), {255, 255, 255});
+    cairo_paint(context.get());
+    cairo_scale(context.get(), size.width / drawing.page.size.x, size.height / drawing.page.size.y);
+    draw(context.get(), drawing);
+    cairo_surface_flush(surface.get());
+    const cairo_status_t status = cairo_status(context.get());
+    if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc{};
+    if (status != CAIRO_STATUS_SUCCESS) {
+        result.failure = modules::oneLine(cairo_status_to_string(status));
+        return result;
+    }
+    const unsigned char* const rows = cairo_image_surface_get_data(surface.get());
+    const int stride = cairo_image_surface_get_stride(surface.get());
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            std::uint32_t pixel = 0;
+            std::memcpy(&pixel, rows + static_cast<std::ptrdiff_t>(y) * stride + 4 * static_cast<std::ptrdiff_t>(x), 4);
+            for (int c = 0; c < 3; ++c)
+                result.picture(x, y, c) = static_cast<std::uint8_t>(pixel >> (16U - 8U * static_cast<unsigned>(c)));
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 extern "C" INKEDGE_API const VectorFormats* inkedge_vector_formats_1() noexcept {
     static constexpr VectorFormats formats{
-        [](const Drawing& drawing) { return modules::guarded([&] { return encodePdf(drawing); }); }};
+        [](const Drawing& drawing) { return modules::guarded([&] { return encodePdf(drawing); }); },
+        [](const Drawing& drawing, Size size) { return modules::guarded([&] { return paint(drawing, size); }); }};
     return &formats;
 }
 

@@ -26,6 +26,7 @@
 #include <inkedge/renderer.h>
 #include <inkedge/scene.h>
 #include <inkedge/setting_table.h>
+#include <inkedge/sheet.h>
 #include <inkedge/write.h>
 
 namespace inkedge {
@@ -39,7 +40,8 @@ struct Case {
     std::string name;
     fs::path asset;
     Settings settings;
-    std::optional<Map> map;  ///< this map instead of the picture
+    std::optional<Map> map;              ///< this map instead of the picture
+    std::optional<SheetSettings> sheet;  ///< a drawing sheet instead of it
     Tolerance tolerance;
 };
 
@@ -61,6 +63,14 @@ Settings settingsFrom(const std::string& arguments) {
     return settings;
 }
 
+SheetSettings sheetFrom(const std::string& arguments) {
+    SheetSettings settings;
+    std::istringstream words{arguments};
+    for (std::string flag, value; words >> flag >> value;)
+        std::ranges::find(sheetOptions(), flag.substr(2), &SheetOption::name)->set(settings, value);
+    return settings;
+}
+
 std::vector<Case> readCases() {
     std::ifstream stream{source / "tests/images/cases.json"};
     const auto file = nlohmann::json::parse(stream);
@@ -71,7 +81,9 @@ std::vector<Case> readCases() {
                .asset = source / "assets" / entry.at("asset").get<std::string>(),
                .settings = settingsFrom(entry.at("arguments")),
                .map = {},
+               .sheet = {},
                .tolerance = {tolerance.at("level"), tolerance.at("share"), tolerance.at("hard_limit")}};
+        if (entry.contains("sheet")) c.sheet = sheetFrom(entry.at("sheet"));
         if (entry.contains("map")) {
             set(c.settings, "maps", entry.at("map").get<std::string>(), "map");
             c.map = c.settings.maps.front();
@@ -83,6 +95,7 @@ std::vector<Case> readCases() {
 
 void draw(const Case& c, Renderer& renderer, const fs::path& candidate) {
     const Scene scene = loadScene(c.asset, loadSettings(c.settings));
+    if (c.sheet) return writeSheet(drawSheet(renderer, scene, c.settings, *c.sheet), candidate);
     const Camera camera = frameCamera(scene, c.settings.camera, c.settings.picture.size);
     const Maps maps = renderer.render(scene, camera, c.settings);
     if (!c.map) {
