@@ -135,7 +135,7 @@ struct PictureLength {
     friend bool operator==(const PictureLength&, const PictureLength&) = default;
 };
 
-/// A sheet of paper, millimetres.
+/// A page of paper, millimetres.
 struct PageSize {
     double width = 0.0;
     double height = 0.0;
@@ -177,7 +177,7 @@ struct PictureSettings {
     PictureLength lineWidth{1.5, false};                     ///< 0.5 to 32 pixels
     /// Pixels per inch, for what is measured in millimetres; none: 96, and files of pixels do not tell.
     std::optional<double> dpi;
-    std::optional<PageSize> page;  ///< the sheet that vectors are for; none: the size at dpi
+    std::optional<PageSize> page;  ///< the page that vectors are for; none: the size at dpi
     int supersampling = 1;         ///< samples per pixel along each axis: 1, 2 or 4
     int tileSize = 4096;           ///< the largest side of what is drawn at once, samples: trades memory for time
     LineTypes lines = standardLineTypes;          ///< which types are drawn
@@ -242,7 +242,7 @@ enum class StrokeWidth {
     Strength,   ///< lines of form are narrower where they are weaker, down to nothing; others are constant
 };
 
-/// In which order the paths of an SVG stand.
+/// In which order the paths of an SVG, PDF or DXF stand.
 enum class PathOrder {
     Drawn,   ///< by object, one path each
     Travel,  ///< so that a pen that draws them one after the other travels little between them; one path a line
@@ -281,8 +281,9 @@ struct LineSettings {
     /// on or meets it, as lines do in the corner of a solid. A line that runs behind another surface ends freely.
     double strokeTaper = 0.0;
     std::filesystem::path brush = {};  ///< a PNG, dark is ink, laid along lines from object space; empty: plain ink
-    double fitCurves = 0.0;  ///< pixels that cubic Bezier curves may deviate from the lines; 0: polylines; SVG only
-    PathOrder pathOrder = PathOrder::Drawn;  ///< SVG only
+    /// Pixels that cubic Bezier curves may deviate from the lines; 0: polylines; SVG, PDF, DXF.
+    double fitCurves = 0.0;
+    PathOrder pathOrder = PathOrder::Drawn;  ///< SVG, PDF, DXF
     int subdivideAdaptive = 0;               ///< levels of refinement near contours, section 3.3, 0 to 6; 0: none
     Isolines isolines = {};
     FormSettings form = {};
