@@ -15,7 +15,7 @@ OWNERS = {  # of the other public headers
     "base": ["write_file"],
     "images": ["encode_png"],
     "settings": ["setting_table", "settings", "surface_functions"],
-    "mesh": ["mesh", "mesh_arrays"],
+    "mesh": ["face_surfaces", "mesh", "mesh_arrays"],
     "formats": ["inspect_model", "load_scene"],
     "scene": ["scene", "scene_names"],
     "camera": ["camera", "views"],
@@ -92,6 +92,8 @@ def faults_of(folder, rooms, all_rooms):
             elif first in all_rooms:
                 room = first
             else:
+                if header.endswith(".hxx") and not file.name.startswith("occt_"):
+                    yield f"{where}: expected {header} in files of OpenCASCADE only, occt_*, found it here"
                 for start, library in LIBRARIES.items():
                     if header.startswith(start) and library not in text:
                         yield f"{where}: expected {library} in {name}/CMakeLists.txt for {header}, found none"

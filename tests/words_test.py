@@ -19,7 +19,7 @@ INSTEAD = {  # of these words in a name: what to say
     "soup": "randomTriangles",
     "tell": "report or say",
 }
-ALLOWED = {"leastSquares"}
+ALLOWED = {"leastSquares", "StepGeom_Axis2Placement3d"}
 CODE = re.compile(r'R"\((?:.|\n)*?\)"|"(?:\\.|[^"\\\n])*"|//.*|/\*(?:.|\n)*?\*/|#include.*')
 
 

@@ -226,4 +226,12 @@ std::vector<View> viewsOf(const std::string& text, const CameraSettings& base) {
     return readViews(text, base);
 }
 
+LoadSettings loadSettings(const Settings& settings, std::span<const View> views) {
+    LoadSettings load = loadSettings(settings);
+    if (views.empty()) return load;
+    load.pictures.cameras.clear();
+    for (const View& view : views) load.pictures.cameras.push_back(view.camera);
+    return load;
+}
+
 }  // namespace inkedge

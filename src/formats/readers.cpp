@@ -1,6 +1,7 @@
 #include <array>
 #include <string_view>
 
+#include "formats/cad/load_cad.h"
 #include "formats/gltf/load_gltf.h"
 #include "formats/polygons/load_polygons.h"
 #include "formats/reader.h"
@@ -18,6 +19,13 @@ constexpr std::array stlExtensions{".stl"sv};
 constexpr std::array stlStarts{"solid "sv, "solid\n"sv, "solid\r"sv};
 constexpr std::array plyExtensions{".ply"sv};
 constexpr std::array plyStarts{"ply\n"sv, "ply\r"sv};
+
+constexpr std::array stepExtensions{".step"sv, ".stp"sv, ".p21"sv};
+constexpr std::array stepStarts{"ISO-10303-21"sv};
+constexpr std::array igesExtensions{".iges"sv, ".igs"sv};
+constexpr std::array brepExtensions{".brep"sv};
+constexpr std::array brepStarts{"DBRep_DrawableShape"sv, "CASCADE Topology V"sv, "\nCASCADE Topology V"sv,
+                                "Open CASCADE Topology V"sv, "\nOpen CASCADE Topology V"sv};
 
 // CAD programs, and printers of solids, stand models on the xy plane.
 constexpr glm::dvec3 zUp{0.0, 0.0, 1.0};
@@ -45,6 +53,19 @@ constexpr std::array table{
     Reader{.format = {polygons::name(polygons::PolygonFormat::Ply), plyExtensions},
            .firstBytes = plyStarts,
            .read = readPolygons<polygons::PolygonFormat::Ply>},
+    Reader{.format = {"STEP", stepExtensions},
+           .firstBytes = stepStarts,
+           .firstBytesAreCertain = true,
+           .unit = LengthUnit::Millimetre,
+           .up = zUp,
+           .read = cad::loadStep},
+    Reader{.format = {"IGES", igesExtensions}, .unit = LengthUnit::Millimetre, .up = zUp, .read = cad::loadIges},
+    Reader{.format = {"BREP", brepExtensions},
+           .firstBytes = brepStarts,
+           .firstBytesAreCertain = true,
+           .unit = LengthUnit::Millimetre,
+           .up = zUp,
+           .read = cad::loadBrep},
 };
 
 constexpr auto formats = [] {

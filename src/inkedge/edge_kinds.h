@@ -11,9 +11,10 @@ enum class EdgeKind : std::uint8_t {
     Inner = 1U << 0U,
     /// A crease, however little the triangles bend there.
     Sharp = 1U << 1U,
-    /// Two faces of the file go on into each other there: no crease, however the triangles bend.
+    /// Two faces of the file go on into each other there: no crease, however the triangles bend, but LineType::Tangent.
     Tangent = 1U << 2U,
-    /// A face of the file meets itself there, as the side of a cylinder does: no crease, however the triangles bend.
+    /// Within a face of the file, or where it meets itself, as the side of a cylinder does, or another part of the same
+    /// surface: no line, however the triangles bend.
     Seam = 1U << 3U,
     /// No other face of the file shares the edge: the surface ends there. Where another surface touches the edge, the
     /// angle between the two surfaces decides whether a line is drawn, as everywhere.

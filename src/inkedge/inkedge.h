@@ -9,6 +9,7 @@
 #include <inkedge/encode_png.h>
 #include <inkedge/error.h>
 #include <inkedge/export.h>
+#include <inkedge/face_surfaces.h>
 #include <inkedge/image.h>
 #include <inkedge/inspect_model.h>
 #include <inkedge/job.h>

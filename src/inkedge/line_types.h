@@ -11,8 +11,8 @@
 
 namespace inkedge {
 
-/// What a line is: one bit of LineTypes and of Maps::types, which has 16. A pixel of a line may have several types at once. The line
-/// is then drawn with the pen of the first type that has a pen of its own (PictureSettings::pens).
+/// What a line is: one bit of LineTypes and of Maps::types, which has 16. A pixel of a line may have several types at
+/// once. The line is then drawn with the pen of the first type that has a pen of its own (PictureSettings::pens).
 enum class LineType : std::uint32_t {
     Outline = 1,         ///< the model against the background
     Occlusion = 2,       ///< a surface in front of another
@@ -29,12 +29,14 @@ enum class LineType : std::uint32_t {
     Ridge = 512,       ///< where a surface bulges the sharpest across the line; Ohtake et al. 2004
     Valley = 1024,     ///< where a surface is hollowed out the sharpest across the line; Ohtake et al. 2004
     Apparent = 2048,   ///< where a surface, as the eye sees it, bends the sharpest; Judd et al. 2007
+    /// Where one face of a CAD file goes on into the next without a bend: EdgeKind::Tangent.
+    Tangent = 4096,
 };
-inline constexpr int lineTypeCount = 12;
+inline constexpr int lineTypeCount = 13;
 static_assert(lineTypeCount <= 16, "Maps::types has 16 bits");
 
 /// "outline", "occlusion", "boundary", "crease", "intersection", "object", "isoparametric", "marked", "suggestive",
-/// "ridge", "valley", "apparent"; empty for a value that is none of them.
+/// "ridge", "valley", "apparent", "tangent"; empty for a value that is none of them.
 [[nodiscard]] INKEDGE_API std::string_view name(LineType) noexcept;
 
 /// The number of a type's bit: 0 for LineType::Outline. The type must be one of the enumerators.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include <glm/vec4.hpp>
 
 #include <inkedge/edge_kinds.h>
+#include <inkedge/face_surfaces.h>
 
 namespace inkedge {
 
@@ -46,6 +48,11 @@ struct Mesh {
     /// Lines that the file has besides triangles, as straight pieces of two positions each: mesh space, less origin.
     /// Pieces that end at one position go on into each other. They are drawn as LineType::Marked.
     std::vector<glm::vec3> lines;
+    /// What the triangles stand for: the surface of each of the faces that Mesh::faces numbers. Normals, windings and
+    /// kinds of edges are then taken as they are. None: there is nothing but triangles.
+    std::shared_ptr<const FaceSurfaces> surfaces;
+    /// One per position, with surfaces: its parameters on the surface of its face. Else empty.
+    std::vector<glm::dvec2> parameters;
 };
 
 }  // namespace inkedge

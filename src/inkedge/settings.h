@@ -59,37 +59,11 @@ struct LoadLimits {
     std::uint64_t nodes = 4'194'304;                 ///< of a glTF's node trees
     std::uint64_t nodeDepth = 1'048'576;             ///< from a root down, roots are at 1
     std::uint64_t imagePixels = 67'108'864;          ///< of one picture
+    double readingTime = 600.0;                      ///< seconds that the library for CAD files may take, over 0
 };
 
 /// What one unit of a model's coordinates is.
 enum class LengthUnit { None, Metre, Millimetre, Centimetre, Inch, Foot };
-
-/// What the loader makes of a file.
-struct LoadSettings {
-    Normals normals = Normals::Auto;
-    Creases creases = Creases::Auto;
-    /// Degrees, 0 to 180: faces that meet at more than this meet in a crease. Regular polygons of 10 and 11 sides bend
-    /// by 36 and 32.7.
-    double creaseAngle = 34.0;
-    std::optional<int> scene = {};  ///< of a glTF's scenes; none: its default scene
-    std::string animation = {};     ///< of a glTF's animations, by name or number; empty: its rest pose
-    double time = 0.0;              ///< seconds into the animation, which holds its first and last pose beyond its ends
-    Transparent transparent = Transparent::Solid;
-    AlphaMask alphaMask = AlphaMask::Cut;
-    BackFaces backFaces = BackFaces::Draw;
-    int subdivide = 0;                ///< levels of refinement into a smooth surface, 0 to 6; 0: none
-    bool textureCoordinates = false;  ///< Mesh::textureCoordinates is filled in: for isoparametric lines
-    bool paint = false;               ///< Mesh::paint, Material::color and Material::picture are filled in; glTF only
-    bool curvature = false;           ///< Mesh::curvatures is filled in
-    LengthUnit unit = LengthUnit::None;  ///< of the model's coordinates; None: the format's, where it has one
-    /// World space: which way is up of the model, whatever its length; none: SceneSource::up. See Scene::up().
-    std::optional<glm::dvec3> up = {};
-    /// Names of nodes, or patterns with * and ?. Nodes in which a pattern's node lies count, too: "arm" stands for all
-    /// of the arm. Compared with a node's name and with its path, names from a root down with / between them.
-    std::vector<std::string> only = {};  ///< these nodes alone are drawn; empty: all
-    std::vector<std::string> hide = {};  ///< these are not
-    LoadLimits limits = {};
-};
 
 /// Where technical drawings see a model from. Iso shows width, depth and height at one scale, from the right, the front
 /// and above; Dimetric shows depth at half the scale of the others (ISO 5456-3).
@@ -158,8 +132,8 @@ struct HiddenPenSettings {
     friend bool operator==(const HiddenPenSettings&, const HiddenPenSettings&) = default;
 };
 
-/// The pen of one type of line. What is not given is as PictureSettings::lineWidth, of lines of form 0.6 of it, and
-/// ::lineColor.
+/// The pen of one type of line. What is not given is as PictureSettings::lineColor and ::lineWidth, of which lines of
+/// form have 0.6, tangent lines half.
 struct PenSettings {
     std::optional<PictureLength> width;
     std::optional<Color> color;
@@ -204,6 +178,45 @@ struct FrameSettings {
     /// Length on paper, at PictureSettings::dpi, of a length of the model; orthographic views. A model without a unit
     /// is in millimetres.
     std::optional<double> scale;
+};
+
+/// The pictures that a model is loaded for. The one that shows it the largest decides how fine the triangles of curved
+/// surfaces are; other pictures can be drawn, too.
+struct ExpectedPictures {
+    std::vector<CameraSettings> cameras = {};  ///< none: one, as CameraSettings{}
+    PictureSettings picture = {};
+    FrameSettings frame = {};
+};
+
+/// What the loader makes of a file.
+struct LoadSettings {
+    Normals normals = Normals::Auto;
+    Creases creases = Creases::Auto;
+    /// Degrees, 0 to 180: faces that meet at more than this meet in a crease. Regular polygons of 10 and 11 sides bend
+    /// by 36 and 32.7.
+    double creaseAngle = 34.0;
+    std::optional<int> scene = {};  ///< of a glTF's scenes; none: its default scene
+    std::string animation = {};     ///< of a glTF's animations, by name or number; empty: its rest pose
+    double time = 0.0;              ///< seconds into the animation, which holds its first and last pose beyond its ends
+    Transparent transparent = Transparent::Solid;
+    AlphaMask alphaMask = AlphaMask::Cut;
+    BackFaces backFaces = BackFaces::Draw;
+    int subdivide = 0;                ///< levels of refinement into a smooth surface, 0 to 6; 0: none
+    bool textureCoordinates = false;  ///< Mesh::textureCoordinates is filled in: for isoparametric lines
+    bool paint = false;               ///< Mesh::paint, Material::color and Material::picture are filled in; glTF only
+    bool curvature = false;           ///< Mesh::curvatures is filled in
+    LengthUnit unit = LengthUnit::None;  ///< of the model's coordinates; None: the format's, where it has one
+    /// World space: which way is up of the model, whatever its length; none: SceneSource::up. See Scene::up().
+    std::optional<glm::dvec3> up = {};
+    /// Names of nodes, or patterns with * and ?. Nodes in which a pattern's node lies count, too: "arm" stands for all
+    /// of the arm. Compared with a node's name and with its path, names from a root down with / between them.
+    std::vector<std::string> only = {};  ///< these nodes alone are drawn; empty: all
+    std::vector<std::string> hide = {};  ///< these are not
+    LoadLimits limits = {};
+    /// Pixels by which triangles stray from the curved surfaces of CAD files in the pictures that the model is loaded
+    /// for, 0.001 to 100.
+    double tolerance = 0.1;
+    ExpectedPictures pictures = {};
 };
 
 /// Where the lines come from.

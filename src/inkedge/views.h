@@ -32,6 +32,9 @@ struct View {
 ///                if the file cannot be read
 [[nodiscard]] INKEDGE_API std::vector<View> viewsOf(const std::string& text, const CameraSettings& base);
 
+/// loadSettings(), for pictures from all of these views. None: as of settings.camera.
+[[nodiscard]] INKEDGE_API LoadSettings loadSettings(const Settings&, std::span<const View>);
+
 /// A view, laid on a picture.
 struct FramedView {
     Camera camera;

@@ -58,7 +58,7 @@ private:
 
 void loadScene(JobState& state) {
     const base::Stopwatch watch;
-    state.scene = inkedge::loadScene(state.job->model, loadSettings(state.job->settings));
+    state.scene = inkedge::loadScene(state.job->model, loadSettings(state.job->settings, state.views));
     const double loading = watch.milliseconds();
     const double preparing = state.scene->preparationMilliseconds();
     state.times = {{"load", loading - preparing}, {"prepare", preparing}};

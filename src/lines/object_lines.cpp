@@ -90,8 +90,8 @@ struct ViewSegments {
         const bool isContour = segment.curve == Curve::Contour;
         const bool isBoundary = segment.curve == Curve::Boundary;
         const bool isCrease = segment.curve == Curve::Crease;
-        const bool isMarked = segment.curve == Curve::Marked;
-        const bool isMeshEdge = segment.slack == 0.0 && (isContour || isCrease || isBoundary || isMarked);
+        const bool isOther = segment.curve == Curve::Marked || segment.curve == Curve::Tangent;
+        const bool isMeshEdge = segment.slack == 0.0 && (isContour || isCrease || isBoundary || isOther);
         if (isMeshEdge && touching.isBehindFace(segment, point)) return Seen::Hidden;
         if (!isContour && !isCrease && !isBoundary) return Seen::Inside;
         const Touch touch = isBoundary ? touching.atBorder(segment, point) : Touch::None;
@@ -127,6 +127,8 @@ LineType typeOf(Curve curve, Seen seen) {
             return LineType::Valley;
         case Curve::Apparent:
             return LineType::Apparent;
+        case Curve::Tangent:
+            return LineType::Tangent;
     }
     return LineType::Crease;
 }
@@ -301,10 +303,12 @@ struct ObjectLines::Prepared {
                                               Memories& memories) const {
         std::vector<Segment> segments;
         const auto isolinesOfMeshes = isolines(steps);
+        const int levels = choice.refinement;
         for (std::uint32_t i = 0; i < scene.instances().size(); ++i) {
             base::stopIfAsked();
             const std::uint32_t mesh = scene.instances()[i].mesh;
             if (scene.meshes()[mesh].indices.empty()) continue;
+            choice.refinement = scene.meshes()[mesh].surfaces ? 0 : levels;
             if (choice.refinement > 0) choice.control = &controlOf(mesh);
             ContourMemory memory = memories.recall(i, choice.finder);
             collectInstanceCurves(scene, i, {*searches[mesh], bordersOf(i), (*isolinesOfMeshes)[mesh]}, memory, screen,

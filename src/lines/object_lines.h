@@ -11,7 +11,9 @@
 namespace inkedge::lines {
 
 /// The types of lines that no pixels show.
-inline constexpr LineTypes typesBesidePixels = formLineTypes | LineTypes{LineType::Marked};
+inline constexpr LineTypes typesBesidePixels = formLineTypes | LineType::Marked | LineType::Tangent;
+/// Those of them that Maps::types and Maps::edges have.
+inline constexpr LineTypes typesAddedToMaps = typesBesidePixels - LineType::Marked;
 
 /// The lines of a scene from object space. Edge tables and bounding volume hierarchies are made once for all views, and
 /// once for all objects of one scene that exist at the same time, on whatever threads. What ContourFinder::Random

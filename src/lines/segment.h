@@ -25,6 +25,7 @@ enum class Curve : std::uint8_t {
     Ridge,
     Valley,
     Apparent,
+    Tangent,
 };
 
 /// Names a point where segments meet: segments that have an end of the same name are joined.
@@ -39,7 +40,7 @@ inline constexpr Key noKey = ~Key{0};
     return (Key{1} << 61U) | (Key{instance} << 32U) | halfEdge;
 }
 
-/// An edge of a RefinedContourMesh, numbered in an order of its own.
+/// An edge of a RefinedContourMesh, or a joint of a contour within a triangle, numbered in an order of its own.
 [[nodiscard]] constexpr Key refinedKey(std::uint32_t instance, std::uint32_t number) noexcept {
     return (Key{3} << 61U) | (Key{instance} << 32U) | number;
 }

@@ -42,6 +42,7 @@ void dropUnusedVertices(Mesh& mesh) {
     keep(mesh.positions, kept);
     keep(mesh.normals, kept);
     keep(mesh.textureCoordinates, kept);
+    keep(mesh.parameters, kept);
     keep(mesh.paint, kept);
     for (std::uint32_t& i : mesh.indices) i = to[i];
 }

@@ -11,7 +11,7 @@ namespace inkedge::mesh {
 MeshTopology connect(Mesh& mesh, const LoadSettings& settings) {
     keepUsableNormals(mesh, settings);
     MeshTopology topology = buildTopology(mesh);
-    const std::vector<bool> disbelieved = judgeNormals(mesh, topology, settings);
+    const std::vector<bool> disbelieved = mesh.surfaces ? std::vector<bool>{} : judgeNormals(mesh, topology, settings);
     findCreases(mesh, disbelieved, settings, topology);
     completeNormals(mesh, topology, settings);
     buildPatches(settings.creaseAngle, topology);

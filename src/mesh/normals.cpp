@@ -96,7 +96,7 @@ void splitVertices(Mesh& mesh, Corners& groups) {
     for (std::uint32_t& group : groups) group = vertexOfGroup[group];
 }
 
-// Splits vertices once more where texture coordinates or paint have a seam that a smoothing group crosses.
+// Splits vertices once more where texture coordinates, paint or parameters have a seam that a smoothing group crosses.
 // @param before  of each corner the vertex before splitVertices()
 void splitAtSeams(Mesh& mesh, const Corners& before) {
     std::unordered_map<std::uint64_t, std::uint32_t> vertices;  // by the vertices now and before
@@ -104,6 +104,7 @@ void splitAtSeams(Mesh& mesh, const Corners& before) {
     std::vector<glm::vec3> normals;
     std::vector<glm::vec2> coordinates;
     std::vector<VertexPaint> paint;
+    std::vector<glm::dvec2> parameters;
     for (std::size_t c = 0; c < before.size(); ++c) {
         const std::uint32_t vertex = mesh.indices[c];
         const auto next = static_cast<std::uint32_t>(positions.size());
@@ -113,6 +114,7 @@ void splitAtSeams(Mesh& mesh, const Corners& before) {
             normals.push_back(mesh.normals[vertex]);
             if (!mesh.textureCoordinates.empty()) coordinates.push_back(mesh.textureCoordinates[before[c]]);
             if (!mesh.paint.empty()) paint.push_back(mesh.paint[before[c]]);
+            if (!mesh.parameters.empty()) parameters.push_back(mesh.parameters[before[c]]);
         }
         mesh.indices[c] = found->second;
     }
@@ -120,6 +122,7 @@ void splitAtSeams(Mesh& mesh, const Corners& before) {
     mesh.normals = std::move(normals);
     mesh.textureCoordinates = std::move(coordinates);
     mesh.paint = std::move(paint);
+    mesh.parameters = std::move(parameters);
 }
 
 std::array<double, 3> cornerAngles(const Mesh& mesh, std::size_t triangle) {
@@ -164,7 +167,8 @@ void completeNormals(Mesh& mesh, const MeshTopology& topology, const LoadSetting
         groups.resize(mesh.indices.size());
         std::iota(groups.begin(), groups.end(), 0U);
     }
-    const Corners before = mesh.textureCoordinates.empty() && mesh.paint.empty() ? Corners{} : mesh.indices;
+    const bool keepsMore = !mesh.textureCoordinates.empty() || !mesh.paint.empty() || !mesh.parameters.empty();
+    const Corners before = keepsMore ? mesh.indices : Corners{};
     splitVertices(mesh, groups);
     makeNormals(mesh, topology.faceNormals, groups);
     if (!before.empty()) splitAtSeams(mesh, before);

@@ -68,17 +68,27 @@ void* open(const Module& module, const fs::path& file, Error::Kind failure) {
 
 void* openModule(const Module& module, Error::Kind failure) { return openModule(module, moduleFolders(), failure); }
 
-void* openModule(const Module& module, std::span<const fs::path> folders, Error::Kind failure) {
+namespace {
+
+fs::path find(const Module& module, std::span<const fs::path> folders, Error::Kind failure) {
     std::vector<std::string> tried;
     for (const fs::path& folder : folders) {
         std::error_code ignored;
-        if (fs::exists(folder / module.file, ignored)) return open(module, folder / module.file, failure);
+        if (fs::exists(folder / module.file, ignored)) return folder / module.file;
         if (std::find(tried.begin(), tried.end(), folder.string()) == tried.end()) tried.push_back(folder.string());
     }
     const std::string build = module.option.empty() ? "" : fmt::format(" built with {}=ON", module.option);
     throw Error{failure, fmt::format("{}: expected {} in one of {}, found none; reinstall inkedge{}, or {}",
                                      module.purpose, module.file, fmt::join(tried, ", "), build, module.remedy)};
 }
+
+}  // namespace
+
+void* openModule(const Module& module, std::span<const fs::path> folders, Error::Kind failure) {
+    return open(module, find(module, folders, failure), failure);
+}
+
+fs::path findModule(const Module& module, Error::Kind failure) { return find(module, moduleFolders(), failure); }
 
 std::string failureToOpen(const Module& module) {
     try {

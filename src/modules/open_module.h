@@ -34,6 +34,10 @@ struct Module {
 /// The same, from the first of these folders that holds the module.
 [[nodiscard]] void* openModule(const Module&, std::span<const std::filesystem::path> folders, Error::Kind failure);
 
+/// The file of a module, or of a program that lies where modules do, which is not opened.
+/// @throws Error  (failure) if it is not found beside the library
+[[nodiscard]] std::filesystem::path findModule(const Module&, Error::Kind failure);
+
 /// A module whose symbol is a function without arguments that returns a pointer to its Functions.
 template <class Functions>
 struct ModuleOf : Module {};

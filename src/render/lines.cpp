@@ -42,17 +42,28 @@ Lines objectLines(const Scene& scene, const Camera& camera, const RenderSettings
     return found;
 }
 
+namespace {
+
+bool hasEdges(const Mesh& mesh, EdgeKind kind) {
+    return std::ranges::any_of(mesh.edges, [&](EdgeKinds kinds) { return kinds.has(kind); });
+}
+
+}  // namespace
+
 bool hasMarked(const Scene& scene) {
-    return std::ranges::any_of(scene.meshes(), [](const Mesh& mesh) {
-        return !mesh.lines.empty() ||
-               std::ranges::any_of(mesh.edges, [](EdgeKinds kinds) { return kinds.has(EdgeKind::Marked); });
-    });
+    return std::ranges::any_of(
+        scene.meshes(), [](const Mesh& mesh) { return !mesh.lines.empty() || hasEdges(mesh, EdgeKind::Marked); });
+}
+
+bool hasTangent(const Scene& scene) {
+    return std::ranges::any_of(scene.meshes(), [](const Mesh& mesh) { return hasEdges(mesh, EdgeKind::Tangent); });
 }
 
 Lines linesBesidePixels(const Scene& scene, const Camera& camera, const RenderSettings& settings, Kept& kept) {
     const LineTypes drawn = settings.picture.lines;
     const bool marked = drawn.contains(LineType::Marked) && hasMarked(scene);
-    if (!marked && (drawn & formLineTypes).empty()) return {};
+    const bool tangent = drawn.contains(LineType::Tangent) && hasTangent(scene);
+    if (!marked && !tangent && (drawn & formLineTypes).empty()) return {};
     if (!modules::failureToOpen(lines::embreeModule).empty()) return {};
     RenderSettings seen = settings;
     seen.lines = LineSettings{};

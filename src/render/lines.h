@@ -22,6 +22,9 @@ namespace inkedge::render {
 /// Whether a scene has lines or edges that are drawn as LineType::Marked.
 [[nodiscard]] bool hasMarked(const Scene&);
 
+/// Whether a scene has edges that are drawn as LineType::Tangent.
+[[nodiscard]] bool hasTangent(const Scene&);
+
 /// The lines of lines::typesBesidePixels that are seen: no pixels show them, so that image space has them from object
 /// space. None where that needs a module that is not there: renderWarnings() says so.
 /// @throws Error  as lines::ObjectLines

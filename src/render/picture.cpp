@@ -9,7 +9,7 @@
 #include "ink/strokes_of.h"
 #include "passes/ink_over.h"
 #include "render/lines.h"
-#include "render/map_form.h"
+#include "render/map_beside.h"
 #include "render/plan.h"
 #include "render/tiles.h"
 
@@ -47,10 +47,10 @@ Maps drawPicture(const Scene& scene, const Camera& camera, const RenderSettings&
             const std::vector<ink::Stroke> beside = ink::strokesOf(ofMesh, settings.picture, {});
             strokes.insert(strokes.end(), beside.begin(), beside.end());
             if (!ofMesh.lines.empty()) clock.finish("lines of the mesh");
-        } else if (plan.lines != LineSource::Object && plan.mapsForm) {
+        } else if (plan.lines != LineSource::Object && plan.mapsBeside) {
             ofMesh = linesBesidePixels(scene, camera, settings, kept);
         }
-        if (plan.mapsForm) mapForm(ofMesh, settings.picture.lines, tiles.maps);
+        if (plan.mapsBeside) mapBeside(ofMesh, settings.picture.lines, tiles.maps);
     }
 
     // The lines are painted as strokes, and the other ink over them. The classic detector's are pixels already.

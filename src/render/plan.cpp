@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lines/object_lines.h"
 #include "settings/idle.h"
 #include "settings/shades.h"
 
@@ -36,7 +37,7 @@ void planLines(const RenderSettings& settings, Plan& plan) {
                      edges && detector == Detector::Classic};
     plan.types = wants(settings, Map::Types);
     plan.lineMask = edges && detector == Detector::Planes;
-    plan.mapsForm = (plan.types || plan.lineMask) && !(settings.picture.lines & formLineTypes).empty();
+    plan.mapsBeside = (plan.types || plan.lineMask) && !(settings.picture.lines & lines::typesAddedToMaps).empty();
     plan.inkMask = edges;
     plan.ids = ids ? trace::TraceIds::Keep : trace::TraceIds::Drop;
     // All maps show what lies at the middle of each pixel, which is no sample's middle where there are several.

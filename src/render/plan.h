@@ -47,9 +47,9 @@ struct Plan {
     passes::SurfaceMaps surfaceMaps;
     passes::EdgeMaps edgeMaps;
     bool types = false;
-    bool mapsForm = false;  ///< Maps::types and ::edges have lines of form: those that are drawn
-    bool lineMask = false;  ///< Maps::edges has the lines that are traced
-    bool inkMask = false;   ///< Maps::edges has the ink of functions, profiles and styles
+    bool mapsBeside = false;  ///< Maps::types and ::edges have the drawn ones of lines::typesAddedToMaps
+    bool lineMask = false;    ///< Maps::edges has the lines that are traced
+    bool inkMask = false;     ///< Maps::edges has the ink of functions, profiles and styles
 
     bool underlaid = false;  ///< the picture has the shade under its lines
 

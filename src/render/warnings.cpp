@@ -56,6 +56,20 @@ void warnOfMarkedLines(const Scene& scene, const RenderSettings& settings, std::
                     settings::detectorNames[static_cast<std::size_t>(detector)]));
 }
 
+void warnOfTangentLines(const Scene& scene, const RenderSettings& settings, std::vector<std::string>& warnings) {
+    const bool wanted = settings.picture.lines.contains(LineType::Tangent) && settings.lines.from != LinesFrom::Object;
+    if (!wanted || !render::styleRow(settings.style.style).drawsLines || !render::hasTangent(scene)) return;
+    const Detector detector = settings.detector.detector;
+    const std::string failure = modules::failureToOpen(lines::embreeModule);
+    if (!failure.empty())
+        warnings.push_back("tangent lines are not drawn: " + failure);
+    else if (detector != Detector::Planes && detector != Detector::None)
+        warnings.push_back(
+            fmt::format("pictures of --detector {} have no tangent lines: use --detector planes, or "
+                        "--lines-from object",
+                        settings::detectorNames[static_cast<std::size_t>(detector)]));
+}
+
 }  // namespace
 
 std::vector<std::string> renderWarnings(const Scene& scene, const RenderSettings& settings) {
@@ -63,6 +77,7 @@ std::vector<std::string> renderWarnings(const Scene& scene, const RenderSettings
     warnOfIsolines(scene, settings, warnings);
     warnOfMarkedLines(scene, settings, warnings);
     warnOfForm(settings, warnings);
+    warnOfTangentLines(scene, settings, warnings);
     return warnings;
 }
 

@@ -28,6 +28,7 @@ void checkSizes(const Mesh& mesh, const std::string& who) {
     expect(mesh.faces.size(), triangles, "faces", "a triangle");
     expect(mesh.textureCoordinates.size(), positions, "texture coordinates", "a position");
     expect(mesh.paint.size(), positions, "paints", "a position");
+    expect(mesh.parameters.size(), positions, "parameters", "a position");
     expect(mesh.materials.size(), triangles, "materials", "a triangle");
 }
 

@@ -24,6 +24,7 @@ LoadSettings loadSettings(const Settings& settings) {
         load.curvature = load.curvature || needs.curvature;
     }
     load.paint = load.paint || settings::drawnShade(settings) != Shade::None;
+    load.pictures = {{settings.camera}, settings.picture, settings.frame};
     return load;
 }
 

@@ -12,8 +12,8 @@ inline constexpr std::array<std::string_view, mapCount> mapNames{"depth", "norma
                                                                  "edges", "types",  "ids",         "shade"};
 /// In the order of LineType's bits.
 inline constexpr std::array<std::string_view, lineTypeCount> lineTypeNames{
-    "outline",       "occlusion", "boundary",   "crease", "intersection", "object",
-    "isoparametric", "marked",    "suggestive", "ridge",  "valley",       "apparent"};
+    "outline", "occlusion",  "boundary", "crease", "intersection", "object", "isoparametric",
+    "marked",  "suggestive", "ridge",    "valley", "apparent",     "tangent"};
 
 /// In the order of ContourFinder.
 inline constexpr std::array<std::string_view, 3> contourFinderNames{"every", "random", "gauss"};

@@ -3,6 +3,14 @@
 #include "settings/lengths.h"
 
 namespace inkedge::settings {
+namespace {
+
+double shareOf(LineType type) {
+    if (type == LineType::Tangent) return tangentWidth;
+    return formLineTypes.contains(type) ? formWidth : 1.0;
+}
+
+}  // namespace
 
 std::array<Pen, penCount> pens(const PictureSettings& picture) {
     std::array<Pen, penCount> all{};
@@ -10,7 +18,7 @@ std::array<Pen, penCount> pens(const PictureSettings& picture) {
     const auto& [hiddenPenWidth, hiddenPenColor, hiddenPenDash] = picture.hiddenPen;
     for (std::size_t i = 0; i < lineTypeCount; ++i) {
         const PenSettings& pen = picture.pens[i];
-        const double share = formLineTypes.contains(static_cast<LineType>(1U << i)) ? formWidth : 1.0;
+        const double share = shareOf(static_cast<LineType>(1U << i));
         const Pen seen{pen.width ? pixelsOf(*pen.width, dpi) : share * pixelsOf(picture.lineWidth, dpi),
                        pen.color.value_or(picture.lineColor)};
         const double width = hiddenPenWidth ? pixelsOf(*hiddenPenWidth, dpi) : hiddenWidth * seen.width;

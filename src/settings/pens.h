@@ -25,6 +25,9 @@ inline constexpr double hiddenWidth = 0.5;
 /// Lines of form are narrower than the edges beside which they are drawn.
 inline constexpr double formWidth = 0.6;
 
+/// Where faces go on into each other lines are narrow beside wide edges: ISO 128.
+inline constexpr double tangentWidth = 0.5;
+
 /// All pens: the line width and colour of the settings, with the overrides of PictureSettings::pens and ::hiddenPen.
 [[nodiscard]] std::array<Pen, penCount> pens(const PictureSettings&);
 

@@ -17,7 +17,7 @@ const std::vector<Preset>& presets() {
         {"technical",
          "a drawing for the workshop: wide outlines, fine inner lines, hidden ones dashed",
          {{"line-width", "0.35mm"},
-          {"line-style", "outline:width=0.7mm;hidden:width=0.25mm"},
+          {"line-style", "outline:width=0.7mm;tangent:width=0.18mm;hidden:width=0.25mm"},
           {"lines-from", "object"},
           {"hidden", "dashed"}}},
         {"illustration",

@@ -140,6 +140,8 @@ const std::map<std::string_view, Example>& examples() {
         {"max-nodes", limitExample("max-nodes", "1k", "-1")},
         {"max-node-depth", limitExample("max-node-depth", "1k", "1.5")},
         {"max-image-pixels", limitExample("max-image-pixels", "1M", "1 M")},
+        {"max-reading-time", {.value = "60", .wrong = "0", .shows = "/settings/max-reading-time", .becomes = "\"60\""}},
+        {"tolerance", {.value = "1", .wrong = "0", .shows = "/settings/tolerance", .becomes = "\"1\""}},
         {"function",
          {.value = "height:levels=4;depth",
           .wrong = "colour",

@@ -9,6 +9,9 @@
 
 #include "base/expect_error.h"
 #include "base/temporary_folder.h"
+#ifdef INKEDGE_CAD_FILES
+#include "formats/cad/cad_files.h"
+#endif
 #include "formats/gltf/gltf_files.h"
 #include "formats/reader.h"
 
@@ -41,6 +44,8 @@ std::string binaryStl() {
     return bytes + std::string(2, '\0');
 }
 
+const std::string allExtensions = ".glb, .gltf, .obj, .stl, .ply, .step, .stp, .p21, .iges, .igs or .brep";
+
 // A model of every format, and of each of its forms.
 std::map<std::string, std::string> models() {
     std::map<std::string, std::string> all{
@@ -50,6 +55,11 @@ std::map<std::string, std::string> models() {
         {"binary.stl", binaryStl()},
         {"text.ply", ply},
     };
+#ifdef INKEDGE_CAD_FILES
+    all.emplace("box.step", cad_files::step(cad_files::Shape::Box));
+    all.emplace("box.igs", cad_files::iges(cad_files::Shape::Box));
+    all.emplace("box.brep", cad_files::brep(cad_files::Shape::Box));
+#endif
     for (const std::string asset : {"vase.glb", "boxes.glb", "primitives.glb", "lantern.glb"})
         all.emplace(asset, contents(fs::path{INKEDGE_SOURCE_DIR} / "assets" / asset));
     return all;
@@ -165,8 +175,12 @@ TEST_F(LoadScene, everyFormatHasAModelHere) {
         extensions.insert(format.extensions.begin(), format.extensions.end());
     std::set<std::string> read;
     for (const auto& [name, content] : models()) read.insert(fromFile(name, content).source().format);
+#ifndef INKEDGE_CAD_FILES
+    read.insert({"STEP", "IGES", "BREP"});
+#endif
     EXPECT_THAT(read, testing::ElementsAreArray(known));
-    EXPECT_THAT(extensions, ElementsAre(".glb", ".gltf", ".obj", ".ply", ".stl"));
+    EXPECT_THAT(extensions, ElementsAre(".brep", ".glb", ".gltf", ".iges", ".igs", ".obj", ".p21", ".ply", ".step",
+                                        ".stl", ".stp"));
 }
 
 TEST_F(LoadScene, knowsOfEachFormatWhatItSays) {
@@ -176,7 +190,8 @@ TEST_F(LoadScene, knowsOfEachFormatWhatItSays) {
         const SceneSource source = fromFile(name, content).source();
         EXPECT_EQ(source.format == "glTF 2.0", isGltf);
         EXPECT_EQ(source.knowsSides, isGltf);
-        EXPECT_EQ(source.unit, isGltf ? LengthUnit::Metre : LengthUnit::None);
+        const bool isCad = source.format == "STEP" || source.format == "IGES" || source.format == "BREP";
+        EXPECT_EQ(source.unit, isGltf ? LengthUnit::Metre : isCad ? LengthUnit::Millimetre : LengthUnit::None);
     }
 }
 
@@ -213,9 +228,8 @@ TEST_F(LoadScene, namesTheFormatsWhereNeitherSaysOne) {
         const fs::path file = folder_ / name;
         put(file, obj);
         expectError(Error::Kind::Input,
-                    file.string() +
-                        ": expected a model by its extension, .glb, .gltf, .obj, .stl or .ply, found other text with " +
-                        (name == "b" ? "none" : ".txt"),
+                    file.string() + ": expected a model by its extension, " + allExtensions +
+                        ", found other text with " + (name == "b" ? "none" : ".txt"),
                     [&] { static_cast<void>(loadScene(file)); });
     }
     for (const char* const name : {"missing.txt", "missing.glb", "missing.obj", "missing"})
@@ -242,8 +256,7 @@ TEST_F(LoadScene, bytesWithoutANameAreKnownByTheirStart) {
     EXPECT_EQ(fromMemory(textStl, "").source().format, "STL");
     EXPECT_EQ(fromMemory(gltf_files::triangle().glb(), "").source().format, "glTF 2.0");
     EXPECT_EQ(refusalOf(obj, ""),
-              "model in memory: expected a model by its extension, .glb, .gltf, .obj, .stl or .ply, found other text "
-              "with none");
+              "model in memory: expected a model by its extension, " + allExtensions + ", found other text with none");
 }
 
 TEST_F(LoadScene, aWrongNameIsRefusedByTheReaderThatItNames) {

@@ -67,6 +67,25 @@ TEST(MarkedEdges, AreLinesWhereNothingElseIs) {
     EXPECT_EQ(seen(mesh, LineType::Marked, drawing(standardLineTypes - LineType::Marked)), 0.0);
 }
 
+TEST(TangentEdges, AreLinesThatCanBeLeftOut) {
+    Mesh mesh = sheet();
+    mesh.edges[2] = EdgeKind::Tangent;
+    EXPECT_NEAR(seen(mesh, LineType::Tangent, drawing(standardLineTypes)), 2.0 * std::numbers::sqrt2, rounding);
+    EXPECT_EQ(seen(mesh, LineType::Tangent, drawing(standardLineTypes - LineType::Tangent)), 0.0);
+    EXPECT_EQ(seen(mesh, LineType::Crease, drawing(standardLineTypes)), 0.0);
+}
+
+TEST(TangentEdges, AreNoCreasesHoweverFarTheyBend) {
+    Mesh mesh = roof();
+    mesh.edges[roofsRidge] = EdgeKind::Tangent;
+    EXPECT_NEAR(seen(mesh, LineType::Tangent, drawing(standardLineTypes)), 2.0, rounding);
+    EXPECT_EQ(seen(mesh, LineType::Crease, drawing(standardLineTypes)), 0.0);
+    mesh.edges[roofsRidge] |= EdgeKind::Seam;
+    mesh.edges[roofsRidge] -= EdgeKind::Tangent;
+    EXPECT_EQ(seen(mesh, LineType::Tangent, drawing(standardLineTypes)), 0.0);
+    EXPECT_EQ(seen(mesh, LineType::Crease, drawing(standardLineTypes)), 0.0);
+}
+
 TEST(MarkedEdges, AreCreasesOnlyWhereMarkedLinesAreNotDrawn) {
     Mesh mesh = roof();
     EXPECT_NEAR(seen(mesh, LineType::Crease, drawing(standardLineTypes)), 2.0, rounding);

@@ -94,6 +94,7 @@ TEST(LineTypes, haveNamesAndWhatIsNoneHasNone) {
     EXPECT_EQ(name(LineType::Outline), "outline");
     EXPECT_EQ(name(LineType::Marked), "marked");
     EXPECT_EQ(name(LineType::Apparent), "apparent");
+    EXPECT_EQ(name(LineType::Tangent), "tangent");
     EXPECT_EQ(name(LineType{}), "");
     EXPECT_EQ(name(static_cast<LineType>(1U << 31U)), "");
     EXPECT_EQ(name(static_cast<LineType>(3)), "") << "two at once";

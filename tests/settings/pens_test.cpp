@@ -35,11 +35,12 @@ TEST(Pens, turnMillimetresIntoPixelsByTheResolution) {
     EXPECT_DOUBLE_EQ(pens(settings)[outline].width, 0.5) << "pixels do not depend on it";
 }
 
-TEST(Pens, ofLinesOfFormAreNarrower) {
+TEST(Pens, ofLinesOfFormAndOfTangentLinesAreNarrower) {
     PictureSettings picture;
     picture.lineWidth = {2.0};
     const auto widthOf = [&](LineType type) { return pens(picture)[static_cast<std::size_t>(bitIndex(type))].width; };
-    for (const LineType type : standardLineTypes) EXPECT_EQ(widthOf(type), 2.0) << name(type);
+    for (const LineType type : standardLineTypes - LineType::Tangent) EXPECT_EQ(widthOf(type), 2.0) << name(type);
+    EXPECT_EQ(widthOf(LineType::Tangent), 1.0);
     for (const LineType type : formLineTypes) EXPECT_DOUBLE_EQ(widthOf(type), 1.2) << name(type);
     picture.pens[static_cast<std::size_t>(bitIndex(LineType::Ridge))].width = PictureLength{3.0};
     EXPECT_EQ(widthOf(LineType::Ridge), 3.0);

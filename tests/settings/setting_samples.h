@@ -42,6 +42,7 @@ inline std::vector<std::string> samples(const SettingDescription& row) {
     if (row.values() == "X,Y,Z") return {"1,2,3", "-1.5,0.25,1e-300"};
     if (row.values() == "DEG") return {"12.5", "89.75"};
     if (row.values() == "HEIGHT" || row.values() == "FACTOR" || row.values() == "T") return {"0.25", "2", "1000"};
+    if (row.name == "tolerance") return {"0.25", "2.5"};
     if (row.name == "dpi") return {"72", "300.5"};
     if (row.values() == "PX" && row.group == "lines") return {"0", "0.25", "2.5"};
     if (row.values() == "%" || (row.group == "lines" && row.values() == "X")) return {"0.25", "2.5"};
@@ -58,7 +59,7 @@ inline std::vector<std::string> samples(const SettingDescription& row) {
     if (row.values() == "NAME|N") return {"Run", "2"};
     if (row.values() == "FILE") return {"charcoal.png", "/brushes/dry one.png"};
     if (row.values() == "SAMPLES") return {"256", "1000"};
-    if (row.values() == "SECONDS") return {"0", "2.5"};
+    if (row.values() == "SECONDS" && row.group != "limits") return {"0", "2.5"};
     if (row.group == "limits") return {"1", "123456"};
     if (row.range() == "0 to 6") return {"0", "6"};
     if (row.values() == "AZIMUTH,ELEVATION") return {"-35,40", "120,-12.5"};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -11,6 +12,7 @@
 #include "lines/find/beside_edge.h"
 #include "lines/find/facet.h"
 #include "lines/find/instance_view.h"
+#include "lines/find/surface_contours.h"
 #include "mesh/subdivide.h"
 #include "scene/prepared.h"
 
@@ -33,13 +35,15 @@ public:
           isolines_{edges.isolines},
           to_{to},
           view_{scene, instance, screen},
-          eye_{view_.eye} {}
+          eye_{view_.eye} {
+        if (mesh_.surfaces && choice.contour != Contour::Mesh) exact_.emplace(mesh_, view_, screen_);
+    }
 
     void collect(ContourMemory& memory) {
         if (view_.scale == 0.0) return;
         contours_ = search_.find(eye_, choice_.finder, memory);
         chooseSmoothPatches();
-        if (choice_.contour == Contour::Auto && choice_.refinement == 0) findLargeFaces();
+        if (choice_.contour == Contour::Auto && choice_.refinement == 0 && !exact_) findLargeFaces();
         addContourEdges();
         addCreases();
         addBorders();
@@ -63,7 +67,7 @@ private:
     [[nodiscard]] bool mayBeSmooth(std::uint32_t e) const { return edges_.shared.split[e] == 0; }
 
     void chooseSmoothPatches() {
-        const bool refined = choice_.refinement > 0 && choice_.contour != Contour::Mesh;
+        const bool refined = exact_ || (choice_.refinement > 0 && choice_.contour != Contour::Mesh);
         smooth_.assign(topology_.patchCount(), refined || choice_.contour == Contour::Smooth);
         if (refined || choice_.contour != Contour::Auto) return;
         struct Mean {
@@ -195,6 +199,7 @@ private:
     void addCreases() {
         addUnlessContours(edges_.creases, [&](std::uint32_t h) { return curveOf(isMarked(h), true); });
         if (draws(LineType::Marked)) addUnlessContours(edges_.marked, [](std::uint32_t) { return Curve::Marked; });
+        if (draws(LineType::Tangent)) addUnlessContours(edges_.tangents, [](std::uint32_t) { return Curve::Tangent; });
     }
 
     // @param curveOf  of a half-edge
@@ -366,6 +371,14 @@ private:
         return longest;
     }
 
+    // The least width of a triangle: those of a cylinder are as long as it is.
+    [[nodiscard]] double heightOf(std::uint32_t t) const {
+        const glm::dvec3 a = position(3 * t);
+        const double twiceArea = glm::length(glm::cross(position(3 * t + 1) - a, position(3 * t + 2) - a));
+        const double longest = longestEdge(t);
+        return longest > 0.0 ? twiceArea / longest : 0.0;
+    }
+
     void addSmoothContours() {
         if (choice_.refinement > 0) return addRefinedContours();
         computeViewDots();
@@ -374,7 +387,7 @@ private:
             const auto lowHigh = std::minmax({viewDots_[corners[0]], viewDots_[corners[1]], viewDots_[corners[2]]});
             if (lowHigh.first > 0.0 || lowHigh.second < 0.0 || lowHigh.first == lowHigh.second) continue;
             if (!smooth_[topology_.surfaceOf(t)] || topology_.originals[t] != t || large_.contains(t)) continue;
-            Facet facet{t, longestEdge(t)};
+            Facet facet{t, exact_ ? 2.0 * heightOf(t) : longestEdge(t)};
             glm::dvec3 normals{0.0};
             for (std::uint32_t k = 0; k < 3; ++k) {
                 const std::uint32_t h = 3 * t + k;
@@ -402,6 +415,7 @@ private:
         segment.hidden = hidden;
         segment.occludes = false;  // the mesh contour of the faces does
         segment.faces = {scene::SceneFace{instance_, face}, noFace};
+        std::array<SurfaceContours::Point, 2> crossings{};
         std::size_t found = 0;
         std::uint32_t inner = 0;
         for (std::uint32_t k = 0; k < 3; ++k) {
@@ -411,12 +425,27 @@ private:
             if (plus[k] == plus[next]) continue;
             const double a = std::abs(viewDots[k]);
             const double b = std::abs(viewDots[next]);
-            segment.ends[found] = toWorld((b * corners[k] + a * corners[next]) / (a + b));  // equation 4
+            const glm::dvec3 linear = (b * corners[k] + a * corners[next]) / (a + b);  // equation 4
+            if (exact_)
+                crossings[found] = exact_->crossing(
+                    face, {mesh_.indices[3 * std::size_t{face} + k], mesh_.indices[3 * std::size_t{face} + next]},
+                    linear);
+            segment.ends[found] = toWorld(linear);
             segment.keys[found++] = edges[k];
         }
         segment.inner = toWorld(corners[inner]);
         segment.slack = size * view_.scale;
-        to_.push_back(segment);
+        exact_ ? addPieces(segment, exact_->between(face, crossings[0], crossings[1])) : to_.push_back(segment);
+    }
+
+    // Adds a contour that bends within its triangle.
+    void addPieces(const Segment& whole, const std::vector<glm::dvec3>& points) {
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+            Segment& piece = to_.emplace_back(whole);
+            piece.ends = {toWorld(points[i]), toWorld(points[i + 1])};
+            if (i > 0) piece.keys[0] = refinedKey(instance_, joints_ - 1);
+            if (i + 2 < points.size()) piece.keys[1] = refinedKey(instance_, joints_++);
+        }
     }
 
     std::uint32_t instance_;
@@ -431,6 +460,8 @@ private:
     std::vector<Segment>& to_;
     InstanceView view_;
     const MeshEye& eye_;
+    std::optional<SurfaceContours> exact_;  // where the faces have surfaces
+    std::uint32_t joints_ = 0;              // within triangles, of exact contours
     FoundContours contours_;
     std::vector<bool> smooth_;                 // one per patch
     std::vector<double> viewDots_;             // one per position: n . (x - C)

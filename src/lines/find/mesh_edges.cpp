@@ -99,7 +99,8 @@ void addShared(const Mesh& mesh, const mesh::MeshTopology& topology, std::uint32
         if (first == second) return;
         against = against != (a.against != b.against);
         const double cosine = glm::dot(edges.faceNormals[first], edges.faceNormals[second]);
-        crease = !isThin(first) && !isThin(second) && (against ? -cosine : cosine) < creaseCosine;
+        const bool bends = !isThin(first) && !isThin(second) && (against ? -cosine : cosine) < creaseCosine;
+        crease = mesh::isOfKind(mesh, h, twin, EdgeKind::Sharp) || (bends && !mesh::isSmoothByKind(mesh, h, twin));
     }
     MeshEdges::Shared& shared = edges.shared;
     const auto number = static_cast<std::uint32_t>(shared.halfEdges.size());
@@ -107,6 +108,8 @@ void addShared(const Mesh& mesh, const mesh::MeshTopology& topology, std::uint32
         edges.creases.push_back(number);
     else if (isMarked(mesh, topology, h))
         edges.marked.push_back(number);
+    else if (mesh::isOfKind(mesh, h, twin, EdgeKind::Tangent))
+        edges.tangents.push_back(number);
     shared.faces.push_back(first);
     shared.faces.push_back(second);
     shared.halfEdges.push_back(h);

@@ -22,8 +22,9 @@ struct MeshEdges {
         std::vector<std::uint8_t>
             split;  ///< one per edge: 1 if it is a crease or the faces are shaded with different normals
     } shared;
-    std::vector<std::uint32_t> creases;  ///< into shared, ascending
-    std::vector<std::uint32_t> marked;   ///< into shared, ascending: edges that the file marks and that are no creases
+    std::vector<std::uint32_t> creases;   ///< into shared, ascending
+    std::vector<std::uint32_t> marked;    ///< into shared, ascending: edges that the file marks and that are no creases
+    std::vector<std::uint32_t> tangents;  ///< into shared, ascending: EdgeKind::Tangent, and neither crease nor marked
     std::vector<std::uint32_t> thinBorders;  ///< half-edges: borders of faces without a normal
     /// Half-edges of edges that three or more faces share: those of one edge follow each other.
     std::vector<std::uint32_t> many;

@@ -50,7 +50,7 @@ std::vector<SettingDescription> modelRows() {
         {described(
              {.name = "up",
               .help = "which way is up of the model: azimuth, elevation, views, turntables and height turn about it",
-              .defaultInWords = "the format's: +Z for STL, +Y for others"},
+              .defaultInWords = "the format's: +Z for STL, STEP, IGES and BREP, +Y for others"},
              Custom{"AXIS|X,Y,Z", [] { return std::string{"+X, -X, ... -Z, or any direction"}; }},
              directionField([](auto& s) -> auto& { return s.load.up; })),
          row(
@@ -100,6 +100,11 @@ std::vector<SettingDescription> modelRows() {
              {.name = "back-faces", .help = "draw the backs of all faces, or only those of double-sided materials"},
              Choice{backFacesNames}, [](auto& s) -> auto& { return s.load.backFaces; }),
          row(
+             {.name = "tolerance",
+              .help =
+                  "how far triangles may stray from the curved surfaces of CAD files, in the largest picture drawn"},
+             Number{.min = 0.001, .max = 100.0, .unit = "PX"}, [](auto& s) -> auto& { return s.load.tolerance; }),
+         row(
              {.name = "subdivide",
               .help = "refine every mesh N times into the smooth surface that it controls; creases stay sharp"},
              subdivisionLevels, [](auto& s) -> auto& { return s.load.subdivide; })});
@@ -128,7 +133,11 @@ std::vector<SettingDescription> limitRows() {
                        [](auto& s) -> auto& { return s.load.limits.nodeDepth; }),
                    row(
                        {.name = "max-image-pixels", .help = "most pixels of a picture that a material needs"}, amount,
-                       [](auto& s) -> auto& { return s.load.limits.imagePixels; })});
+                       [](auto& s) -> auto& { return s.load.limits.imagePixels; }),
+                   row(
+                       {.name = "max-reading-time", .help = "most seconds that the library for CAD files may take"},
+                       Number{.min = 0.001, .max = 1e6, .unit = "SECONDS"},
+                       [](auto& s) -> auto& { return s.load.limits.readingTime; })});
 }
 
 }  // namespace inkedge::settings

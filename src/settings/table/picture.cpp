@@ -193,7 +193,7 @@ std::vector<SettingDescription> pictureRows() {
              [](auto& s) -> auto& { return s.picture.tileSize; }),
          described({.name = "lines",
                     .help = "types of lines that are drawn; planes detector",
-                    .rangeNote = "or standard, which is all but the last four; all; none",
+                    .rangeNote = "or standard, which is all but the four lines of form; all; none",
                     .idle = idleTypes},
                    List{lineTypeNames, "TYPE"}, lineTypes()),
          described({.name = "line-style",

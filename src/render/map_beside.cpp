@@ -1,4 +1,4 @@
-#include "render/map_form.h"
+#include "render/map_beside.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "curves/clip.h"
+#include "lines/object_lines.h"
 
 namespace inkedge::render {
 namespace {
@@ -25,10 +26,10 @@ void mark(glm::dvec2 pixel, LineType type, Maps& maps) {
 
 }  // namespace
 
-void mapForm(const Lines& lines, LineTypes drawn, Maps& maps) {
+void mapBeside(const Lines& lines, LineTypes drawn, Maps& maps) {
     constexpr double step = 0.5;  // pixels
     for (const Line& line : lines.lines) {
-        if (!line.visible || !(drawn & formLineTypes).contains(line.type)) continue;
+        if (!line.visible || !(drawn & lines::typesAddedToMaps).contains(line.type)) continue;
         for (const Line& part : curves::clip(line, glm::dvec2{0.0}, {lines.size.width, lines.size.height})) {
             const std::size_t count = part.points.size();
             for (std::size_t i = 0; i + (part.closed ? 0 : 1) < count; ++i) {

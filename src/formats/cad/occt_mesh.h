@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+#include "formats/cad/occt_document.h"
+
+namespace inkedge::cad {
+
+/// Makes triangles of the faces of a part anew.
+/// @param deflection  how far they may stray from the surface
+void tessellate(const DocumentPart&, double deflection);
+
+/// The triangles of a part that was tessellated, with what is known of the surfaces that they stand for. Those that
+/// stray from them by more than the deflection, as BRepMesh leaves some, are divided.
+[[nodiscard]] Part meshOf(const DocumentPart&, double deflection);
+
+/// The corners of the triangles of a part that was tessellated.
+[[nodiscard]] std::vector<glm::dvec3> pointsOf(const DocumentPart&);
+
+/// The corners of a box around a part; it may be too large. Empty: the part has no faces.
+[[nodiscard]] std::vector<glm::dvec3> boxOf(const DocumentPart&);
+
+}  // namespace inkedge::cad

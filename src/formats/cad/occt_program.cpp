@@ -1,0 +1,189 @@
+// The program that reads CAD files for the library, in a process of its own: OpenCASCADE may crash, or never end.
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Standard_Failure.hxx>
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "formats/cad/model.h"
+#include "formats/cad/occt_document.h"
+#include "formats/cad/occt_mesh.h"
+#include "formats/cad/pack.h"
+#include "formats/text.h"
+#include "modules/failure.h"
+
+namespace inkedge::cad {
+namespace {
+
+// ---- messages
+
+void transfer(void* data, std::size_t size, ssize_t (*call)(int, void*, std::size_t)) {
+    auto* next = static_cast<std::uint8_t*>(data);
+    while (size > 0) {
+        const ssize_t count = call(messageDescriptor, next, size);
+        if (count == 0 || (count < 0 && errno != EINTR)) ::_exit(1);  // nobody asks any more
+        if (count < 0) continue;
+        next += count;
+        size -= static_cast<std::size_t>(count);
+    }
+}
+
+template <class T>
+void send(const T& value) {
+    std::vector<std::uint8_t> bytes = packed(value);
+    std::uint64_t size = bytes.size();
+    const auto write = [](int to, void* from, std::size_t count) { return ::write(to, from, count); };
+    transfer(&size, sizeof size, write);
+    transfer(bytes.data(), bytes.size(), write);
+}
+
+template <class T>
+T receive() {
+    std::uint64_t size = 0;
+    transfer(&size, sizeof size, ::read);
+    std::vector<std::uint8_t> bytes(size);
+    transfer(bytes.data(), bytes.size(), ::read);
+    return unpacked<T>(bytes);
+}
+
+// ---- the work
+
+// A mesh that is this much finer than it need be, or coarser, is as good.
+constexpr double goodEnough = 1.25;
+// What is guessed from a box is guessed too large.
+constexpr double ofBoxes = 0.7;
+
+class Reading {
+public:
+    Reading(Document document, std::uint64_t maxVertices)
+        : document_{std::move(document)}, maxVertices_{maxVertices}, deflections_(document_.parts.size(), 0.0) {}
+
+    void run() {
+        std::vector<std::vector<glm::dvec3>> boxes;
+        for (const DocumentPart& part : document_.parts) boxes.push_back(boxOf(part));
+        makeFine(std::move(boxes), ofBoxes);
+        std::vector<std::vector<glm::dvec3>> points;
+        for (const DocumentPart& part : document_.parts) points.push_back(pointsOf(part));
+        makeFine(std::move(points), 1.0);
+        const Model made = model();
+        Outline ready;
+        ready.ready = true;
+        send(ready);
+        send(made);
+    }
+
+private:
+    // Asks how fine the parts are to be, and makes those anew that are not.
+    void makeFine(std::vector<std::vector<glm::dvec3>> points, double share) {
+        Outline outline;
+        outline.parts = std::move(points);
+        outline.instances = document_.instances;
+        send(outline);
+        const auto wanted = receive<Fineness>().deflections;
+        for (std::size_t i = 0; i < deflections_.size() && i < wanted.size(); ++i) {
+            if (outline.parts[i].empty() || !(wanted[i] > 0.0) || !std::isfinite(wanted[i])) continue;
+            const double deflection = share * wanted[i];
+            if (deflections_[i] > 0.0 && deflections_[i] <= goodEnough * deflection) continue;
+            tessellate(document_.parts[i], deflection);
+            deflections_[i] = deflection;
+        }
+    }
+
+    Model model() {
+        Model model;
+        std::uint64_t vertices = 0;
+        for (std::size_t i = 0; i < document_.parts.size(); ++i) {
+            model.parts.push_back(meshOf(document_.parts[i], deflections_[i]));
+            vertices += model.parts.back().positions.size() + model.parts.back().indices.size();
+            if (vertices > maxVertices_)
+                throw std::runtime_error{
+                    fmt::format("expected at most {} vertices and indices, found more; raise max-vertices or tolerance",
+                                maxVertices_)};
+        }
+        model.instances = std::move(document_.instances);
+        model.nodes = std::move(document_.nodes);
+        model.materials = std::move(document_.materials);
+        model.warnings = std::move(document_.warnings);
+        addLoose(model);
+        return model;
+    }
+
+    // Says in one line what is not drawn.
+    void addLoose(Model& model) const {
+        const auto add = [&](std::uint64_t count, std::string_view word) {
+            if (count > 0) model.undrawn.push_back(formats::counted(count, word));
+        };
+        add(document_.curves, "curve");
+        add(document_.points, "point");
+        add(document_.invisible, "invisible item");
+        if (document_.unreadable > 0)
+            model.undrawn.push_back(formats::counted(document_.unreadable, "item") + " that OpenCASCADE cannot read");
+    }
+
+    Document document_;
+    std::uint64_t maxVertices_;
+    std::vector<double> deflections_;  // one per part: as it is tessellated; 0: not yet
+};
+
+// Nothing of this process stays behind when the one that asked ends, and none of its memory goes into a file.
+void becomeDependent() {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const rlimit none{0, 0};
+    ::setrlimit(RLIMIT_CORE, &none);
+    // Where memory runs out this process ends first, and the one that asked can say so.
+    if (const int file = ::open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC); file >= 0) {
+        static_cast<void>(::write(file, "800", 3));
+        ::close(file);
+    }
+}
+
+CadFormat formatOf(std::string_view name) {
+    return name == "STEP" ? CadFormat::Step : name == "IGES" ? CadFormat::Iges : CadFormat::Brep;
+}
+
+std::string run(int count, char** arguments) {
+    if (count != 3) return "expected a format and a number of vertices, found others";
+    const std::string file = fmt::format("/proc/self/fd/{}", modelDescriptor);
+    const CadFormat format = formatOf(arguments[1]);
+    try {
+        Message::DefaultMessenger()->ChangePrinters().Clear();
+        Reading{readDocument(file.c_str(), format), std::strtoull(arguments[2], nullptr, 10)}.run();
+    } catch (const std::bad_alloc&) {
+        return std::string{modules::outOfMemory};
+    } catch (const Standard_Failure& failure) {
+        const char* const message = failure.GetMessageString();
+        return modules::oneLine(fmt::format("expected a model that OpenCASCADE reads, found {} in it{}{}",
+                                            failure.DynamicType()->Name(), *message != '\0' ? ": " : "", message));
+    } catch (const std::exception& exception) {
+        return modules::oneLine(exception.what());
+    }
+    return {};
+}
+
+}  // namespace
+}  // namespace inkedge::cad
+
+int main(int count, char** arguments) {
+    inkedge::cad::becomeDependent();
+    inkedge::cad::Outline failed;
+    failed.failure = inkedge::cad::run(count, arguments);
+    if (!failed.failure.empty()) inkedge::cad::send(failed);
+    ::_exit(0);  // what the libraries would tidy up ends with the process
+}

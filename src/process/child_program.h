@@ -1,0 +1,54 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace inkedge::process {
+
+/// A program in a process of its own, for work that may crash or never end, from any thread. It finds some bytes as its
+/// descriptor 3 and a socket as its descriptor 4, on which both sides send messages: eight bytes of a size, then so
+/// many bytes. Its other streams are closed to it. It ends when this ends.
+class ChildProgram {
+public:
+    /// @param limit    from now on: what send() and receive() wait for
+    /// @param waiting  called many times a second while the program is waited for; may throw
+    /// @throws Error   (Kind::Runtime) if it cannot be started
+    ChildProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                 std::span<const std::uint8_t> bytes, std::chrono::duration<double> limit,
+                 std::function<void()> waiting);
+    ChildProgram(const ChildProgram&) = delete;
+    ChildProgram& operator=(const ChildProgram&) = delete;
+    ~ChildProgram();
+
+    /// @param limit  in the place of the first one; from the start on, too
+    void setLimit(std::chrono::duration<double> limit) noexcept { limit_ = limit; }
+
+    /// @throws Error  as receive()
+    void send(std::span<const std::uint8_t> message);
+
+    /// Waits for the next message.
+    /// @throws Error  (Kind::Input) if the program ends before: "found a crash (Segmentation fault)", "found it still
+    ///                at work after 600 s", "found exit status 1"; what waiting() throws
+    [[nodiscard]] std::vector<std::uint8_t> receive();
+
+private:
+    void waitFor(short event);
+    void write(std::span<const std::uint8_t> bytes);
+    void read(void* to, std::size_t size);
+    [[noreturn]] void refuseEnd();
+
+    std::chrono::steady_clock::time_point start_;
+    std::chrono::duration<double> limit_;
+    std::function<void()> waiting_;
+    int socket_ = -1;
+    pid_t child_ = -1;
+};
+
+}  // namespace inkedge::process

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace inkedge::cad_files {
+
+/// Shapes whose every point is known. Millimetres; round ones stand on the origin and turn about z.
+enum class Shape {
+    Box,            ///< (0, 0, 0) to (10, 20, 30)
+    Cylinder,       ///< radius 5, height 12
+    Halves,         ///< the same cylinder, its side in two faces
+    Cone,           ///< radius 6 at z = 0, apex at z = 8
+    Sphere,         ///< radius 4 about the origin
+    Torus,          ///< radii 8 and 3
+    Rounded,        ///< the box, its four edges along z rounded by 2
+    SplineTorus,    ///< the torus as B-spline surfaces
+    SplineHalves,   ///< the halves as B-spline surfaces
+    Extruded,       ///< a B-spline curve moved by 5 along z
+    Revolved,       ///< a B-spline curve turned about z
+    OpenBox,        ///< the box without its top
+    Pieces,         ///< the faces of the box, which share no edge
+    Moved,          ///< a cylinder of radius 5 and height 12 about the x axis from (100, 0, 0) on
+    Mirrored,       ///< the box with faces turned over, at (-10, 0, 0) to (0, 20, 30)
+    CurvesAndPoint  ///< the box with two curves and a point beside it
+};
+
+/// A STEP file of schema "AP203", "AP214IS" or "AP242DIS".
+[[nodiscard]] std::string step(Shape, const std::string& schema = "AP214IS", const std::string& unit = "MM");
+[[nodiscard]] std::string iges(Shape);
+[[nodiscard]] std::string brep(Shape);
+
+/// A STEP file of an assembly: "table" holds two of the red "leg", a box of 2 x 2 x 10 at x = 0 and x = 20, and a blue
+/// "plate" over them, with a green top.
+[[nodiscard]] std::string assembly();
+
+}  // namespace inkedge::cad_files
