@@ -19,6 +19,7 @@ inline LoadSettings smallLimits() {
     settings.limits.instances = 1 << 14;
     settings.limits.nodes = 1 << 18;
     settings.limits.imagePixels = 1 << 20;
+    settings.limits.readingTime = 2.0;
     return settings;
 }
 
