@@ -27,6 +27,9 @@ constexpr std::array brepExtensions{".brep"sv};
 constexpr std::array brepStarts{"DBRep_DrawableShape"sv, "CASCADE Topology V"sv, "\nCASCADE Topology V"sv,
                                 "Open CASCADE Topology V"sv, "\nOpen CASCADE Topology V"sv};
 
+constexpr std::array threeMfExtensions{".3mf"sv};
+constexpr std::array threeMfStarts{"PK\x03\x04"sv};
+
 // CAD programs, and printers of solids, stand models on the xy plane.
 constexpr glm::dvec3 zUp{0.0, 0.0, 1.0};
 
@@ -66,6 +69,11 @@ constexpr std::array table{
            .unit = LengthUnit::Millimetre,
            .up = zUp,
            .read = cad::loadBrep},
+    Reader{.format = {"3MF", threeMfExtensions},
+           .firstBytes = threeMfStarts,
+           .unit = LengthUnit::Millimetre,
+           .up = zUp,
+           .read = cad::loadThreeMf},
 };
 
 constexpr auto formats = [] {

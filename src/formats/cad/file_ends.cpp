@@ -1,12 +1,14 @@
 #include "formats/cad/file_ends.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "base/message.h"
 #include "base/read_file.h"
+#include "formats/cad/zip_directory.h"
 #include "formats/text.h"
 
 namespace inkedge::cad {
@@ -82,16 +84,45 @@ void expectBrep(std::string_view text) {
         base::refuse("expected the number of a shape, as in '+1 0', last in a BREP file, found none: it is cut short");
 }
 
+void expectThreeMf(std::string_view text, std::uint64_t maxUnpacked) {
+    if (!text.starts_with("PK")) refuse("a ZIP archive in a 3MF file", text);
+    std::uint64_t left = maxUnpacked;
+    const std::span archive{reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+    for (const ZipEntry& entry : zipDirectory(archive)) {
+        if (entry.size > left)
+            base::refuse(fmt::format("expected at most {} bytes in the files of a 3MF, found more; raise max-file-size",
+                                     maxUnpacked));
+        left -= entry.size;
+    }
+}
+
 }  // namespace
 
 std::string_view nameOf(FileKind kind) noexcept {
-    return kind == FileKind::Step ? "STEP" : kind == FileKind::Iges ? "IGES" : "BREP";
+    switch (kind) {
+        case FileKind::Step:
+            return "STEP";
+        case FileKind::Iges:
+            return "IGES";
+        case FileKind::Brep:
+            return "BREP";
+        case FileKind::ThreeMf:
+            break;
+    }
+    return "3MF";
 }
 
-void expectWhole(std::string_view text, FileKind kind) {
-    if (kind == FileKind::Step) return expectStep(text);
-    if (kind == FileKind::Iges) return expectIges(text);
-    expectBrep(text);
+void expectWhole(std::string_view text, FileKind kind, std::uint64_t maxUnpacked) {
+    switch (kind) {
+        case FileKind::Step:
+            return expectStep(text);
+        case FileKind::Iges:
+            return expectIges(text);
+        case FileKind::Brep:
+            return expectBrep(text);
+        case FileKind::ThreeMf:
+            return expectThreeMf(text, maxUnpacked);
+    }
 }
 
 }  // namespace inkedge::cad

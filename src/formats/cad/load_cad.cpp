@@ -27,7 +27,7 @@
 namespace inkedge::cad {
 namespace {
 
-constexpr modules::Module program{
+constexpr modules::Module cadProgram{
     .purpose = "CAD files",
     .file = "inkedge_cad",
     .symbol = nullptr,
@@ -35,13 +35,23 @@ constexpr modules::Module program{
     .option = "INKEDGE_CAD",
     .remedy = "export the model as glTF or STL",
 };
+constexpr modules::Module threeMfProgram{
+    .purpose = "3MF files",
+    .file = "inkedge_3mf",
+    .symbol = nullptr,
+    .library = "lib3mf",
+    .option = "INKEDGE_3MF",
+    .remedy = "export the model as glTF or STL",
+};
+
+const modules::Module& programOf(FileKind kind) { return kind == FileKind::ThreeMf ? threeMfProgram : cadProgram; }
 
 // Adds what remedy there is to what was found of the program.
-Error described(const Error& error) {
+Error described(const Error& error, const modules::Module& program) {
     if (error.kind() != Error::Kind::Input) return error;
     const std::string what = error.what();
     const bool late = what.starts_with("found it still");
-    return Error{Error::Kind::Input, fmt::format("expected a model that OpenCASCADE reads, {}{}", what,
+    return Error{Error::Kind::Input, fmt::format("expected a model that {} reads, {}{}", program.library, what,
                                                  late ? "; raise max-reading-time if the file is whole"
                                                       : ", most likely over a damaged file")};
 }
@@ -55,11 +65,11 @@ std::chrono::duration<double> longestReading(std::size_t bytes, const LoadLimits
     return std::chrono::duration<double>{std::min(limits.readingTime, reading)};
 }
 
-Model readBy(std::string_view format, std::span<const std::uint8_t> bytes, glm::dvec3 up,
-             const LoadSettings& settings) {
+Model readBy(FileKind kind, std::span<const std::uint8_t> bytes, glm::dvec3 up, const LoadSettings& settings) {
+    const modules::Module& program = programOf(kind);
     const auto path = modules::findModule(program, Error::Kind::Input);
     process::ChildProgram child{path,
-                                {std::string{format}, std::to_string(settings.limits.vertices)},
+                                {std::string{nameOf(kind)}, std::to_string(settings.limits.vertices)},
                                 bytes,
                                 longestReading(bytes.size(), settings.limits),
                                 base::stopIfAsked};
@@ -67,7 +77,7 @@ Model readBy(std::string_view format, std::span<const std::uint8_t> bytes, glm::
         try {
             return child.receive();
         } catch (const Error& error) {
-            throw described(error);
+            throw described(error, program);
         }
     };
     while (true) {
@@ -95,7 +105,7 @@ Mesh meshOf(Part part) {
     mesh.materials = std::move(part.materials);
     mesh.faces = std::move(part.faces);
     mesh.parameters = std::move(part.parameters);
-    mesh.surfaces = std::make_shared<const CadSurfaces>(std::move(part.surfaces));
+    if (!part.surfaces.empty()) mesh.surfaces = std::make_shared<const CadSurfaces>(std::move(part.surfaces));
     std::ranges::transform(part.edges, std::back_inserter(mesh.edges), kindsOf);
     return mesh;
 }
@@ -146,9 +156,9 @@ Scene::Data load(const formats::ModelInput& input, FileKind kind, const LoadSett
         try {
             std::uint64_t bytesLeft = settings.limits.fileSize;
             const formats::Content content{input, bytesLeft};
-            expectWhole(base::textOf(content.bytes()), kind);
+            expectWhole(base::textOf(content.bytes()), kind, settings.limits.fileSize);
             constexpr glm::dvec3 zUp{0.0, 0.0, 1.0};
-            Model model = readBy(nameOf(kind), content.bytes(), settings.up.value_or(zUp), settings);
+            Model model = readBy(kind, content.bytes(), settings.up.value_or(zUp), settings);
             if (holdsTessellationAlone(model, base::textOf(content.bytes())))
                 model.undrawn.emplace_back("tessellated geometry, which OpenCASCADE does not read here");
             return dataOf(std::move(model), input.name.stem().string(), settings);
@@ -168,6 +178,9 @@ Scene::Data loadIges(const formats::ModelInput& input, const LoadSettings& setti
 }
 Scene::Data loadBrep(const formats::ModelInput& input, const LoadSettings& settings) {
     return load(input, FileKind::Brep, settings);
+}
+Scene::Data loadThreeMf(const formats::ModelInput& input, const LoadSettings& settings) {
+    return load(input, FileKind::ThreeMf, settings);
 }
 
 }  // namespace inkedge::cad

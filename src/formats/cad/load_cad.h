@@ -17,5 +17,7 @@ namespace inkedge::cad {
 [[nodiscard]] Scene::Data loadIges(const formats::ModelInput&, const LoadSettings&);
 /// Likewise OpenCASCADE's own BREP, as text or binary.
 [[nodiscard]] Scene::Data loadBrep(const formats::ModelInput&, const LoadSettings&);
+/// Likewise 3MF, the core, materials and production specifications: what its items build. Colours are materials.
+[[nodiscard]] Scene::Data loadThreeMf(const formats::ModelInput&, const LoadSettings&);
 
 }  // namespace inkedge::cad
