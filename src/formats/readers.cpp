@@ -3,6 +3,7 @@
 
 #include "formats/cad/load_cad.h"
 #include "formats/gltf/load_gltf.h"
+#include "formats/implicit/load_implicit.h"
 #include "formats/polygons/load_polygons.h"
 #include "formats/reader.h"
 
@@ -29,6 +30,8 @@ constexpr std::array brepStarts{"DBRep_DrawableShape"sv, "CASCADE Topology V"sv,
 
 constexpr std::array threeMfExtensions{".3mf"sv};
 constexpr std::array threeMfStarts{"PK\x03\x04"sv};
+
+constexpr std::array implicitExtensions{".implicit"sv};
 
 // CAD programs, and printers of solids, stand models on the xy plane.
 constexpr glm::dvec3 zUp{0.0, 0.0, 1.0};
@@ -74,6 +77,7 @@ constexpr std::array table{
            .unit = LengthUnit::Millimetre,
            .up = zUp,
            .read = cad::loadThreeMf},
+    Reader{.format = {"implicit surface", implicitExtensions}, .up = zUp, .read = implicit::loadImplicit},
 };
 
 constexpr auto formats = [] {
