@@ -11,6 +11,7 @@
 
 #include <inkedge/edge_kinds.h>
 #include <inkedge/face_surfaces.h>
+#include <inkedge/scalar_field.h>
 
 namespace inkedge {
 
@@ -53,6 +54,8 @@ struct Mesh {
     std::shared_ptr<const FaceSurfaces> surfaces;
     /// One per position, with surfaces: its parameters on the surface of its face. Else empty.
     std::vector<glm::dvec2> parameters;
+    /// What the triangles stand for: the surface where it is 0. None: there is nothing but triangles.
+    std::shared_ptr<const ScalarField> field;
 };
 
 }  // namespace inkedge

@@ -308,7 +308,7 @@ struct ObjectLines::Prepared {
             base::stopIfAsked();
             const std::uint32_t mesh = scene.instances()[i].mesh;
             if (scene.meshes()[mesh].indices.empty()) continue;
-            choice.refinement = scene.meshes()[mesh].surfaces ? 0 : levels;
+            choice.refinement = scene.meshes()[mesh].surfaces || scene.meshes()[mesh].field ? 0 : levels;
             if (choice.refinement > 0) choice.control = &controlOf(mesh);
             ContourMemory memory = memories.recall(i, choice.finder);
             collectInstanceCurves(scene, i, {*searches[mesh], bordersOf(i), (*isolinesOfMeshes)[mesh]}, memory, screen,

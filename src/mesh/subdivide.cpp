@@ -189,7 +189,7 @@ private:
 void subdivideMeshes(std::vector<Mesh>& meshes, const LoadSettings& settings) {
     double elements = 0.0;
     for (Mesh& mesh : meshes) {
-        if (mesh.surfaces) continue;  // it is smooth already
+        if (mesh.surfaces || mesh.field) continue;  // it is smooth already
         const ControlMesh control = controlMeshOf(mesh, settings);
         if (control.faceSizes.empty()) continue;
         elements += refinedElements(control, settings.subdivide);

@@ -15,6 +15,7 @@
 
 #include "base/message.h"
 #include "formats/cad/fineness.h"
+#include "formats/implicit/field.h"
 #include "formats/implicit/polygonise.h"
 #include "formats/text.h"
 
@@ -128,12 +129,13 @@ Scene::Data loadImplicit(const formats::ModelInput& input, const LoadSettings& s
         std::uint64_t bytesLeft = settings.limits.fileSize;
         const formats::Content content{input, bytesLeft};
         const Surface surface = Parser{}.parse(base::textOf(content.bytes()));
-        const std::shared_ptr<const Field> field = fieldOf(surface.expression);
+        const std::shared_ptr<const ScalarField> field = fieldOf(surface.expression);
         const Grain grain{*surface.bounds, deflectionIn(*surface.bounds, settings), settings.limits.vertices};
         Scene::Data data;
         data.source.unit = surface.unit;
         data.meshes.push_back(polygonise(*field, grain));
         data.meshes.back().name = input.name.stem().string();
+        data.meshes.back().field = field;
         data.instances.emplace_back().name = data.meshes.back().name;
         return data;
     });

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <memory>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -37,7 +39,7 @@ private:
     glm::dvec3 at_{0.0};
 };
 
-class Expression final : public Field {
+class Expression final : public ScalarField {
 public:
     explicit Expression(std::string text) : text_{std::move(text)} {
         Parser parser{text_};

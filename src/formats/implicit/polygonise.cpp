@@ -33,7 +33,7 @@ constexpr std::array<std::array<int, 4>, 6> tetrahedra{
 
 class Polygoniser {
 public:
-    Polygoniser(const Field& field, const Grain& grain) : field_{field}, grain_{grain} {
+    Polygoniser(const ScalarField& field, const Grain& grain) : field_{field}, grain_{grain} {
         const glm::dvec3 size = grain.bounds.max - grain.bounds.min;
         side_ = std::max({size.x, size.y, size.z}) / coarse;
         for (int axis = 0; axis < 3; ++axis)
@@ -449,7 +449,7 @@ private:
         return s.high - s.low > exact;
     }
 
-    const Field& field_;
+    const ScalarField& field_;
     const Grain& grain_;
     double side_ = 0.0;  // of a coarse cube
     glm::ivec3 counts_{1};
@@ -470,6 +470,6 @@ private:
 
 }  // namespace
 
-Mesh polygonise(const Field& field, const Grain& grain) { return Polygoniser{field, grain}.make(); }
+Mesh polygonise(const ScalarField& field, const Grain& grain) { return Polygoniser{field, grain}.make(); }
 
 }  // namespace inkedge::implicit

@@ -3,9 +3,8 @@
 #include <cstdint>
 
 #include <inkedge/mesh.h>
+#include <inkedge/scalar_field.h>
 #include <inkedge/views.h>
-
-#include "formats/implicit/field.h"
 
 namespace inkedge::implicit {
 
@@ -23,6 +22,6 @@ struct Grain {
 /// each is parted into six tetrahedra (Bloomenthal 1994). What is smaller than a 64th of the longest side may be missed.
 /// @throws Error  (Kind::Input) if the field is not finite somewhere, or 0 nowhere, or there are more elements than may
 ///                be; the message says where
-[[nodiscard]] Mesh polygonise(const Field&, const Grain&);
+[[nodiscard]] Mesh polygonise(const ScalarField&, const Grain&);
 
 }  // namespace inkedge::implicit

@@ -36,7 +36,7 @@ public:
           to_{to},
           view_{scene, instance, screen},
           eye_{view_.eye} {
-        if (mesh_.surfaces && choice.contour != Contour::Mesh) exact_.emplace(mesh_, view_, screen_);
+        if ((mesh_.surfaces || mesh_.field) && choice.contour != Contour::Mesh) exact_.emplace(mesh_, view_, screen_);
     }
 
     void collect(ContourMemory& memory) {

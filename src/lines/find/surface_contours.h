@@ -12,11 +12,11 @@
 
 namespace inkedge::lines {
 
-/// Smooth contours of meshes whose faces have surfaces: n . (x - C) = 0 on the surfaces themselves, not on the
-/// triangles that stand for them.
+/// Smooth contours of meshes whose faces have surfaces, or that are where a field is 0: n . (x - C) = 0 on the surfaces
+/// themselves, not on the triangles that stand for them.
 class SurfaceContours {
 public:
-    /// @param mesh  with surfaces; all three must outlive this
+    /// @param mesh  with surfaces or a field; all three must outlive this
     SurfaceContours(const Mesh& mesh, const InstanceView& view, const Screen& screen)
         : mesh_{mesh}, view_{view}, screen_{screen} {}
 
@@ -42,6 +42,7 @@ public:
 private:
     [[nodiscard]] double viewDot(std::uint32_t face, glm::dvec2 parameters, glm::dvec3& position) const;
     [[nodiscard]] Point moved(std::uint32_t face, glm::dvec2 parameters, double reach) const;
+    [[nodiscard]] Point movedInField(glm::dvec3 start, double reach) const;
     void divide(std::uint32_t face, const Point& from, const Point& to, int depth,
                 std::vector<glm::dvec3>& points) const;
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+
+#include <glm/vec3.hpp>
+
+namespace inkedge {
+
+/// A function of space. Mesh space; Mesh::origin is not taken off. Safe to ask from several threads.
+class ScalarField {
+public:
+    virtual ~ScalarField() = default;
+
+    /// Its values at some positions, as many as these. They may be not finite. A call costs some microseconds by itself.
+    virtual void evaluate(std::span<const glm::dvec3> at, std::span<double> values) const = 0;
+};
+
+}  // namespace inkedge
