@@ -12,6 +12,9 @@
 #ifdef INKEDGE_CAD_FILES
 #include "formats/cad/cad_files.h"
 #endif
+#ifdef INKEDGE_3MF_FILES
+#include "formats/cad/threemf_files.h"
+#endif
 #include "formats/gltf/gltf_files.h"
 #include "formats/reader.h"
 
@@ -44,7 +47,8 @@ std::string binaryStl() {
     return bytes + std::string(2, '\0');
 }
 
-const std::string allExtensions = ".glb, .gltf, .obj, .stl, .ply, .step, .stp, .p21, .iges, .igs or .brep";
+const std::string allExtensions =
+    ".glb, .gltf, .obj, .stl, .ply, .step, .stp, .p21, .iges, .igs, .brep, .3mf or .implicit";
 
 // A model of every format, and of each of its forms.
 std::map<std::string, std::string> models() {
@@ -59,6 +63,13 @@ std::map<std::string, std::string> models() {
     all.emplace("box.step", cad_files::step(cad_files::Shape::Box));
     all.emplace("box.igs", cad_files::iges(cad_files::Shape::Box));
     all.emplace("box.brep", cad_files::brep(cad_files::Shape::Box));
+#endif
+#ifdef INKEDGE_3MF_FILES
+    const std::vector<std::uint8_t> cube = threemf_files::oneCube();
+    all.emplace("cube.3mf", std::string{cube.begin(), cube.end()});
+#endif
+#ifdef INKEDGE_IMPLICIT_FILES
+    all.emplace("ball.implicit", "bounds -2 -2 -2 2 2 2\nf = x^2 + y^2 + z^2 - 1\n");
 #endif
     for (const std::string asset : {"vase.glb", "boxes.glb", "primitives.glb", "lantern.glb"})
         all.emplace(asset, contents(fs::path{INKEDGE_SOURCE_DIR} / "assets" / asset));
@@ -178,9 +189,15 @@ TEST_F(LoadScene, everyFormatHasAModelHere) {
 #ifndef INKEDGE_CAD_FILES
     read.insert({"STEP", "IGES", "BREP"});
 #endif
+#ifndef INKEDGE_3MF_FILES
+    read.insert("3MF");
+#endif
+#ifndef INKEDGE_IMPLICIT_FILES
+    read.insert("implicit surface");
+#endif
     EXPECT_THAT(read, testing::ElementsAreArray(known));
-    EXPECT_THAT(extensions, ElementsAre(".brep", ".glb", ".gltf", ".iges", ".igs", ".obj", ".p21", ".ply", ".step",
-                                        ".stl", ".stp"));
+    EXPECT_THAT(extensions, ElementsAre(".3mf", ".brep", ".glb", ".gltf", ".iges", ".igs", ".implicit", ".obj", ".p21",
+                                        ".ply", ".step", ".stl", ".stp"));
 }
 
 TEST_F(LoadScene, knowsOfEachFormatWhatItSays) {
@@ -190,7 +207,7 @@ TEST_F(LoadScene, knowsOfEachFormatWhatItSays) {
         const SceneSource source = fromFile(name, content).source();
         EXPECT_EQ(source.format == "glTF 2.0", isGltf);
         EXPECT_EQ(source.knowsSides, isGltf);
-        const bool isCad = source.format == "STEP" || source.format == "IGES" || source.format == "BREP";
+        const bool isCad = std::set<std::string>{"STEP", "IGES", "BREP", "3MF"}.contains(source.format);
         EXPECT_EQ(source.unit, isGltf ? LengthUnit::Metre : isCad ? LengthUnit::Millimetre : LengthUnit::None);
     }
 }

@@ -3,67 +3,21 @@
 #include <Message_Messenger.hxx>
 #include <Standard_Failure.hxx>
 
-#include <fcntl.h>
-#include <signal.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
-#include <exception>
-#include <new>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 
-#include "formats/cad/model.h"
 #include "formats/cad/occt_document.h"
 #include "formats/cad/occt_mesh.h"
-#include "formats/cad/pack.h"
+#include "formats/cad/program_side.h"
 #include "formats/text.h"
-#include "modules/failure.h"
 
 namespace inkedge::cad {
 namespace {
-
-// ---- messages
-
-void transfer(void* data, std::size_t size, ssize_t (*call)(int, void*, std::size_t)) {
-    auto* next = static_cast<std::uint8_t*>(data);
-    while (size > 0) {
-        const ssize_t count = call(messageDescriptor, next, size);
-        if (count == 0 || (count < 0 && errno != EINTR)) ::_exit(1);  // nobody asks any more
-        if (count < 0) continue;
-        next += count;
-        size -= static_cast<std::size_t>(count);
-    }
-}
-
-template <class T>
-void send(const T& value) {
-    std::vector<std::uint8_t> bytes = packed(value);
-    std::uint64_t size = bytes.size();
-    const auto write = [](int to, void* from, std::size_t count) { return ::write(to, from, count); };
-    transfer(&size, sizeof size, write);
-    transfer(bytes.data(), bytes.size(), write);
-}
-
-template <class T>
-T receive() {
-    std::uint64_t size = 0;
-    transfer(&size, sizeof size, ::read);
-    std::vector<std::uint8_t> bytes(size);
-    transfer(bytes.data(), bytes.size(), ::read);
-    return unpacked<T>(bytes);
-}
-
-// ---- the work
 
 // A mesh that is this much finer than it need be, or coarser, is as good.
 constexpr double goodEnough = 1.25;
@@ -82,11 +36,7 @@ public:
         std::vector<std::vector<glm::dvec3>> points;
         for (const DocumentPart& part : document_.parts) points.push_back(pointsOf(part));
         makeFine(std::move(points), 1.0);
-        const Model made = model();
-        Outline ready;
-        ready.ready = true;
-        send(ready);
-        send(made);
+        sendReady(model());
     }
 
 private:
@@ -142,18 +92,6 @@ private:
     std::vector<double> deflections_;  // one per part: as it is tessellated; 0: not yet
 };
 
-// Nothing of this process stays behind when the one that asked ends, and none of its memory goes into a file.
-void becomeDependent() {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    const rlimit none{0, 0};
-    ::setrlimit(RLIMIT_CORE, &none);
-    // Where memory runs out this process ends first, and the one that asked can say so.
-    if (const int file = ::open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC); file >= 0) {
-        static_cast<void>(::write(file, "800", 3));
-        ::close(file);
-    }
-}
-
 CadFormat formatOf(std::string_view name) {
     return name == "STEP" ? CadFormat::Step : name == "IGES" ? CadFormat::Iges : CadFormat::Brep;
 }
@@ -165,14 +103,10 @@ std::string run(int count, char** arguments) {
     try {
         Message::DefaultMessenger()->ChangePrinters().Clear();
         Reading{readDocument(file.c_str(), format), std::strtoull(arguments[2], nullptr, 10)}.run();
-    } catch (const std::bad_alloc&) {
-        return std::string{modules::outOfMemory};
     } catch (const Standard_Failure& failure) {
         const char* const message = failure.GetMessageString();
         return modules::oneLine(fmt::format("expected a model that OpenCASCADE reads, found {} in it{}{}",
                                             failure.DynamicType()->Name(), *message != '\0' ? ": " : "", message));
-    } catch (const std::exception& exception) {
-        return modules::oneLine(exception.what());
     }
     return {};
 }
@@ -181,9 +115,5 @@ std::string run(int count, char** arguments) {
 }  // namespace inkedge::cad
 
 int main(int count, char** arguments) {
-    inkedge::cad::becomeDependent();
-    inkedge::cad::Outline failed;
-    failed.failure = inkedge::cad::run(count, arguments);
-    if (!failed.failure.empty()) inkedge::cad::send(failed);
-    ::_exit(0);  // what the libraries would tidy up ends with the process
+    inkedge::cad::runProgram([&] { return inkedge::cad::run(count, arguments); });
 }

@@ -13,8 +13,8 @@
 #include <glm/geometric.hpp>
 
 #include "base/message.h"
-#include "base/parallel.h"
 #include "base/stop.h"
+#include "formats/implicit/zeros.h"
 
 namespace inkedge::implicit {
 namespace {
@@ -24,7 +24,6 @@ constexpr int maxParts = 64;                // of a coarse cube along each axis
 constexpr double gradientStep = 1e-5;       // of a coarse cube
 constexpr double curvatureStep = 0.05;      // likewise
 constexpr double sharpest = 0.99;           // of places: what bends more than these is a crease
-constexpr std::size_t batch = 4096;         // positions that a thread evaluates at once
 constexpr std::size_t groupSize = 200'000;  // fine cubes that are made at once
 
 // The six tetrahedra around a cube's diagonal from corner 0 to corner 7; bit 0 of a corner's number is along x.
@@ -59,19 +58,8 @@ private:
         return glm::min(grain_.bounds.min + side * glm::dvec3{at}, grain_.bounds.max);
     }
 
-    // The values at some positions, on all cores.
-    [[nodiscard]] std::vector<double> evaluated(const std::vector<glm::dvec3>& at) const {
-        std::vector<double> values(at.size());
-        base::onEach((at.size() + batch - 1) / batch, [&](std::size_t i) {
-            const std::size_t begin = i * batch;
-            const std::size_t count = std::min(batch, at.size() - begin);
-            field_.evaluate(std::span{at}.subspan(begin, count), std::span{values}.subspan(begin, count));
-        });
-        return values;
-    }
-
     [[nodiscard]] std::vector<double> finiteAt(const std::vector<glm::dvec3>& at) const {
-        std::vector<double> values = evaluated(at);
+        std::vector<double> values = valuesAt(field_, at);
         for (std::size_t i = 0; i < at.size(); ++i) {
             if (std::isfinite(values[i])) continue;
             base::refuse(
@@ -132,7 +120,7 @@ private:
                 }
             }
         }
-        const std::vector<double> values = evaluated(around);
+        const std::vector<double> values = valuesAt(field_, around);
         std::vector<glm::dvec3> gradients(at.size());
         for (std::size_t i = 0; i < at.size(); ++i) {
             const double* const v = &values[6 * i];
@@ -338,7 +326,7 @@ private:
     void finish() {
         dropFolded();
         aimCorners();
-        findZeros();
+        places_ = zerosOn(field_, edges_);
         mesh_.origin = 0.5 * (grain_.bounds.min + grain_.bounds.max);
         for (const glm::dvec3& place : places_) mesh_.positions.emplace_back(place - mesh_.origin);
         for (const glm::dvec3& normal : normalsAt(places_)) mesh_.normals.emplace_back(normal);
@@ -370,7 +358,7 @@ private:
     void aimCorners() {
         std::vector<glm::dvec3> at;
         for (const AtCorner& each : atCorners_) at.push_back(each.corner);
-        const std::vector<double> values = evaluated(at);
+        const std::vector<double> values = valuesAt(field_, at);
         std::vector<glm::dvec3> gradients = gradientsAt(at);
         std::vector<glm::dvec3> beyond = at;
         for (std::size_t i = 0; i < at.size(); ++i)
@@ -380,7 +368,7 @@ private:
         for (std::size_t i = 0; i < at.size(); ++i)
             if (const double square = glm::dot(gradients[i], gradients[i]); square > 0.0)
                 beyond[i] -= 2.0 * values[i] / square * gradients[i];
-        const std::vector<double> valuesBeyond = evaluated(beyond);
+        const std::vector<double> valuesBeyond = valuesAt(field_, beyond);
         for (std::size_t i = 0; i < at.size(); ++i) {
             auto& [under, over] = edges_[atCorners_[i].vertex];
             under = values[i] < 0.0 ? at[i] : beyond[i];
@@ -388,65 +376,6 @@ private:
             const bool goesThrough = std::isfinite(valuesBeyond[i]) && (values[i] < 0.0) != (valuesBeyond[i] < 0.0);
             if (!goesThrough) under = over = at[i];
         }
-    }
-
-    // A position on an edge from where the field is under 0 to where it is not.
-    struct Search {
-        double low = 0.0;  // shares of the edge
-        double high = 1.0;
-        double atLow = 0.0;
-        double atHigh = 0.0;
-        int side = 0;  // of the last step
-        double share = 0.0;
-    };
-
-    // Where the field is 0 on each edge: the Illinois method (Dowell and Jarratt 1971), one step of all at once.
-    void findZeros() {
-        constexpr int steps = 24;
-        std::vector<glm::dvec3> ends;
-        for (const auto& [under, over] : edges_) ends.insert(ends.end(), {under, over});
-        const std::vector<double> atEnds = evaluated(ends);
-        std::vector<Search> searches(edges_.size());
-        for (std::size_t i = 0; i < edges_.size(); ++i) {
-            searches[i].atLow = atEnds[2 * i];
-            searches[i].atHigh = atEnds[2 * i + 1];
-            if (ends[2 * i] == ends[2 * i + 1]) searches[i].low = searches[i].high;
-        }
-        for (int step = 0; step < steps; ++step) {
-            for (std::size_t i = 0; i < edges_.size(); ++i) places_[i] = guess(searches[i], edges_[i]);
-            const std::vector<double> values = evaluated(places_);
-            bool goesOn = false;
-            for (std::size_t i = 0; i < edges_.size(); ++i) goesOn = narrow(searches[i], values[i]) || goesOn;
-            if (!goesOn) break;
-        }
-    }
-
-    static glm::dvec3 guess(Search& s, const std::pair<glm::dvec3, glm::dvec3>& edge) {
-        if (s.low < s.high) {
-            s.share = (s.atHigh * s.low - s.atLow * s.high) / (s.atHigh - s.atLow);
-            if (!(s.share > s.low && s.share < s.high)) s.share = 0.5 * (s.low + s.high);
-        }
-        return glm::mix(edge.first, edge.second, s.share);
-    }
-
-    // False: it is found.
-    static bool narrow(Search& s, double value) {
-        constexpr double exact = 1e-13;
-        if (s.low == s.high) return false;
-        if (value == 0.0) {
-            s.low = s.high = s.share;
-        } else if (value < 0.0) {
-            s.low = s.share;
-            s.atLow = value;
-            if (s.side < 0) s.atHigh *= 0.5;
-            s.side = -1;
-        } else {
-            s.high = s.share;
-            s.atHigh = value;
-            if (s.side > 0) s.atLow *= 0.5;
-            s.side = 1;
-        }
-        return s.high - s.low > exact;
     }
 
     const ScalarField& field_;
@@ -459,7 +388,7 @@ private:
     std::vector<glm::ivec3> crossed_;
     std::unordered_map<std::uint64_t, std::uint32_t> vertices_;  // by their edges
     std::vector<glm::dvec3> places_;
-    std::vector<std::pair<glm::dvec3, glm::dvec3>> edges_;  // one per vertex: from under 0 to over 0
+    std::vector<Edge> edges_;  // one per vertex
     struct AtCorner {
         std::uint32_t vertex;
         glm::dvec3 corner;

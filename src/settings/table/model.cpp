@@ -50,7 +50,7 @@ std::vector<SettingDescription> modelRows() {
         {described(
              {.name = "up",
               .help = "which way is up of the model: azimuth, elevation, views, turntables and height turn about it",
-              .defaultInWords = "the format's: +Z for STL, STEP, IGES and BREP, +Y for others"},
+              .defaultInWords = "the format's: +Y for glTF, OBJ and PLY, +Z for others"},
              Custom{"AXIS|X,Y,Z", [] { return std::string{"+X, -X, ... -Z, or any direction"}; }},
              directionField([](auto& s) -> auto& { return s.load.up; })),
          row(
