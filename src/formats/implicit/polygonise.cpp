@@ -208,7 +208,7 @@ private:
             });
             begin += static_cast<std::size_t>(row * row * row);
         }
-        if (places_.size() + mesh_.indices.size() > grain_.maxElements)
+        if (onSurface_.size() + mesh_.indices.size() > grain_.maxElements)
             base::refuse(
                 fmt::format("expected at most {} vertices and indices, found more; raise max-vertices or tolerance",
                             grain_.maxElements));
@@ -303,9 +303,9 @@ private:
         const bool isCorner = over.value == 0.0;
         const std::uint64_t key =
             isCorner ? over.id * edgeWays : low * edgeWays + wayOf(std::max(under.id, over.id) - low);
-        const auto [known, isNew] = vertices_.try_emplace(key, static_cast<std::uint32_t>(places_.size()));
+        const auto [known, isNew] = vertices_.try_emplace(key, static_cast<std::uint32_t>(onSurface_.size()));
         if (isNew) {
-            places_.push_back(glm::mix(under.at, over.at, shareOf(under, over)));
+            onSurface_.push_back(glm::mix(under.at, over.at, shareOf(under, over)));
             edges_.emplace_back(under.at, over.at);
             if (isCorner) atCorners_.push_back({known->second, over.at});
         }
@@ -326,10 +326,10 @@ private:
     void finish() {
         dropFolded();
         aimCorners();
-        places_ = zerosOn(field_, edges_);
+        onSurface_ = zerosOn(field_, edges_);
         mesh_.origin = 0.5 * (grain_.bounds.min + grain_.bounds.max);
-        for (const glm::dvec3& place : places_) mesh_.positions.emplace_back(place - mesh_.origin);
-        for (const glm::dvec3& normal : normalsAt(places_)) mesh_.normals.emplace_back(normal);
+        for (const glm::dvec3& p : onSurface_) mesh_.positions.emplace_back(p - mesh_.origin);
+        for (const glm::dvec3& normal : normalsAt(onSurface_)) mesh_.normals.emplace_back(normal);
     }
 
     // Between corners in which the field is 0, pairs of triangles may lie on each other, back to back: neither is of the
@@ -387,8 +387,8 @@ private:
     std::vector<glm::ivec3> cubes_;
     std::vector<glm::ivec3> crossed_;
     std::unordered_map<std::uint64_t, std::uint32_t> vertices_;  // by their edges
-    std::vector<glm::dvec3> places_;
-    std::vector<Edge> edges_;  // one per vertex
+    std::vector<glm::dvec3> onSurface_;                          // one per vertex
+    std::vector<Edge> edges_;                                    // one per vertex
     struct AtCorner {
         std::uint32_t vertex;
         glm::dvec3 corner;

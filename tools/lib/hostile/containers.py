@@ -50,5 +50,5 @@ def other_kinds():
     case("byte_order_mark.gltf", PICTURE, b"\xef\xbb\xbf" + quad().gltf())
     case("zeros.glb", "found", bytes(1000))
     case("no_extension", "extension", "hello")
-    case("unknown.step", "extension", "ISO-10303-21;")
+    case("unknown.dwg", "extension", "AC1032")
     case("new\nline.glb", "truncated", b"glTF")
