@@ -186,8 +186,9 @@ TEST(LoadImplicit, refusesWhatIsNoneInOneLine) {
         {bounds + "f = ln(x)\n", "expected finite values of f within the bounds, found"},
         {bounds + "f = x + " + std::string(20'000, '('),
          "expected an expression of at most 10000 characters, found more"}};
-    for (const auto& [text, found] : faults)
-        expectError(Error::Kind::Input, AllOf(StartsWith("form.implicit: "), HasSubstr(found)), [&] { sceneOf(text); });
+    for (const auto& fault : faults)
+        expectError(Error::Kind::Input, AllOf(StartsWith("form.implicit: "), HasSubstr(fault.second)),
+                    [&] { sceneOf(fault.first); });
     LoadSettings settings;
     settings.limits.vertices = 100;
     expectError(Error::Kind::Input,
