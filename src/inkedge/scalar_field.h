@@ -11,7 +11,7 @@ class ScalarField {
 public:
     virtual ~ScalarField() = default;
 
-    /// Its values at some positions, as many as these. They may be not finite. A call costs some microseconds by itself.
+    /// Its values at some positions, as many as these. They may be not finite. A call alone costs some microseconds.
     virtual void evaluate(std::span<const glm::dvec3> at, std::span<double> values) const = 0;
 };
 

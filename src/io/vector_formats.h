@@ -9,7 +9,8 @@
 #include "io/drawing.h"
 #include "modules/open_module.h"
 
-// The interface between the library and the module that draws by Cairo. Cairo brings 20 libraries, fonts and X11 among them.
+// The interface between the library and the module that draws by Cairo. Cairo brings 20 libraries, fonts and X11 among
+// them.
 
 namespace inkedge::io {
 

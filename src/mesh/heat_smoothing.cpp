@@ -9,8 +9,9 @@
 namespace inkedge::mesh {
 namespace {
 
-// A polynomial of Chebyshev's kind: of a sum of waves, it multiplies one that evens out at a rate r by P(-r variance / 2),
-// where P(z) = T_s(w0 + w1 z) / T_s(w0) and P'(0) = 1. Up to a range of -z it is no more than the remainder, and stable.
+// A polynomial of Chebyshev's kind: of a sum of waves, it multiplies one that evens out at a rate r by P(-r variance /
+// 2), where P(z) = T_s(w0 + w1 z) / T_s(w0) and P'(0) = 1. Up to a range of -z it is no more than the remainder, and
+// stable.
 struct Polynomial {
     static constexpr double growth = 5.3;  // of T_s(w0) = cosh(growth): waves that are fast leave a share of 1 / 100
 

@@ -7,7 +7,8 @@
 namespace inkedge::mesh {
 
 /// Smooths values at points of a surface as heat spreads on it, with the cotangents of the faces' angles as the
-/// conductances of edges (Desbrun et al. 1999): values are mixed as by a Gaussian, however the mesh divides the surface.
+/// conductances of edges (Desbrun et al. 1999): values are mixed as by a Gaussian, however the mesh divides the
+/// surface.
 class HeatSmoothing {
 public:
     /// An edge between two points, and half the sum of the cotangents of the angles opposite it.

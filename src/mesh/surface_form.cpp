@@ -38,7 +38,7 @@ public:
         const HeatSmoothing smoothing = smoothingOf();
         makeFrames();
         fitTensors();
-        std::vector<std::array<float, 6>> tensors = tensorsInSpace();
+        std::vector<SpaceTensor2> tensors = tensorsInSpace();
         fillOneSided(tensors);
         // The tensor, not the normals that it is of: smoothing keeps what bends the same everywhere, up to borders.
         smoothing.smooth(tensors, 1.0);
@@ -46,7 +46,7 @@ public:
         makeFrames();
         takeTensors(tensors);
         fitDerivatives();
-        std::vector<std::array<float, 10>> derivatives = derivativesInSpace();
+        std::vector<SpaceTensor3> derivatives = derivativesInSpace();
         // Differences within faces are as coarse as these.
         smoothing.smooth(derivatives, coarseness_);
         takeDerivatives(derivatives);
@@ -343,28 +343,27 @@ private:
             });
     }
 
-    // The coordinates of the axes of space in a fan's frame.
-    [[nodiscard]] std::array<glm::dvec2, 3> axesIn(std::size_t fan) const {
-        const auto& [u, v, normal] = frames_[fan];
-        return {{{u.x, v.x}, {u.y, v.y}, {u.z, v.z}}};
+    [[nodiscard]] std::vector<SpaceTensor2> tensorsInSpace() const {
+        std::vector<SpaceTensor2> inSpace(fanCount());
+        onFans([&](std::size_t fan) { inSpace[fan] = inSpaceOf(tensors_[fan], frames_[fan]); });
+        return inSpace;
+    }
+    void takeTensors(const std::vector<SpaceTensor2>& inSpace) {
+        onFans([&](std::size_t fan) { tensors_[fan] = inFrame(inSpace[fan], frames_[fan]); });
     }
 
-    // As symmetric tensors of the axes of space, of which smoothing can be done: xx, xy, xz, yy, yz, zz.
-    [[nodiscard]] std::vector<std::array<float, 6>> tensorsInSpace() const {
-        std::vector<std::array<float, 6>> inSpace(fanCount());
-        onFans([&](std::size_t fan) {
-            const std::array<glm::dvec2, 3> axes = axesIn(fan);
-            std::size_t next = 0;
-            for (std::size_t i = 0; i < 3; ++i)
-                for (std::size_t j = i; j < 3; ++j)
-                    inSpace[fan][next++] = static_cast<float>(along(tensors_[fan], axes[i], axes[j]));
-        });
+    [[nodiscard]] std::vector<SpaceTensor3> derivativesInSpace() const {
+        std::vector<SpaceTensor3> inSpace(fanCount());
+        onFans([&](std::size_t fan) { inSpace[fan] = inSpaceOf(derivatives_[fan], frames_[fan]); });
         return inSpace;
+    }
+    void takeDerivatives(const std::vector<SpaceTensor3>& inSpace) {
+        onFans([&](std::size_t fan) { derivatives_[fan] = inFrame(inSpace[fan], frames_[fan]); });
     }
 
     // One-sided fans bend as their neighbours do that are not.
-    void fillOneSided(std::vector<std::array<float, 6>>& tensors) const {
-        const std::vector<std::array<float, 6>> before = tensors;
+    void fillOneSided(std::vector<SpaceTensor2>& tensors) const {
+        const std::vector<SpaceTensor2> before = tensors;
         onFans([&](std::size_t fan) {
             if (oneSided_[fan] == 0) return;
             std::array<float, 6> sum{};
@@ -379,59 +378,6 @@ private:
             }
             if (count == 0.0F) return;
             for (std::size_t k = 0; k < 6; ++k) tensors[fan][k] = sum[k] / count;
-        });
-    }
-
-    void takeTensors(const std::vector<std::array<float, 6>>& inSpace) {
-        onFans([&](std::size_t fan) {
-            const std::array<glm::dvec2, 3> axes = axesIn(fan);
-            Tensor2 sum{};
-            std::size_t next = 0;
-            for (std::size_t i = 0; i < 3; ++i) {
-                for (std::size_t j = i; j < 3; ++j) {
-                    const double value = (i == j ? 1.0 : 2.0) * static_cast<double>(inSpace[fan][next++]);
-                    sum[0] += value * axes[i].x * axes[j].x;
-                    sum[1] += value * 0.5 * (axes[i].x * axes[j].y + axes[i].y * axes[j].x);
-                    sum[2] += value * axes[i].y * axes[j].y;
-                }
-            }
-            tensors_[fan] = sum;
-        });
-    }
-
-    // xxx, xxy, xxz, xyy, xyz, xzz, yyy, yyz, yzz, zzz.
-    [[nodiscard]] std::vector<std::array<float, 10>> derivativesInSpace() const {
-        std::vector<std::array<float, 10>> inSpace(fanCount());
-        onFans([&](std::size_t fan) {
-            const std::array<glm::dvec2, 3> axes = axesIn(fan);
-            std::size_t next = 0;
-            for (std::size_t i = 0; i < 3; ++i)
-                for (std::size_t j = i; j < 3; ++j)
-                    for (std::size_t k = j; k < 3; ++k)
-                        inSpace[fan][next++] = static_cast<float>(along(derivatives_[fan], axes[i], axes[j], axes[k]));
-        });
-        return inSpace;
-    }
-
-    void takeDerivatives(const std::vector<std::array<float, 10>>& inSpace) {
-        constexpr std::array<std::array<std::size_t, 9>, 3> components{
-            {{0, 1, 2, 1, 3, 4, 2, 4, 5}, {1, 3, 4, 3, 6, 7, 4, 7, 8}, {2, 4, 5, 4, 7, 8, 5, 8, 9}}};
-        onFans([&](std::size_t fan) {
-            const std::array<glm::dvec2, 3> axes = axesIn(fan);
-            Tensor3 sum{};
-            for (std::size_t i = 0; i < 3; ++i) {
-                for (std::size_t jk = 0; jk < 9; ++jk) {
-                    const auto value = static_cast<double>(inSpace[fan][components[i][jk]]);
-                    const glm::dvec2 a = axes[i];
-                    const glm::dvec2 b = axes[jk / 3];
-                    const glm::dvec2 c = axes[jk % 3];
-                    sum[0] += value * a.x * b.x * c.x;
-                    sum[1] += value * a.x * b.x * c.y;
-                    sum[2] += value * a.x * b.y * c.y;
-                    sum[3] += value * a.y * b.y * c.y;
-                }
-            }
-            derivatives_[fan] = sum;
         });
     }
 

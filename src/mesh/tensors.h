@@ -51,6 +51,72 @@ inline double along(const Tensor3& t, glm::dvec2 x, glm::dvec2 y, glm::dvec2 z) 
     return along(Tensor2{t[0] * x.x + t[1] * x.y, t[1] * x.x + t[2] * x.y, t[2] * x.x + t[3] * x.y}, y, z);
 }
 
+/// The same tensors of the axes of space, which can be averaged where frames differ: xx, xy, xz, yy, yz, zz; and xxx,
+/// xxy, xxz, xyy, xyz, xzz, yyy, yyz, yzz, zzz.
+using SpaceTensor2 = std::array<float, 6>;
+using SpaceTensor3 = std::array<float, 10>;
+
+/// The coordinates of the axes of space in a frame.
+inline std::array<glm::dvec2, 3> axesIn(const Frame& frame) {
+    return {{{frame.u.x, frame.v.x}, {frame.u.y, frame.v.y}, {frame.u.z, frame.v.z}}};
+}
+
+inline SpaceTensor2 inSpaceOf(const Tensor2& tensor, const Frame& frame) {
+    const std::array<glm::dvec2, 3> axes = axesIn(frame);
+    SpaceTensor2 inSpace{};
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = i; j < 3; ++j) inSpace[next++] = static_cast<float>(along(tensor, axes[i], axes[j]));
+    return inSpace;
+}
+
+inline SpaceTensor3 inSpaceOf(const Tensor3& tensor, const Frame& frame) {
+    const std::array<glm::dvec2, 3> axes = axesIn(frame);
+    SpaceTensor3 inSpace{};
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = i; j < 3; ++j)
+            for (std::size_t k = j; k < 3; ++k)
+                inSpace[next++] = static_cast<float>(along(tensor, axes[i], axes[j], axes[k]));
+    return inSpace;
+}
+
+/// What of a tensor lies in a frame's plane.
+inline Tensor2 inFrame(const SpaceTensor2& inSpace, const Frame& frame) {
+    const std::array<glm::dvec2, 3> axes = axesIn(frame);
+    Tensor2 sum{};
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = i; j < 3; ++j) {
+            const double value = (i == j ? 1.0 : 2.0) * static_cast<double>(inSpace[next++]);
+            sum[0] += value * axes[i].x * axes[j].x;
+            sum[1] += value * 0.5 * (axes[i].x * axes[j].y + axes[i].y * axes[j].x);
+            sum[2] += value * axes[i].y * axes[j].y;
+        }
+    }
+    return sum;
+}
+
+inline Tensor3 inFrame(const SpaceTensor3& inSpace, const Frame& frame) {
+    constexpr std::array<std::array<std::size_t, 9>, 3> components{
+        {{0, 1, 2, 1, 3, 4, 2, 4, 5}, {1, 3, 4, 3, 6, 7, 4, 7, 8}, {2, 4, 5, 4, 7, 8, 5, 8, 9}}};
+    const std::array<glm::dvec2, 3> axes = axesIn(frame);
+    Tensor3 sum{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t jk = 0; jk < 9; ++jk) {
+            const auto value = static_cast<double>(inSpace[components[i][jk]]);
+            const glm::dvec2 a = axes[i];
+            const glm::dvec2 b = axes[jk / 3];
+            const glm::dvec2 c = axes[jk % 3];
+            sum[0] += value * a.x * b.x * c.x;
+            sum[1] += value * a.x * b.x * c.y;
+            sum[2] += value * a.x * b.y * c.y;
+            sum[3] += value * a.y * b.y * c.y;
+        }
+    }
+    return sum;
+}
+
 /// Solves the normal equations of a symmetric tensor's differences along edges: off the diagonal only the neighbours.
 template <std::size_t n>
 std::array<double, n> solveTridiagonal(std::array<double, n> diagonal, double beside, std::array<double, n> right) {

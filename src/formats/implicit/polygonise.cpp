@@ -332,8 +332,8 @@ private:
         for (const glm::dvec3& normal : normalsAt(onSurface_)) mesh_.normals.emplace_back(normal);
     }
 
-    // Between corners in which the field is 0, pairs of triangles may lie on each other, back to back: neither is of the
-    // surface.
+    // Between corners in which the field is 0, pairs of triangles may lie on each other, back to back: neither is of
+    // the surface.
     void dropFolded() {
         const std::size_t count = mesh_.indices.size() / 3;
         std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> all(count);

@@ -130,8 +130,8 @@ SurfaceContours::Point SurfaceContours::moved(std::uint32_t face, glm::dvec2 par
     return result;
 }
 
-// Newton's method on f = 0 and g . (x - C) = 0, where g is the gradient of f: each step is the shortest that leads to both
-// in a linear f. Bremer and Hughes 1998.
+// Newton's method on f = 0 and g . (x - C) = 0, where g is the gradient of f: each step is the shortest that leads to
+// both in a linear f. Bremer and Hughes 1998.
 SurfaceContours::Point SurfaceContours::movedInField(glm::dvec3 start, double reach) const {
     constexpr int maxSteps = 8;
     constexpr double enough = 1e-6;  // of the reach

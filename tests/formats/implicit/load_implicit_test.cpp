@@ -41,19 +41,22 @@ Scene sceneOf(const std::string& text, const LoadSettings& settings = quick()) {
 
 glm::dvec3 position(const Mesh& mesh, std::uint32_t vertex) { return glm::dvec3{mesh.positions[vertex]} + mesh.origin; }
 
-// How many triangles an edge has, by the positions of its ends.
-std::map<int, int> trianglesOfEdges(const Mesh& mesh) {
-    using Point = std::array<float, 3>;
+// How many triangles each edge has, by the positions of its ends.
+using Point = std::array<float, 3>;
+std::map<std::pair<Point, Point>, int> edgesOf(const Mesh& mesh) {
     std::map<std::pair<Point, Point>, int> edges;
-    for (std::size_t c = 0; c < mesh.indices.size(); ++c) {
-        const auto at = [&](std::size_t corner) {
-            const glm::vec3& p = mesh.positions[mesh.indices[corner]];
-            return Point{p.x, p.y, p.z};
-        };
-        ++edges[std::minmax(at(c), at(c / 3 * 3 + (c + 1) % 3))];
-    }
+    const auto at = [&](std::size_t corner) {
+        const glm::vec3& p = mesh.positions[mesh.indices[corner]];
+        return Point{p.x, p.y, p.z};
+    };
+    for (std::size_t c = 0; c < mesh.indices.size(); ++c) ++edges[std::minmax(at(c), at(c / 3 * 3 + (c + 1) % 3))];
+    return edges;
+}
+
+// How many edges have so many triangles.
+std::map<int, int> trianglesOfEdges(const Mesh& mesh) {
     std::map<int, int> counts;
-    for (const auto& [edge, count] : edges) ++counts[count];
+    for (const auto& [edge, count] : edgesOf(mesh)) ++counts[count];
     return counts;
 }
 
@@ -132,18 +135,8 @@ TEST(LoadImplicit, straysFromTheSurfaceByAsMuchAsIsAllowed) {
 
 TEST(LoadImplicit, endsAtItsBounds) {
     const Scene scene = sceneOf(gyroid);
-    const Mesh& mesh = scene.meshes()[0];
-    using Point = std::array<float, 3>;
-    std::map<std::pair<Point, Point>, int> edges;
-    for (std::size_t c = 0; c < mesh.indices.size(); ++c) {
-        const auto at = [&](std::size_t corner) {
-            const glm::vec3& p = mesh.positions[mesh.indices[corner]];
-            return Point{p.x, p.y, p.z};
-        };
-        ++edges[std::minmax(at(c), at(c / 3 * 3 + (c + 1) % 3))];
-    }
     std::size_t borders = 0;
-    for (const auto& [edge, count] : edges) {
+    for (const auto& [edge, count] : edgesOf(scene.meshes()[0])) {
         ASSERT_LE(count, 2);
         if (count == 2) continue;
         ++borders;
