@@ -108,10 +108,10 @@ public:
           edges_{mesh, topology, disbelieved},
           kind_{settings.creases},
           byBend_{settings.creaseAngle, settings.creases == Creases::Angle ? rounding : doubt},
-          shared_{std::min(180.0, 2.0 * settings.creaseAngle), doubt},
+          shared_{sharedCreaseAngle(settings), doubt},
           split_{std::min(minSplitBend, settings.creaseAngle), doubt},
           weakByBend_{weakShare * settings.creaseAngle, 0.0},
-          weakShared_{weakShare * std::min(180.0, 2.0 * settings.creaseAngle), 0.0},
+          weakShared_{weakShare * sharedCreaseAngle(settings), 0.0},
           rough_{settings.creases == Creases::Auto && topology.originals.size() >= minRoughFaces &&
                  medianBend(mesh, topology) >= minRoughness} {}
 
@@ -214,6 +214,18 @@ private:
 };
 
 }  // namespace
+
+double sharedCreaseAngle(const LoadSettings& settings) {
+    switch (settings.creases) {
+        case Creases::Angle:
+            return settings.creaseAngle;
+        case Creases::Normals:
+            return 180.0;
+        case Creases::Auto:
+            break;
+    }
+    return std::min(180.0, 2.0 * settings.creaseAngle);
+}
 
 void findCreases(const Mesh& mesh, const std::vector<bool>& disbelieved, const LoadSettings& settings,
                  MeshTopology& topology) {

@@ -9,6 +9,9 @@
 
 namespace inkedge::mesh {
 
+/// Degrees by which an edge must bend to be a crease although the file's normals are shared across it.
+[[nodiscard]] double sharedCreaseAngle(const LoadSettings&);
+
 /// Fills MeshTopology::creases. What an edge is follows from its kind (EdgeKind::Sharp is a crease; Inner, Tangent and
 /// Seam are none), from the bend of its two faces, and from the file's normals on both sides, as settings.creases says:
 ///

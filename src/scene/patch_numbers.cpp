@@ -13,7 +13,7 @@
 
 namespace inkedge::scene {
 
-PatchNumbers numberPatches(const InstancedMeshes& instanced, double creaseAngle) {
+PatchNumbers numberPatches(const InstancedMeshes& instanced, const LoadSettings& settings) {
     PatchNumbers patches;
     std::uint32_t total = 0;
     for (std::size_t i = 0; i < instanced.instances.size(); ++i) {
@@ -26,7 +26,7 @@ PatchNumbers numberPatches(const InstancedMeshes& instanced, double creaseAngle)
         for (std::uint32_t p = 0; p < surfaces.size(); ++p)
             joined.unite(patches.base[i] + p, patches.base[i] + surfaces[p]);
     }
-    joinAcrossSeams(instanced, patches.base, creaseAngle, joined);
+    joinAcrossSeams(instanced, patches.base, settings, joined);
     patches.number.resize(total);
     for (std::uint32_t p = 0; p < total; ++p) {  // a set's root is its smallest member, so it comes first
         const std::uint32_t root = joined.root(p);

@@ -140,7 +140,7 @@ PreparedScene prepare(Scene::Data data, const LoadSettings& settings) {
     scene.box = boxOfAll(boxes);
     scene.bounds = sphereAround(scene.box, boxes);
     const InstancedMeshes instanced{data.meshes, scene.topologies, data.instances, scene.bounds};
-    scene.patchNumbers = numberPatches(instanced, settings.creaseAngle);
+    scene.patchNumbers = numberPatches(instanced, settings);
     scene.minCreaseBend = minCreaseBend(scene.topologies, settings.creaseAngle);
     for (mesh::MeshTopology& topology : scene.topologies)
         topology.faceNormals = std::vector<glm::dvec3>{};  // a third of all that is kept; = {} would keep its memory

@@ -144,8 +144,8 @@ void CrossingTracer::cross(Sample p, Sample q, unsigned marks, StepCrossing& lin
         const auto [farPatch, farSurface] = walk(far, near);
         step.farWay = farPatch;
         step.back = farSurface;
+        if (isSeam(step)) return;
         step.bends = isBend(step);
-        if (!step.bends && isSeam(step)) return;
     }
     step.passesStrip = passesStrip(step);
     line = crossing(step);
@@ -242,8 +242,10 @@ bool CrossingTracer::isSeam(const Step& step) const {
     const auto& [one, other] = std::pair{step.way.exit, step.farWay.exit};
     if (!one || !other || one->end != End::Border || other->end != End::Border) return false;
     const double perUnit = orthographic_ ? focalLength_ : focalLength_ * plane(step.near).w;
-    return std::abs(one->t + other->t - 1.0) <= triangles_.seamWidth() * perUnit &&
-           !bendsByCreaseAngle(step.near, step.far);
+    if (std::abs(one->t + other->t - 1.0) > triangles_.seamWidth() * perUnit) return false;
+    const auto goOn = triangles_.goOnAcrossSeam(triangle(step.near).instance, one->halfEdge,
+                                                triangle(step.far).instance, other->halfEdge);
+    return goOn ? *goOn : !bendsByCreaseAngle(step.near, step.far);  // by a corner that touches only
 }
 
 // How far a face lies in front of another one, across the other one's plane, in samples.

@@ -65,7 +65,9 @@ Leaving leave(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, std
 
 ScreenTriangles::ScreenTriangles(const Scene& scene, const std::vector<std::uint32_t>& firstTriangles,
                                  const Camera& camera, Size size)
-    : scene_{scene}, firstTriangles_{firstTriangles} {
+    : scene_{scene},
+      seamCreases_{scene::instancedMeshesOf(scene), scene.loadedWith()},
+      firstTriangles_{firstTriangles} {
     const glm::dmat4 view = camera.projection(size) * camera.view;
     const glm::dmat4x3 viewport = clipToPixels(size);
     toPixels_.reserve(scene.instances().size());
@@ -104,6 +106,17 @@ bool ScreenTriangles::touch(scene::SceneFace a, scene::SceneFace b) const {
         }
     }
     return false;
+}
+
+std::optional<bool> ScreenTriangles::goOnAcrossSeam(std::uint32_t instance, std::uint32_t halfEdge,
+                                                    std::uint32_t otherInstance, std::uint32_t otherHalfEdge) const {
+    const scene::InstancedMeshes instanced = scene::instancedMeshesOf(scene_);
+    const auto border = scene::borderEdgeOf(instanced, instance, halfEdge);
+    const auto other = scene::borderEdgeOf(instanced, otherInstance, otherHalfEdge);
+    if (!border || !other) return {};
+    const auto shared = scene::runAlong(*border, *other, seamWidth());
+    if (!shared) return {};
+    return !seamCreases_.meetInCrease(*border, *other, *shared);
 }
 
 std::uint32_t ScreenTriangles::patchOf(scene::SceneFace face) const { return scene::patchOf(scene_, face); }
@@ -194,15 +207,15 @@ void ScreenTriangles::walk(scene::SceneFace from, glm::dvec2 start, glm::dvec2 g
             leave(cornerAt(3 * at), cornerAt(3 * at + 1), cornerAt(3 * at + 2), 3 * at, entry, reached, way);
         if (exit == mesh::noHalfEdge) return endBoth({{}, at, at});
         const std::uint32_t twin = topology.twins[exit];
-        if (twin == mesh::noHalfEdge) return endBoth({Exit{End::Border, t}, {}, at});
-        if (twin == mesh::manyHalfEdges) return endBoth({Exit{End::Crease, t}, {}, at});
-        if (topology.creases[exit]) end(patch, {Exit{End::Crease, t}, {}, at});
+        if (twin == mesh::noHalfEdge) return endBoth({Exit{End::Border, t, exit}, {}, at});
+        if (twin == mesh::manyHalfEdges) return endBoth({Exit{End::Crease, t, exit}, {}, at});
+        if (topology.creases[exit]) end(patch, {Exit{End::Crease, t, exit}, {}, at});
         const glm::dvec3 third = cornerAt(mesh::previousHalfEdge(twin));
         const double behind = glm::dot(line, third);
         // A surface ends at faces seen edge-on: rounding alone would say whether they are seen.
         if (surface != nullptr && behind > -edgeOn * glm::length(glm::dvec2{line}) * third.z)
-            end(surface, {Exit{End::Fold, t}, {}, at});
-        if (behind > 0.0) end(patch, {Exit{End::Fold, t}, {}, at});
+            end(surface, {Exit{End::Fold, t, exit}, {}, at});
+        if (behind > 0.0) end(patch, {Exit{End::Fold, t, exit}, {}, at});
         if (patch == nullptr && surface == nullptr) return;
         at = twin / 3;
         entry = twin;

@@ -14,8 +14,8 @@
 #include <inkedge/camera.h>
 #include <inkedge/scene.h>
 
+#include "scene/border_edge.h"
 #include "scene/scene_face.h"
-#include "scene/seams.h"
 
 namespace inkedge::trace {
 
@@ -49,6 +49,7 @@ public:
     struct Exit {
         End end;
         double t;  ///< share of the way from the walk's start to its goal
+        std::uint32_t halfEdge;
     };
     struct Walk {
         std::optional<Exit> exit;                ///< where the surface ends on the way; none: it does not
@@ -79,6 +80,11 @@ public:
 
     /// The same as (a, b, c): a x + b y + c.
     [[nodiscard]] glm::dvec3 planeFunction(scene::SceneFace) const;
+
+    /// Whether the surfaces that end at two borders, each an instance's half-edge, go on into each other without a
+    /// crease. None: the borders do not run along each other.
+    [[nodiscard]] std::optional<bool> goOnAcrossSeam(std::uint32_t instance, std::uint32_t halfEdge,
+                                                     std::uint32_t otherInstance, std::uint32_t otherHalfEdge) const;
 
     /// Whether two triangles of one mesh are the same or touch each other.
     [[nodiscard]] bool touch(scene::SceneFace, scene::SceneFace) const;
@@ -112,6 +118,7 @@ private:
     void projectAll();
 
     const Scene& scene_;
+    scene::SeamCreases seamCreases_;
     const std::vector<std::uint32_t>& firstTriangles_;
     std::vector<glm::dmat4x3> toPixels_;  // one per instance: mesh positions less their origin -> homogeneous pixels
     std::vector<glm::dvec3> projected_;   // all positions of all instances; none: they are too many to keep

@@ -51,6 +51,7 @@ Mesh merged(const std::vector<Mesh>& meshes) {
 
 Mesh woundBack(Mesh mesh) {
     for (std::size_t t = 0; t < mesh.indices.size(); t += 3) std::swap(mesh.indices[t + 1], mesh.indices[t + 2]);
+    for (glm::vec3& normal : mesh.normals) normal = -normal;
     return mesh;
 }
 
@@ -116,6 +117,45 @@ TEST(Seams, joinMirroredNodes) {
     data.meshes = {scenes::quad({-1, 0, -0.5}, {0, 0, 0}, {0, 1, 0}, {-1, 1, -0.5})};  // falls off by 27 degrees
     data.instances = {{"whole", 0, identity()}, {"mirrored", 0, mirror}};
     EXPECT_THAT(numbersOf(Scene{std::move(data)}), ElementsAre(1, 1, 2, 2)) << "a ridge of 53 degrees";
+}
+
+// Half of a prism's shell of so many sides, from one angle to another, with normals as of a cylinder.
+Mesh halfShell(int sides, int from, int to) {
+    Mesh mesh;
+    for (int i = from; i <= to; ++i) {
+        const double a = glm::radians(360.0 * i / sides);
+        for (const double y : {0.0, 1.0}) {
+            mesh.positions.emplace_back(glm::dvec3{std::cos(a), y, std::sin(a)});
+            mesh.normals.emplace_back(glm::dvec3{std::cos(a), 0.0, std::sin(a)});
+        }
+    }
+    for (std::uint32_t i = 0; i + 3 < mesh.positions.size(); i += 2)
+        for (const std::uint32_t c : {0U, 1U, 2U, 2U, 1U, 3U}) mesh.indices.push_back(i + c);
+    return mesh;
+}
+
+Mesh withNormalsAlong(Mesh mesh, glm::vec3 turned) {
+    for (glm::vec3& normal : mesh.normals) normal = glm::normalize(normal + turned);
+    return mesh;
+}
+
+TEST(Seams, joinShellsWhoseNormalsGoOnUpToTwiceTheCreaseAngle) {
+    const glm::dmat4 half = scenes::rotation(180.0, {0, 1, 0});
+    const glm::dmat4 mirror = scenes::scaling({1, 1, -1});
+    const auto patches = [&](const Mesh& a, const Mesh& b, const glm::dmat4& to, const LoadSettings& settings) {
+        return patchNumbersOf(scenes::sceneOf({{a, identity()}, {b, to}}, settings)).count;
+    };
+    const LoadSettings by30{Normals::Auto, Creases::Auto, 30.0};
+    const Mesh shell = halfShell(8, 0, 4);  // bends by 45 degrees
+    EXPECT_EQ(patches(shell, shell, half, by30), 1U);
+    EXPECT_EQ(patches(shell, woundBack(shell), half, by30), 1U);
+    EXPECT_EQ(patches(shell, shell, mirror, by30), 1U);
+    EXPECT_EQ(patches(shell, halfShell(8, 4, 8), identity(), by30), 1U);
+    EXPECT_EQ(patches(shell, shell, half, {Normals::Auto, Creases::Angle, 30.0}), 8U);
+    EXPECT_EQ(patches(shell, shell, half, {Normals::Auto, Creases::Normals, 30.0}), 1U);
+    EXPECT_EQ(patches(shell, shell, half, {Normals::Flat, Creases::Auto, 30.0}), 8U);
+    EXPECT_EQ(patches(shell, withNormalsAlong(shell, {0, 0.2, 0}), half, by30), 2U) << "normals split by 11 degrees";
+    EXPECT_EQ(patches(shell, shell, half, {Normals::Auto, Creases::Auto, 20.0}), 8U) << "over twice the angle";
 }
 
 TEST(Seams, leaveEdgesOfThreeFacesApart) {

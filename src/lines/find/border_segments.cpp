@@ -1,10 +1,8 @@
 #include "lines/find/border_segments.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include "mesh/topology.h"
 #include "scene/prepared.h"
@@ -23,7 +21,7 @@ struct Cover {
 constexpr std::uint32_t noBorder = ~0U;
 
 std::vector<std::vector<Cover>> findCovers(const Scene& scene, scene::Borders& borders) {
-    const double straightCosine = -std::cos(glm::radians(scene.creaseAngle()));
+    const scene::SeamCreases creases{scene::instancedMeshesOf(scene), scene.loadedWith()};
     constexpr double foldedBack = 0.999;  // over this cosine two layers end together: no surface goes on
     std::vector<std::vector<Cover>> covers(borders.edges().size());
     for (std::uint32_t i = 0; i < covers.size(); ++i) {
@@ -34,7 +32,7 @@ std::vector<std::vector<Cover>> findCovers(const Scene& scene, scene::Borders& b
             if (cosine > foldedBack) return;
             const auto shared = scene::runAlong(border, other, borders.tolerance());
             if (!shared) return;
-            const bool bends = cosine > straightCosine;
+            const bool bends = creases.meetInCrease(border, other, *shared);
             covers[i].push_back({shared->from[0], shared->to[0], j, bends});
             covers[j].push_back({shared->from[1], shared->to[1], noBorder, bends});
         });

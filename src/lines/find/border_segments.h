@@ -22,7 +22,7 @@ struct BorderSegment {
     scene::SceneFace other{~0U, 0};  ///< the face on the other side, where the surface goes on; none: the surface ends
     /// With another face: a point of that face off the edge, world space less the centre of the bounds.
     glm::dvec3 otherInner{0.0};
-    bool bends = false;   ///< with another face: whether the faces bend by more than the crease angle
+    bool bends = false;   ///< with another face: whether the faces meet in a crease
     bool marked = false;  ///< whether the file marks the edge of either face
 };
 
