@@ -2,6 +2,10 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 namespace inkedge::base {
 
@@ -17,6 +21,22 @@ inline constexpr std::size_t elementsWorthAThread = 100'000;
 /// depend on where the ranges begin and end.
 /// @throws  what the first range that failed has thrown; what stopIfAsked() throws, which is called before each
 void inRanges(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& work);
+
+/// The results of work(begin, end) for ranges as those of inRanges(), in the order of the ranges.
+template <class Work>
+[[nodiscard]] auto partsOf(std::size_t count, Work work) {
+    using Part = decltype(work(std::size_t{}, std::size_t{}));
+    std::mutex mutex;
+    std::map<std::size_t, Part> byBegin;
+    inRanges(count, [&](std::size_t begin, std::size_t end) {
+        Part part = work(begin, end);
+        const std::scoped_lock lock{mutex};
+        byBegin.emplace(begin, std::move(part));
+    });
+    std::vector<Part> parts;
+    for (auto& [begin, part] : byBegin) parts.push_back(std::move(part));
+    return parts;
+}
 
 /// Calls work(i) for 0..count-1 on all cores of this process, in no order: for independent pieces of work of any size.
 /// @throws  what the first piece that failed has thrown; what stopIfAsked() throws, which is called before each

@@ -205,6 +205,9 @@ struct LoadSettings {
     bool textureCoordinates = false;  ///< Mesh::textureCoordinates is filled in: for isoparametric lines
     bool paint = false;               ///< Mesh::paint, Material::color and Material::picture are filled in; glTF only
     bool curvature = false;           ///< Mesh::curvatures is filled in
+    /// Vertices that have no normal in the file get one. Lines between pixels and maps but those of normals need none:
+    /// it is a third of the time that a scan takes. runJobs() knows what it draws, and leaves it out.
+    bool completeNormals = true;
     LengthUnit unit = LengthUnit::None;  ///< of the model's coordinates; None: the format's, where it has one
     /// World space: which way is up of the model, whatever its length; none: SceneSource::up. See Scene::up().
     std::optional<glm::dvec3> up = {};

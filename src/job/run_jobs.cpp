@@ -19,6 +19,8 @@
 #include "job/draw_view.h"
 #include "job/file_names.h"
 #include "job/files_apart.h"
+#include "job/output_kinds.h"
+#include "settings/idle.h"
 
 namespace inkedge {
 namespace job {
@@ -58,7 +60,11 @@ private:
 
 void loadScene(JobState& state) {
     const base::Stopwatch watch;
-    state.scene = inkedge::loadScene(state.job->model, loadSettings(state.job->settings, state.views));
+    const Job& job = *state.job;
+    LoadSettings load = loadSettings(job.settings, state.views);
+    load.completeNormals =
+        settings::readsVertexNormals(withMapsOf(job.outputs, job.settings), kindsOf(job, state.views));
+    state.scene = inkedge::loadScene(job.model, load);
     const double loading = watch.milliseconds();
     const double preparing = state.scene->preparationMilliseconds();
     state.times = {{"load", loading - preparing}, {"prepare", preparing}};

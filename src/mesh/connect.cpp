@@ -13,7 +13,7 @@ MeshTopology connect(Mesh& mesh, const LoadSettings& settings) {
     MeshTopology topology = buildTopology(mesh);
     const std::vector<bool> disbelieved = mesh.surfaces ? std::vector<bool>{} : judgeNormals(mesh, topology, settings);
     findCreases(mesh, disbelieved, settings, topology);
-    completeNormals(mesh, topology, settings);
+    if (settings.completeNormals) completeNormals(mesh, topology, settings);
     buildPatches(settings.creaseAngle, topology);
     return topology;
 }

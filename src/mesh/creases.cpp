@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "base/parallel.h"
 #include "mesh/authored_normals.h"
 #include "mesh/bends.h"
 #include "mesh/facets.h"
@@ -117,26 +118,60 @@ public:
 
     void find() {
         topology_.creases.assign(topology_.twins.size(), false);
-        for (std::uint32_t h = 0; h < topology_.twins.size(); ++h) {
-            const std::uint32_t twin = topology_.twins[h];
-            if (!isHalfEdge(twin) || twin < h || isSmoothByKind(mesh_, h, twin)) continue;
-            if (!hasNormal(topology_, h / 3) || !hasNormal(topology_, twin / 3)) continue;
-            take(h, isOfKind(mesh_, h, twin, EdgeKind::Sharp) ? Evidence::Crease : evidence(h, twin));
+        const std::vector<Found> parts = base::partsOf(topology_.twins.size(), [&](std::size_t begin, std::size_t end) {
+            return findIn(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
+        });
+        for (const Found& part : parts) {
+            for (const std::uint32_t h : part.creases) take(h, Evidence::Crease);
+            append(part.doubtful, found_.doubtful);
+            append(part.splitLess, found_.splitLess);
+            append(part.splitLessAtOneEnd, found_.splitLessAtOneEnd);
+            append(part.sharedLess, found_.sharedLess);
+            append(part.weak, found_.weak);
         }
-        if (!splitLess_.empty() || !splitLessAtOneEnd_.empty()) takeSplit();
-        followCreases(mesh_, doubtful_, topology_);
+        if (!found_.splitLess.empty() || !found_.splitLessAtOneEnd.empty()) takeSplit();
+        followCreases(mesh_, found_.doubtful, topology_);
         if (!rough_) return;
-        extendCreases(mesh_, weak_, topology_);
+        extendCreases(mesh_, found_.weak, topology_);
         dropShortChains(mesh_, minChain, topology_);
     }
 
 private:
+    using HalfEdges = std::vector<std::uint32_t>;
+
+    struct Found {
+        HalfEdges creases;
+        HalfEdges doubtful;
+        // Those of Creases::Auto whose faces bend by less than the crease angle, by the normals.
+        HalfEdges splitLess;
+        HalfEdges splitLessAtOneEnd;
+        HalfEdges sharedLess;
+        HalfEdges weak;  // of rough surfaces: carry on what is beyond doubt
+    };
+
+    static void append(const HalfEdges& from, HalfEdges& to) { to.insert(to.end(), from.begin(), from.end()); }
+
+    // Of the edges whose first half-edge is in a range.
+    [[nodiscard]] Found findIn(std::uint32_t begin, std::uint32_t end) const {
+        Found found;
+        for (std::uint32_t h = begin; h < end; ++h) {
+            const std::uint32_t twin = topology_.twins[h];
+            if (!isHalfEdge(twin) || twin < h || isSmoothByKind(mesh_, h, twin)) continue;
+            if (!hasNormal(topology_, h / 3) || !hasNormal(topology_, twin / 3)) continue;
+            const bool sharp = isOfKind(mesh_, h, twin, EdgeKind::Sharp);
+            const Evidence crease = sharp ? Evidence::Crease : evidence(h, twin, found);
+            if (crease == Evidence::Crease) found.creases.push_back(h);
+            if (crease == Evidence::Doubt) found.doubtful.push_back(h);
+        }
+        return found;
+    }
+
     void take(std::uint32_t h, Evidence evidence) {
-        if (evidence == Evidence::Doubt) doubtful_.push_back(h);
+        if (evidence == Evidence::Doubt) found_.doubtful.push_back(h);
         if (evidence == Evidence::Crease) topology_.creases[h] = topology_.creases[topology_.twins[h]] = true;
     }
 
-    Evidence evidence(std::uint32_t h, std::uint32_t twin) {
+    Evidence evidence(std::uint32_t h, std::uint32_t twin, Found& found) const {
         const double bend = bendCosine(topology_, h, twin);
         const Evidence byBend = byBend_.of(bend);
         if (kind_ == Creases::Angle) return byBend;
@@ -145,20 +180,20 @@ private:
         if (ifSplit == Evidence::Smooth) return Evidence::Smooth;
         switch (edges_.normalsAt(h, twin, bend)) {
             case Normal::Unknown:
-                if (rough_ && weakByBend_.of(bend) == Evidence::Crease) weak_.push_back(h);
+                if (rough_ && weakByBend_.of(bend) == Evidence::Crease) found.weak.push_back(h);
                 return byBend;
             case Normal::Shared:
-                if (byBend == Evidence::Smooth) sharedLess_.push_back(h);
-                if (rough_ && weakShared_.of(bend) == Evidence::Crease) weak_.push_back(h);
+                if (byBend == Evidence::Smooth) found.sharedLess.push_back(h);
+                if (rough_ && weakShared_.of(bend) == Evidence::Crease) found.weak.push_back(h);
                 return shared_.of(bend);
             case Normal::SplitAtOneEnd:
-                if (byBend != Evidence::Crease) splitLessAtOneEnd_.push_back(h);
+                if (byBend != Evidence::Crease) found.splitLessAtOneEnd.push_back(h);
                 return byBend != Evidence::Crease ? Evidence::Smooth : std::max(Evidence::Doubt, shared_.of(bend));
             case Normal::Split:
                 break;
         }
         if (byBend == Evidence::Crease) return Evidence::Crease;
-        splitLess_.push_back(h);
+        found.splitLess.push_back(h);
         return Evidence::Smooth;  // until takeSplit()
     }
 
@@ -178,18 +213,18 @@ private:
 
     // Decides on the edges with split normals that bend by less than the crease angle.
     void takeSplit() {
-        const Facets facets{mesh_, topology_, {splitLess_, sharedLess_}};
-        std::vector<std::uint32_t> chosen;
-        const auto takeAll = [&](const std::vector<std::uint32_t>& halfEdges, Evidence max) {
+        const Facets facets{mesh_, topology_, {found_.splitLess, found_.sharedLess}};
+        HalfEdges chosen;
+        const auto takeAll = [&](const HalfEdges& halfEdges, Evidence max) {
             for (const std::uint32_t h : halfEdges) {
                 const double bend = bendCosine(topology_, h, topology_.twins[h]);
                 const Evidence found = facets.contain(h / 3) ? byBend_.of(bend) : split_.of(bend);
                 if (std::min(found, max) == Evidence::Crease) chosen.push_back(h);
-                if (std::min(found, max) == Evidence::Doubt) doubtful_.push_back(h);
+                if (std::min(found, max) == Evidence::Doubt) found_.doubtful.push_back(h);
             }
         };
-        takeAll(splitLess_, Evidence::Crease);
-        takeAll(splitLessAtOneEnd_, Evidence::Doubt);
+        takeAll(found_.splitLess, Evidence::Crease);
+        takeAll(found_.splitLessAtOneEnd, Evidence::Doubt);
         const std::vector<bool> alone = standAlone(topology_, chosen);
         for (std::size_t i = 0; i < chosen.size(); ++i)
             if (!alone[i]) take(chosen[i], Evidence::Crease);
@@ -205,12 +240,7 @@ private:
     Threshold weakByBend_;
     Threshold weakShared_;
     bool rough_;
-    // Half-edges of Creases::Auto whose faces bend by less than the crease angle, by the normals.
-    std::vector<std::uint32_t> splitLess_;
-    std::vector<std::uint32_t> splitLessAtOneEnd_;
-    std::vector<std::uint32_t> sharedLess_;
-    std::vector<std::uint32_t> weak_;  // of rough surfaces: carry on what is beyond doubt
-    std::vector<std::uint32_t> doubtful_;
+    Found found_;
 };
 
 }  // namespace

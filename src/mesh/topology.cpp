@@ -135,27 +135,55 @@ void joinAcrossThinFace(const MeshTopology& topology, std::uint32_t t, double cr
     }
 }
 
-// Faces that are connected across edges that are no creases.
-// @param creaseCosine  across a thin face; minCosine: across an edge
-// @param bends  set if an edge bends by more than across a thin face
-base::UnionFind connected(const MeshTopology& topology, double creaseCosine, double minCosine, bool& bends) {
+// Whether faces are connected across an edge that is no crease.
+enum class Link : std::uint8_t { None, Bent, Flat };  // Bent: by more than the crease angle
+
+// One per half-edge, None for the second of each edge.
+std::vector<Link> linksOf(const MeshTopology& topology, double creaseCosine) {
+    std::vector<Link> links(topology.twins.size(), Link::None);
+    base::inRanges(links.size(), [&](std::size_t begin, std::size_t end) {
+        for (auto h = static_cast<std::uint32_t>(begin); h < end; ++h) {
+            const std::uint32_t twin = topology.twins[h];
+            if (!isHalfEdge(twin) || twin < h || topology.creases[h]) continue;
+            if (!hasNormal(topology, h / 3) || !hasNormal(topology, twin / 3)) continue;
+            links[h] = bendCosine(topology, h, twin) < creaseCosine ? Link::Bent : Link::Flat;
+        }
+    });
+    return links;
+}
+
+// Faces that are connected by flat links.
+base::UnionFind connected(const MeshTopology& topology, const std::vector<Link>& links, double creaseCosine) {
     const auto triangleCount = static_cast<std::uint32_t>(topology.originals.size());
     base::UnionFind sets{triangleCount};
     for (std::uint32_t t = 0; t < triangleCount; ++t) {
-        sets.unite(t, topology.originals[t]);
-        if (!hasNormal(topology, t)) {
-            joinAcrossThinFace(topology, t, creaseCosine, sets);
-            continue;
-        }
-        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-            const std::uint32_t twin = topology.twins[h];
-            if (!isHalfEdge(twin) || twin < h || topology.creases[h] || !hasNormal(topology, twin / 3)) continue;
-            const double cosine = bendCosine(topology, h, twin);
-            if (cosine < creaseCosine) bends = true;
-            if (cosine >= minCosine) sets.unite(t, twin / 3);
-        }
+        if (topology.originals[t] != t) sets.unite(t, topology.originals[t]);
+        if (!hasNormal(topology, t)) joinAcrossThinFace(topology, t, creaseCosine, sets);
+        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
+            if (links[h] == Link::Flat) sets.unite(t, topology.twins[h] / 3);
     }
     return sets;
+}
+
+// Creases that connected faces, of one surface or not, show.
+struct Creases {
+    std::vector<std::uint32_t> between;  // half-edges between surfaces
+    double innerCosine = -1.0;           // the largest of those within a surface
+};
+
+Creases creasesBetween(const MeshTopology& topology, std::size_t begin, std::size_t end) {
+    Creases found;
+    for (auto h = static_cast<std::uint32_t>(begin); h < end; ++h) {
+        const std::uint32_t twin = topology.twins[h];
+        if (!isHalfEdge(twin)) continue;
+        const bool apart = topology.patches[h / 3] != topology.patches[twin / 3] &&
+                           topology.surfaceOf(h / 3) != topology.surfaceOf(twin / 3);
+        if (apart)
+            found.between.push_back(h);
+        else if (topology.creases[h])
+            found.innerCosine = std::max(found.innerCosine, bendCosine(topology, h, twin));
+    }
+    return found;
 }
 
 }  // namespace
@@ -197,11 +225,12 @@ MeshTopology buildTopology(const Mesh& mesh) {
 }
 
 void buildPatches(double creaseAngle, MeshTopology& topology) {
-    constexpr double anyBend = -2.0;
     const double creaseCosine = std::cos(glm::radians(creaseAngle));
-    bool bends = false;  // somewhere within a surface
-    base::UnionFind surfaces = connected(topology, creaseCosine, anyBend, bends);
-    base::UnionFind patches = bends ? connected(topology, creaseCosine, creaseCosine, bends) : surfaces;
+    const std::vector<Link> links = linksOf(topology, creaseCosine);
+    base::UnionFind patches = connected(topology, links, creaseCosine);
+    base::UnionFind surfaces = patches;
+    for (std::uint32_t h = 0; h < links.size(); ++h)
+        if (links[h] == Link::Bent) surfaces.unite(h / 3, topology.twins[h] / 3);
     const auto triangleCount = static_cast<std::uint32_t>(topology.originals.size());
     topology.patches.resize(triangleCount);
     topology.surfaces.clear();
@@ -211,13 +240,11 @@ void buildPatches(double creaseAngle, MeshTopology& topology) {
         if (root == t) topology.surfaces.push_back(topology.patches[surfaces.root(t)]);
     }
     topology.innerCreaseCosine = -1.0;
-    for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
-        const std::uint32_t twin = topology.twins[h];
-        if (!isHalfEdge(twin)) continue;
-        if (topology.surfaceOf(h / 3) != topology.surfaceOf(twin / 3))
-            topology.creases[h] = true;  // what thin faces keep apart
-        else if (topology.creases[h])
-            topology.innerCreaseCosine = std::max(topology.innerCreaseCosine, bendCosine(topology, h, twin));
+    for (const Creases& found : base::partsOf(topology.twins.size(), [&](std::size_t begin, std::size_t end) {
+             return creasesBetween(topology, begin, end);
+         })) {
+        for (const std::uint32_t h : found.between) topology.creases[h] = true;  // what thin faces keep apart, too
+        topology.innerCreaseCosine = std::max(topology.innerCreaseCosine, found.innerCosine);
     }
 }
 

@@ -46,7 +46,7 @@ private:
     double cells_;
 };
 
-/// Sorts by the keys; what has the same stays in its order. O(n).
+/// Sorts by the keys; what has the same stays in its order. O(n), quicker where all keys have the same upper bits.
 void sortByKey(std::vector<ZOrderKey>&);
 
 }  // namespace inkedge::mesh

@@ -15,6 +15,7 @@
 
 #include "raster/memory.h"
 #include "render/plan.h"
+#include "settings/idle.h"
 #include "settings/shades.h"
 
 namespace inkedge::render {
@@ -77,11 +78,17 @@ void expectUsable(const Camera& camera, const Scene& scene) {
     expectWithinReach(camera, scene.bounds());
 }
 
-void expectLoaded(const Scene& scene, const RenderSettings& settings) {
+void expectLoaded(const Scene& scene, const RenderSettings& settings, const OutputKinds& kinds) {
     Settings all;
     static_cast<RenderSettings&>(all) = settings;
     const LoadSettings needed = loadSettings(all);
     const LoadSettings& loaded = scene.loadedWith();
+    if (!loaded.completeNormals && settings::readsVertexNormals(all, kinds)) {
+        throw Error{
+            Error::Kind::Usage,
+            "scene: expected one with a normal at every vertex, which lines of the mesh, shades, styles and maps "
+            "of normals read, found one loaded without LoadSettings::completeNormals"};
+    }
     if (scene.source().format.empty()) {  // its coordinates and colours are those that it was given
         if (!needed.curvature || loaded.curvature) return;
         throw Error{Error::Kind::Usage,

@@ -30,7 +30,7 @@ Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSett
                       const std::stop_token& stop) {
     const base::StopScope scope{[&] { return stop.stop_requested(); }};
     validate(settings);
-    render::expectLoaded(scene, settings);
+    render::expectLoaded(scene, settings, {.json = true});
     render::expectUsable(camera, scene);
     base::stopIfAsked();
     Lines lines = settings.lines.from == LinesFrom::Image ? render::imageLines(scene, camera, settings, *state_)
@@ -46,7 +46,7 @@ Maps Renderer::render(const Scene& scene, const Camera& camera, const RenderSett
                       const std::stop_token& stop) {
     const base::StopScope scope{[&] { return stop.stop_requested(); }};
     validate(settings);
-    render::expectLoaded(scene, settings);
+    render::expectLoaded(scene, settings, {.pictures = true});
     render::expectUsable(camera, scene);
     render::expectMemory(settings);
     base::stopIfAsked();

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -78,6 +78,66 @@ std::optional<Plane> planeOf(const std::array<glm::dvec3, 3>& triangle, double r
     return Plane{n, static_cast<float>(glm::dot(n, a) / radius)};
 }
 
+// Cells of space, each with the patch that it holds triangles of. Nearly all triangles of a large surface lie in cells
+// that hold no other patch, and so overlap none.
+class PatchCells {
+public:
+    explicit PatchCells(double radius) : scale_{0.5 * side / radius}, patches_(std::size_t{side} * side * side, none) {}
+
+    // The range of cells that a triangle's box lies in.
+    struct Range {
+        glm::uvec3 low;
+        glm::uvec3 high;
+        [[nodiscard]] std::uint32_t count() const {
+            const glm::uvec3 sides = high - low + 1U;
+            return sides.x * sides.y * sides.z;
+        }
+        [[nodiscard]] Range with(const Range& other) const {
+            return {glm::min(low, other.low), glm::max(high, other.high)};
+        }
+    };
+    [[nodiscard]] Range rangeOf(const std::array<glm::dvec3, 3>& triangle) const {
+        const auto cell = [&](glm::dvec3 p) {
+            return glm::uvec3{glm::clamp(p * scale_ + 0.5 * side, 0.0, side - 1.0)};
+        };
+        const auto& [a, b, c] = triangle;
+        return {cell(glm::min(glm::min(a, b), c)), cell(glm::max(glm::max(a, b), c))};
+    }
+
+    // May be called by several threads.
+    void add(const Range& range, std::uint32_t number) {
+        forEach(range, [&](std::size_t cell) {
+            const std::atomic_ref<std::uint32_t> patch{patches_[cell]};
+            std::uint32_t found = patch.load(std::memory_order_relaxed);
+            if (found == number || found == several) return;
+            if (found == none && patch.compare_exchange_strong(found, number, std::memory_order_relaxed)) return;
+            if (found != number) patch.store(several, std::memory_order_relaxed);
+        });
+    }
+
+    [[nodiscard]] bool holdOther(const Range& range, std::uint32_t number) const {
+        bool other = false;
+        forEach(range, [&](std::size_t cell) { other = other || patches_[cell] != number; });
+        return other;
+    }
+
+private:
+    static constexpr std::uint32_t side = 96;
+    static constexpr std::uint32_t none = 0;  // numbers of patches begin with 1
+    static constexpr std::uint32_t several = ~0U;
+
+    template <class Visit>
+    static void forEach(const Range& range, Visit visit) {
+        for (std::uint32_t z = range.low.z; z <= range.high.z; ++z)
+            for (std::uint32_t y = range.low.y; y <= range.high.y; ++y)
+                for (std::uint32_t x = range.low.x; x <= range.high.x; ++x)
+                    visit((std::size_t{z} * side + y) * side + x);
+    }
+
+    double scale_;
+    std::vector<std::uint32_t> patches_;
+};
+
 struct FlatTriangle {
     std::array<glm::dvec2, 3> corners;
     double low;
@@ -140,18 +200,76 @@ private:
         return patches_.number[patchOf(instance, triangle)];
     }
 
+    // Consecutive triangles of one instance, with what holds for all of them.
+    struct Block {
+        PatchCells::Range cells{};
+        std::uint32_t number = 0;  // of their patch; 0: of several
+    };
+    static constexpr std::uint32_t blockSize = 32;
+
+    // Fills cells_ and blocks_; leaves them empty if they would not help: the triangles are few, or lie in too many
+    // cells each.
+    void findCells() {
+        constexpr std::uint32_t minTriangles = 50'000;
+        constexpr std::uint64_t maxVisits = 32;  // of cells, a triangle
+        std::uint64_t count = 0;
+        for (std::uint32_t i = 0; i < instanced_.instances.size(); ++i) count += triangles(i).count();
+        if (count < minTriangles) return;
+        cells_.emplace(instanced_.bounds.radius);
+        blocks_.resize(instanced_.instances.size());
+        std::atomic<std::uint64_t> visits = 0;
+        for (std::uint32_t i = 0; i < instanced_.instances.size() && visits <= maxVisits * count; ++i) {
+            const std::uint32_t all = triangles(i).count();
+            blocks_[i].resize((all + blockSize - 1) / blockSize);
+            base::inRanges(all, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t b = (begin + blockSize - 1) / blockSize; b * blockSize < end; ++b) {
+                    visits += addBlock(i, static_cast<std::uint32_t>(b));
+                    if (visits > maxVisits * count) break;
+                }
+            });
+        }
+        if (visits <= maxVisits * count) return;
+        cells_.reset();
+        blocks_.clear();
+    }
+
+    // Returns how many cells it has visited.
+    std::uint64_t addBlock(std::uint32_t instance, std::uint32_t number) {
+        const WorldTriangles world = triangles(instance);
+        const std::uint32_t begin = number * blockSize;
+        const std::uint32_t end = std::min(begin + blockSize, world.count());
+        Block& block = blocks_[instance][number];
+        std::array<PatchCells::Range, blockSize> ranges;
+        for (std::uint32_t t = begin; t < end; ++t) {
+            ranges[t - begin] = cells_->rangeOf(world.triangle(t));
+            block.cells = t == begin ? ranges[0] : block.cells.with(ranges[t - begin]);
+            if (t == begin) block.number = numberOf(instance, t);
+            if (numberOf(instance, t) != block.number) block.number = 0;
+        }
+        if (block.number != 0) {
+            cells_->add(block.cells, block.number);
+            return block.cells.count();
+        }
+        std::uint64_t visits = 0;
+        for (std::uint32_t t = begin; t < end; ++t) {
+            cells_->add(ranges[t - begin], numberOf(instance, t));
+            visits += ranges[t - begin].count();
+        }
+        return visits;
+    }
+
     // A run at the border of two threads' ranges becomes two runs, which changes no result.
     void collectRuns() {
-        std::mutex mutex;
+        findCells();
         std::vector<std::vector<Run>> parts;
         std::size_t count = 0;
         for (std::uint32_t i = 0; i < instanced_.instances.size(); ++i) {
-            base::inRanges(triangles(i).count(), [&](std::size_t begin, std::size_t end) {
-                std::vector<Run> runs = runsOf(i, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
-                const std::scoped_lock lock{mutex};
-                count += runs.size();
-                parts.push_back(std::move(runs));
-            });
+            for (std::vector<Run>&part : base::partsOf(triangles(i).count(), [&](std::size_t begin, std::size_t end) {
+                     return runsOf(i, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
+                 })) {
+                count += part.size();
+                parts.push_back(std::move(part));
+            }
         }
         runs_.reserve(count);
         for (std::vector<Run>& part : parts) {
@@ -160,6 +278,15 @@ private:
         }
     }
 
+    // The first triangle behind a triangle's block if no other patch is near; else the triangle itself.
+    [[nodiscard]] std::uint32_t behindLoneBlock(std::uint32_t instance, std::uint32_t t) const {
+        if (!cells_) return t;
+        const Block& block = blocks_[instance][t / blockSize];
+        const bool alone = block.number != 0 && !cells_->holdOther(block.cells, block.number);
+        return alone ? (t / blockSize + 1) * blockSize : t;
+    }
+
+    // Of the triangles that other patches may be near to.
     [[nodiscard]] std::vector<Run> runsOf(std::uint32_t instance, std::uint32_t begin, std::uint32_t end) const {
         const WorldTriangles world = triangles(instance);
         std::vector<Run> runs;
@@ -172,13 +299,20 @@ private:
             run.count = 0;
         };
         for (std::uint32_t t = begin; t < end; ++t) {
-            const std::optional<Plane> plane = planeOf(world.triangle(t), instanced_.bounds.radius);
+            if (const std::uint32_t next = behindLoneBlock(instance, t); next != t) {
+                close();
+                t = next - 1;
+                continue;
+            }
+            const std::array<glm::dvec3, 3> triangle = world.triangle(t);
+            const std::uint32_t itsNumber = numberOf(instance, t);
+            const bool alone = cells_ && !cells_->holdOther(cells_->rangeOf(triangle), itsNumber);
+            const std::optional<Plane> plane = alone ? std::nullopt : planeOf(triangle, instanced_.bounds.radius);
             if (!plane) {
                 close();
                 continue;
             }
             const Cells itsCells = cellsOf(plane->normal);
-            const std::uint32_t itsNumber = numberOf(instance, t);
             const float low = std::min(run.low, plane->distance);
             const float high = std::max(run.high, plane->distance);
             if (run.count > 0 && itsCells == cells && itsNumber == number &&
@@ -260,6 +394,8 @@ private:
     const InstancedMeshes& instanced_;
     const PatchNumbers& patches_;
     std::vector<bool> layered_;
+    std::optional<PatchCells> cells_;
+    std::vector<std::vector<Block>> blocks_;  // of each instance
     std::vector<Run> runs_;
     std::uint64_t stepsLeft_ = maximumSteps;
 };

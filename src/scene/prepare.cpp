@@ -94,7 +94,8 @@ struct PreparedMesh {
 };
 
 PreparedMesh prepareMesh(Mesh& mesh, const Scene::Data& data, const LoadSettings& settings) {
-    mesh::dropUnusedVertices(mesh);
+    mesh::arrangeTriangles(mesh);
+    mesh::arrangeVertices(mesh);
     const std::uint32_t oneSided = settings.backFaces == BackFaces::Draw ? 0 : sortBySides(mesh, data.materials);
     mesh::MeshTopology topology = mesh::connect(mesh, settings);
     mesh.curvatures = settings.curvature ? mesh::meanCurvatures(mesh, topology) : std::vector<float>{};

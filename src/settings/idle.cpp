@@ -85,6 +85,13 @@ Why idlePenOfTypes(const Settings& settings, const OutputKinds& kinds) {
 
 }  // namespace
 
+bool readsVertexNormals(const Settings& settings, const OutputKinds& kinds) noexcept {
+    const bool ofMesh = findsMeshLines(settings, kinds) || !(settings.picture.lines & formLineTypes).empty();
+    const bool ofSurface = readsNormals(settings) || wants(settings, Map::Normal) ||
+                           drawsLinesOf(settings, Detector::SaitoTakahashi) || !settings.detector.functions.empty();
+    return ofMesh || ofSurface || drawnShade(settings) != Shade::None || settings.style.style != Style::Ink;
+}
+
 bool needsMeshLines(const RenderSettings& settings) noexcept {
     const LineSettings& lines = settings.lines;
     const LineTypes types = settings.picture.lines;

@@ -12,6 +12,9 @@ namespace inkedge::settings {
 /// so on.
 [[nodiscard]] bool needsMeshLines(const RenderSettings&) noexcept;
 
+/// Whether anything of outputs is made of the normals of vertices (Mesh::normals).
+[[nodiscard]] bool readsVertexNormals(const Settings&, const OutputKinds&) noexcept;
+
 /// Whether the lines of a picture are those of the mesh: they are asked for, or LinesFrom::Auto finds that a setting
 /// needs them and another detector is not asked for.
 [[nodiscard]] bool drawsMeshLines(const RenderSettings&) noexcept;

@@ -1,12 +1,14 @@
 #include "trace/screen_triangles.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 
+#include "base/parallel.h"
 #include "mesh/topology.h"
 #include "scene/prepared.h"
 
@@ -158,11 +160,15 @@ void ScreenTriangles::projectAll() {
         count += scene_.meshes()[instance.mesh].positions.size();
     }
     if (count > maxProjected) return;
-    projected_.reserve(count);
+    std::vector<glm::dvec3> all(count);
     for (std::uint32_t i = 0; i < scene_.instances().size(); ++i) {
-        const std::size_t end = projected_.size() + scene_.meshes()[scene_.instances()[i].mesh].positions.size();
-        for (std::uint32_t p = 0; projected_.size() < end; ++p) projected_.push_back(project(i, p));
+        const std::size_t positions = scene_.meshes()[scene_.instances()[i].mesh].positions.size();
+        base::inRanges(positions, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t p = begin; p < end; ++p)
+                all[firstProjected_[i] + p] = project(i, static_cast<std::uint32_t>(p));
+        });
     }
+    projected_ = std::move(all);
 }
 
 glm::dvec3 ScreenTriangles::planeFunction(scene::SceneFace t) const {

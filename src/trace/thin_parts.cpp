@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "base/parallel.h"
 #include "base/stop.h"
 #include "mesh/topology.h"
 #include "scene/prepared.h"
@@ -258,14 +259,32 @@ private:
 
     void collectContours(std::uint32_t instance) {
         const std::uint32_t meshIndex = scene_.instances()[instance].mesh;
-        const mesh::MeshTopology& topology = scene::topologyOf(scene_, meshIndex);
         const Mesh& mesh = scene_.meshes()[meshIndex];
         const std::vector<glm::dvec2> pixels = pixelsOf(instance, mesh.positions.size());
         const auto at = [&](std::uint32_t corner) { return pixels[mesh.indices[corner]]; };
+        std::vector<std::int8_t> turns(mesh.indices.size() / 3);
+        base::inRanges(turns.size(), [&](std::size_t begin, std::size_t end) {
+            for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
+                turns[t] = turnOf(at(3 * t), at(3 * t + 1), at(3 * t + 2));
+        });
+        for (const std::vector<Contour>&part :
+             base::partsOf(mesh.indices.size(), [&](std::size_t begin, std::size_t end) {
+                 return contoursIn(instance, pixels, turns, static_cast<std::uint32_t>(begin), end);
+             }))
+            contours_.insert(contours_.end(), part.begin(), part.end());
+    }
+
+    // Those of the edges whose first half-edge is in a range.
+    [[nodiscard]] std::vector<Contour> contoursIn(std::uint32_t instance, const std::vector<glm::dvec2>& pixels,
+                                                  const std::vector<std::int8_t>& turns, std::uint32_t first,
+                                                  std::size_t last) const {
+        const std::uint32_t meshIndex = scene_.instances()[instance].mesh;
+        const mesh::MeshTopology& topology = scene::topologyOf(scene_, meshIndex);
+        const Mesh& mesh = scene_.meshes()[meshIndex];
+        const auto at = [&](std::uint32_t corner) { return pixels[mesh.indices[corner]]; };
         const auto isBehindEye = [&](std::uint32_t corner) { return std::isnan(at(corner).x); };
-        std::vector<std::int8_t> turns(topology.originals.size());
-        for (std::uint32_t t = 0; t < turns.size(); ++t) turns[t] = turnOf(at(3 * t), at(3 * t + 1), at(3 * t + 2));
-        for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
+        std::vector<Contour> contours;
+        for (std::uint32_t h = first; h < last; ++h) {
             const std::uint32_t twin = topology.twins[h];
             const bool isBorder = twin == mesh::noHalfEdge && topology.originals[h / 3] == h / 3;
             // Folds are few: asked for first, they can be foreseen, unlike which half-edge of two is the first.
@@ -281,16 +300,19 @@ private:
                 const std::uint32_t third = mesh::previousHalfEdge(half);
                 if (!isBehindEye(third)) faces.add({{instance, half / 3}, at(third)});
             }
-            if (const auto contour = contourOf({at(h), at(end)}, faces, isBorder)) contours_.push_back(*contour);
+            if (const auto contour = contourOf({at(h), at(end)}, faces, isBorder)) contours.push_back(*contour);
         }
+        return contours;
     }
 
     [[nodiscard]] std::vector<glm::dvec2> pixelsOf(std::uint32_t instance, std::size_t positions) const {
         std::vector<glm::dvec2> pixels(positions);
-        for (std::uint32_t p = 0; p < positions; ++p) {
-            const glm::dvec3 point = triangles_.projected(instance, p);
-            pixels[p] = point.z > 0.0 ? glm::dvec2{point} / point.z : glm::dvec2{behindEye};
-        }
+        base::inRanges(positions, [&](std::size_t begin, std::size_t end) {
+            for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
+                const glm::dvec3 point = triangles_.projected(instance, p);
+                pixels[p] = point.z > 0.0 ? glm::dvec2{point} / point.z : glm::dvec2{behindEye};
+            }
+        });
         return pixels;
     }
 
@@ -422,7 +444,7 @@ private:
     double pixel_;  // samples
     StretchGrid grid_;
     ContourMap map_;
-    std::vector<Contour> contours_;         // of one instance
+    std::vector<Contour> contours_;        // of one instance
     std::uint64_t looksLeft_ = 5'000'000;  // for gaps: a fraction of a second
 };
 

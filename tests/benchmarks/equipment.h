@@ -41,7 +41,6 @@ struct Model {
 };
 inline constexpr Model usualModel{Shape::Cad, usualTriangles};
 
-inline std::string nameOf(Shape shape) { return shape == Shape::Cad ? "cad" : "smooth"; }
 inline std::string nameOf(Model model) { return fmt::format("{}/{}", nameOf(model.shape), model.triangles); }
 inline std::string nameOf(Size size) { return fmt::format("{}x{}", size.width, size.height); }
 inline std::int64_t pixelsOf(Size size) { return std::int64_t{size.width} * size.height; }

@@ -42,7 +42,7 @@ struct Model {
 };
 
 std::string nameOf(Model model) {
-    return fmt::format("{}/{}", model.shape == Shape::Cad ? "cad" : "smooth", model.triangles);
+    return fmt::format("{}/{}", nameOf(model.shape), model.triangles);
 }
 
 struct Prepared {

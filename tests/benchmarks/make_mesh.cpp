@@ -1,4 +1,4 @@
-// Writes a mesh for benchmarks: make_mesh cad|smooth TRIANGLES FILE.glb
+// Writes a mesh for benchmarks: make_mesh cad|smooth|scan TRIANGLES FILE.glb
 // Prints how many triangles it has.
 #include <exception>
 
@@ -8,7 +8,7 @@
 
 int main(int count, char** arguments) {
     if (count != 4) {
-        fmt::print(stderr, "make_mesh: error: expected cad|smooth TRIANGLES FILE.glb, found {} arguments\n", count - 1);
+        fmt::print(stderr, "make_mesh: error: expected cad|smooth|scan TRIANGLES FILE.glb, found {} arguments\n", count - 1);
         return 2;
     }
     try {

@@ -4,7 +4,11 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
+#include <numeric>
+#include <random>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -75,6 +79,35 @@ void addNormals(Mesh& mesh) {
     for (const glm::vec3& sum : sums) mesh.normals.push_back(glm::normalize(sum));
 }
 
+// std::shuffle and the standard's distributions differ between libraries.
+class Random {
+public:
+    std::uint32_t below(std::size_t count) { return static_cast<std::uint32_t>(engine_() % count); }
+    double around(double reach) { return reach * (2.0 * static_cast<double>(engine_()) / 4294967295.0 - 1.0); }
+
+private:
+    std::mt19937 engine_{1};
+};
+
+// Moves vertices by a quarter of an edge's length, and brings vertices and triangles into random order.
+void scatter(Mesh& mesh) {
+    Random random;
+    const float edge = glm::distance(mesh.positions[mesh.indices[0]], mesh.positions[mesh.indices[1]]);
+    for (glm::vec3& position : mesh.positions)
+        for (int axis = 0; axis < 3; ++axis) position[axis] += static_cast<float>(random.around(0.25)) * edge;
+    std::vector<std::uint32_t> to(mesh.positions.size());
+    std::iota(to.begin(), to.end(), 0U);
+    for (std::size_t i = to.size(); i-- > 1;) std::swap(to[i], to[random.below(i + 1)]);
+    std::vector<glm::vec3> positions(to.size());
+    for (std::size_t i = 0; i < to.size(); ++i) positions[to[i]] = mesh.positions[i];
+    mesh.positions = std::move(positions);
+    for (std::uint32_t& index : mesh.indices) index = to[index];
+    for (std::size_t t = mesh.indices.size() / 3; t-- > 1;) {
+        const std::uint32_t other = random.below(t + 1);
+        std::swap_ranges(&mesh.indices[3 * t], &mesh.indices[3 * t] + 3, &mesh.indices[3 * std::size_t{other}]);
+    }
+}
+
 std::string floats(glm::vec3 v) { return fmt::format("[{},{},{}]", v.x, v.y, v.z); }
 
 template <class T>
@@ -88,10 +121,23 @@ void write(std::ostream& out, std::initializer_list<std::uint32_t> words) {
 
 }  // namespace
 
+std::string_view nameOf(Shape shape) {
+    switch (shape) {
+        case Shape::Cad:
+            return "cad";
+        case Shape::Smooth:
+            return "smooth";
+        case Shape::Scan:
+            break;
+    }
+    return "scan";
+}
+
 Shape shapeNamed(std::string_view name) {
     if (name == "cad") return Shape::Cad;
     if (name == "smooth") return Shape::Smooth;
-    throw std::runtime_error{fmt::format("expected the shape cad or smooth, found {}", name)};
+    if (name == "scan") return Shape::Scan;
+    throw std::runtime_error{fmt::format("expected the shape cad, smooth or scan, found {}", name)};
 }
 
 Mesh makeMesh(Shape shape, std::uint64_t triangles) {
@@ -111,6 +157,7 @@ Mesh makeMesh(Shape shape, std::uint64_t triangles) {
         }
     }
     if (shape == Shape::Smooth) addNormals(mesh);
+    if (shape == Shape::Scan) scatter(mesh);
     return mesh;
 }
 

@@ -314,6 +314,21 @@ TEST_P(Functions, areRefusedWithoutTheCurvatureThatTheyRead) {
                                   camera, "curvature"));
 }
 
+TEST_P(Functions, areRefusedWithoutTheNormalsThatTheyRead) {
+    LoadSettings load = everything();
+    load.completeNormals = false;
+    const Scene without = scenes::sceneOf({{scenes::cube(), glm::dmat4{1.0}}}, load);
+    try {
+        (void)edgesOf(renderer(), without, cameraFor(without, false), "height");
+        FAIL() << "drawn";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), Error::Kind::Usage);
+        EXPECT_STREQ(error.what(),
+                     "scene: expected one with a normal at every vertex, which lines of the mesh, shades, styles and "
+                     "maps of normals read, found one loaded without LoadSettings::completeNormals");
+    }
+}
+
 TEST_P(Functions, areRefusedWithoutTextureCoordinates) {
     const Scene scene = scenes::sceneOf(scenes::cube());
     try {

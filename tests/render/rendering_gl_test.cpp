@@ -40,6 +40,29 @@ TEST_P(Rendering, saysWhatDrewThePicture) {
     EXPECT_THAT(stages, testing::IsSupersetOf({"upload", "surface", "edges", "composite", "read-back"}));
 }
 
+TEST_P(Rendering, betweenPixelsNeedsNoNormalsOfVertices) {
+    LoadSettings load;
+    load.completeNormals = false;
+    const Scene without = scenes::sceneOf({{scenes::cube(), glm::dmat4{1.0}}}, load);
+    const Scene with = scenes::sceneOf(scenes::cube());
+    EXPECT_THAT(without.meshes().front().normals, Each(glm::vec3{0.0F}));
+    RenderSettings settings;
+    settings.picture.size = {64, 48};
+    settings.maps = {Map::Depth, Map::Ids, Map::Types};
+    const Camera camera = frameCamera(with, {}, settings.picture.size);
+    const Maps maps = renderer().render(without, camera, settings);
+    const Maps expected = renderer().render(with, camera, settings);
+    EXPECT_TRUE(std::ranges::equal(maps.picture.pixels(), expected.picture.pixels()));
+    EXPECT_TRUE(std::ranges::equal(maps.depth.pixels(), expected.depth.pixels()));
+    EXPECT_TRUE(std::ranges::equal(maps.types.pixels(), expected.types.pixels()));
+    settings.maps = {Map::Normal};
+    EXPECT_THROW((void)renderer().render(without, camera, settings), Error);
+    settings.maps = {};
+    EXPECT_THROW((void)renderer().lines(without, camera, settings), Error) << "of the mesh";
+    settings.lines.from = LinesFrom::Image;
+    EXPECT_NO_THROW((void)renderer().lines(without, camera, settings));
+}
+
 TEST_P(Rendering, givesOnlyTheMapsAskedFor) {
     const Scene scene = scenes::sceneOf(scenes::cube());
     const Camera camera = frameCamera(scene, {}, {20, 10});

@@ -52,6 +52,31 @@ TEST(CoplanarLayers, areNotNeighboursInOnePlane) {
                 ElementsAre(false, true, false, false, false, false, true, false, false, false, false, false));
 }
 
+// A square of many triangles.
+Mesh grid(double x, double y, double side, std::uint32_t cells) {
+    Mesh mesh;
+    for (std::uint32_t i = 0; i <= cells; ++i)
+        for (std::uint32_t j = 0; j <= cells; ++j)
+            mesh.positions.emplace_back(glm::dvec3{x + side * i / cells, y + side * j / cells, 0.0});
+    for (std::uint32_t i = 0; i < cells; ++i) {
+        for (std::uint32_t j = 0; j < cells; ++j) {
+            const std::uint32_t a = i * (cells + 1) + j;
+            const std::uint32_t b = a + cells + 1;
+            mesh.indices.insert(mesh.indices.end(), {a, b, b + 1, a, b + 1, a + 1});
+        }
+    }
+    return mesh;
+}
+
+TEST(CoplanarLayers, areFoundAmongManyTriangles) {
+    const Mesh large = grid(0, 0, 2, 200);
+    ASSERT_GT(large.indices.size(), 3 * 50'000U) << "so many that most are put aside by the space they take";
+    EXPECT_THAT(layersOf(nodes({large, square(1.999, 1.999, 1)})), ElementsAre(true, true)) << "at a corner";
+    EXPECT_THAT(layersOf(nodes({large, square(1.001, 0.503, 0.001)})), ElementsAre(true, true)) << "within one cell";
+    EXPECT_THAT(layersOf(nodes({large, square(2, 0, 1), square(0, 0, 1, 0.01)})), Each(false));
+    EXPECT_THAT(layersOf(nodes({large, grid(0.5, 0.5, 2, 200)})), ElementsAre(true, true));
+}
+
 TEST(CoplanarLayers, areNotWhatLiesOverEachOtherApart) {
     // Two millionths of the scene's radius, 1.4, count as one plane; a thousandth of it shows as a step.
     EXPECT_THAT(layersOf(nodes({square(0, 0, 2), square(0.5, 0.5, 1, 1e-6)})), ElementsAre(true, true));
