@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "base/later.h"
 #include "base/parallel.h"
 #include "base/union_find.h"
 #include "mesh/weld.h"
@@ -205,10 +206,11 @@ std::vector<glm::dvec3> makeFaceNormals(const Mesh& mesh) {
 MeshTopology buildTopology(const Mesh& mesh) {
     MeshTopology topology;
     const auto triangleCount = static_cast<std::uint32_t>(mesh.indices.size() / 3);
-    double tolerance = 0.0;
+    const bool large = triangleCount >= base::elementsWorthAThread;
+    using Normals = base::Later<std::vector<glm::dvec3>>;
+    Normals normals{[&] { return makeFaceNormals(mesh); }, large ? Normals::Begin::Now : Normals::Begin::WhenAsked};
     {
         const Weld weld = weldByPosition(mesh.positions);
-        tolerance = weld.tolerance;
         topology.pointCount = weld.pointCount;
         topology.points.resize(mesh.indices.size());
         std::ranges::transform(mesh.indices, topology.points.begin(), [&](std::uint32_t i) { return weld.point[i]; });
@@ -220,7 +222,7 @@ MeshTopology buildTopology(const Mesh& mesh) {
         joinAtPoints(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), topology);
     });
     findCollapsedOriginals(topology);
-    topology.faceNormals = faceNormals(mesh, minHeight * tolerance);
+    topology.faceNormals = normals.take();
     return topology;
 }
 

@@ -117,13 +117,13 @@ double weldToleranceOf(std::span<const glm::vec3> positions) { return weldTolera
 Weld weldByPosition(std::span<const glm::vec3> positions) {
     const Bounds bounds = boundsOf(positions);
     Weld weld;
-    weld.tolerance = weldTolerance * bounds.diagonal;
+    const double tolerance = weldTolerance * bounds.diagonal;
     weld.point.resize(positions.size());
     if (bounds.diagonal == 0.0) {
         weld.pointCount = positions.empty() ? 0 : 1;
         return weld;
     }
-    CellGrid grid{positions, bounds, weld.tolerance};
+    CellGrid grid{positions, bounds, tolerance};
     constexpr std::uint32_t ahead = 16;  // cells whose slots are being fetched from memory
     std::array<CellGrid::Cell, ahead> cells;
     const auto count = static_cast<std::uint32_t>(positions.size());

@@ -13,7 +13,6 @@ struct Weld {
     std::vector<std::uint32_t>
         point;  ///< one per position: the number of its point, 0..pointCount-1 in order of appearance
     std::uint32_t pointCount = 0;
-    double tolerance = 0.0;  ///< how far apart two positions of one point may be
 };
 
 /// Positions that differ by no more than this share of the diagonal of their box are one point. It is about the

@@ -8,6 +8,8 @@
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 
+#include "base/later.h"
+#include "base/parallel.h"
 #include "camera/light.h"
 #include "gl/read_back.h"
 #include "lines/specks.h"
@@ -35,10 +37,16 @@ struct Traceable {
     std::vector<trace::ThinStretch> thinParts;
 };
 
-Traceable traceable(const passes::Frame& picture, Size whole, int samplesPerPixel) {
-    trace::ScreenTriangles triangles{picture.scene, picture.upload.firstTriangles(), picture.camera, whole};
-    std::vector<trace::ThinStretch> thinParts = trace::findThinParts(picture.scene, triangles, whole, samplesPerPixel);
-    return {std::move(triangles), std::move(thinParts)};
+// Of large scenes it is made while the triangles are drawn.
+base::Later<Traceable> traceable(const passes::Frame& picture, Size whole, int samplesPerPixel) {
+    using Later = base::Later<Traceable>;
+    const bool large = picture.scene.triangleCount() >= base::elementsWorthAThread;
+    const auto make = [&picture, whole, samplesPerPixel] {
+        trace::ScreenTriangles triangles{picture.scene, picture.upload.firstTriangles(), picture.camera, whole};
+        std::vector<trace::ThinStretch> thin = trace::findThinParts(picture.scene, triangles, whole, samplesPerPixel);
+        return Traceable{std::move(triangles), std::move(thin)};
+    };
+    return {make, large ? Later::Begin::Now : Later::Begin::WhenAsked};
 }
 
 class TilePainter {
@@ -48,7 +56,6 @@ public:
         : inputs_{inputs}, settings_{settings}, plan_{plan}, clock_{clock} {
         if (plan.tracesLines) samples_.emplace(traceable(picture, picture.tile.whole, settings.picture.supersampling));
         if (plan.planesOfPixels) pixels_.emplace(traceable(picture, settings.picture.size, 1));
-        if (samples_ || pixels_) clock.finish("thin parts");
         if (plan.style->tileInk != nullptr) {
             styleInk_ = plan.style->tileInk(picture.scene, settings);
             clock.finish(plan.style->stage);
@@ -98,13 +105,15 @@ private:
 
     // The lines between planes of samples, or of pixels for maps alone.
     trace::TracedLines traced(const passes::Frame& frame, const passes::PlaneBuffers& buffers,
-                              const Traceable& onPlanes, int samplesPerPixel) {
+                              base::Later<Traceable>& later, int samplesPerPixel) {
         const gl::Api& api = frame.gpu.api;
         const trace::TraceIds ids = samplesPerPixel == 1 ? plan_.ids : trace::TraceIds::Drop;
         trace::LineBuffers lines;
         lines.tile = frame.tile;
         lines.marks = passes::detectLines(frame, buffers.planes, scene::minCreaseBend(frame.scene));
         clock_.finish("lines");
+        const Traceable& onPlanes = later.get();
+        clock_.finish("thin parts");
         const std::vector<raster::Rectangle> regions =
             ids == trace::TraceIds::Keep ? std::vector<raster::Rectangle>{{0, 0, lines.marks.size()}}
                                          : passes::regionsAround(trace::withThinParts(lines.marks, onPlanes.thinParts,
@@ -199,8 +208,8 @@ private:
     const RenderSettings& settings_;
     const Plan& plan_;
     gl::StageClock& clock_;
-    std::optional<Traceable> samples_;
-    std::optional<Traceable> pixels_;  // of Plan::planesOfPixels
+    std::optional<base::Later<Traceable>> samples_;
+    std::optional<base::Later<Traceable>> pixels_;  // of Plan::planesOfPixels
     TileInk styleInk_;
 };
 

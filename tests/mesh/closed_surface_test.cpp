@@ -2,12 +2,16 @@
 
 #include <gmock/gmock.h>
 
+#include "mesh/connect.h"
 #include "scenes.h"
 
 namespace inkedge::mesh {
 namespace {
 
-bool isClosed(const Mesh& mesh) { return isClosedOutward(mesh, buildTopology(mesh)); }
+bool isClosed(Mesh mesh) {
+    const MeshTopology topology = connect(mesh, {});
+    return isClosedOutward(mesh, topology);
+}
 
 Mesh joined(Mesh a, const Mesh& b, glm::vec3 offset) {
     const auto first = static_cast<std::uint32_t>(a.positions.size());
