@@ -89,12 +89,12 @@ private:
     std::mt19937 engine_{1};
 };
 
-// Moves vertices by a quarter of an edge's length, and brings vertices and triangles into random order.
+// Moves vertices by a twelfth of an edge's length, and brings vertices and triangles into random order.
 void scatter(Mesh& mesh) {
     Random random;
     const float edge = glm::distance(mesh.positions[mesh.indices[0]], mesh.positions[mesh.indices[1]]);
     for (glm::vec3& position : mesh.positions)
-        for (int axis = 0; axis < 3; ++axis) position[axis] += static_cast<float>(random.around(0.25)) * edge;
+        for (int axis = 0; axis < 3; ++axis) position[axis] += static_cast<float>(random.around(1.0 / 12)) * edge;
     std::vector<std::uint32_t> to(mesh.positions.size());
     std::iota(to.begin(), to.end(), 0U);
     for (std::size_t i = to.size(); i-- > 1;) std::swap(to[i], to[random.below(i + 1)]);
