@@ -36,7 +36,7 @@ struct Share {
 // One share per fan, at the index of the fan.
 std::vector<Share> measure(const Mesh& mesh, const MeshTopology& topology, const std::vector<std::uint32_t>& fans) {
     std::vector<Share> shares(fans.size());
-    const std::vector<glm::dvec3> normals = makeFaceNormals(mesh);
+    const std::vector<glm::dvec3> normals = makeFaceNormals(mesh, topology);
     for (std::uint32_t h = 0; h < mesh.indices.size(); ++h) {
         const std::uint32_t next = nextHalfEdge(h);
         const glm::dvec3 along = cornerOf(mesh, next) - cornerOf(mesh, h);

@@ -144,7 +144,7 @@ private:
 };
 
 std::vector<Signs> signsOfFaces(const Mesh& mesh, const ControlMesh& control, const Viewpoint& viewpoint) {
-    const std::vector<glm::dvec3> faceNormals = makeFaceNormals(mesh);
+    const std::vector<glm::dvec3> faceNormals = normalsOfTriangles(mesh);
     std::vector<Signs> signs(control.faceSizes.size(), 0);
     for (std::size_t t = 0; t < control.faces.size(); ++t) {
         if (control.faces[t] == noFace) continue;

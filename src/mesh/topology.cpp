@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -104,9 +105,18 @@ void findCollapsedOriginals(MeshTopology& topology) {
         if (all[i].first == all[i - 1].first) topology.originals[all[i].second] = topology.originals[all[i - 1].second];
 }
 
-std::vector<glm::dvec3> faceNormals(const Mesh& mesh, double thin) {
-    std::vector<glm::dvec3> normals(mesh.indices.size() / 3);
-    base::inRanges(normals.size(), [&](std::size_t begin, std::size_t end) {
+struct TriangleNormals {
+    std::vector<glm::dvec3> normals;
+    std::vector<std::uint32_t> slim;  // triangles with a normal and of less height than maxFoldHeight
+};
+
+TriangleNormals triangleNormals(const Mesh& mesh) {
+    const double tolerance = weldToleranceOf(mesh.positions);
+    const double thin = minHeight * tolerance;
+    const double slim = maxFoldHeight / weldTolerance * tolerance;
+    TriangleNormals made{std::vector<glm::dvec3>(mesh.indices.size() / 3), {}};
+    const auto parts = base::partsOf(made.normals.size(), [&](std::size_t begin, std::size_t end) {
+        std::vector<std::uint32_t> found;
         for (std::size_t t = begin; t < end; ++t) {
             const glm::dvec3 a{mesh.positions[mesh.indices[3 * t]]};
             const glm::dvec3 b{mesh.positions[mesh.indices[3 * t + 1]]};
@@ -115,10 +125,43 @@ std::vector<glm::dvec3> faceNormals(const Mesh& mesh, double thin) {
             const double length = glm::length(area);
             const double longest =
                 std::sqrt(std::max({glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c)}));
-            normals[t] = length > thin * longest ? area / length : glm::dvec3{0.0};
+            made.normals[t] = length > thin * longest ? area / length : glm::dvec3{0.0};
+            if (length > thin * longest && length <= slim * longest) found.push_back(static_cast<std::uint32_t>(t));
         }
+        return found;
     });
-    return normals;
+    for (const std::vector<std::uint32_t>& part : parts) made.slim.insert(made.slim.end(), part.begin(), part.end());
+    return made;
+}
+
+// Whether a triangle lies between two others, folded over both, that go on into each other without it.
+bool isFold(const Mesh& mesh, const MeshTopology& topology, const std::vector<glm::dvec3>& normals, std::uint32_t t) {
+    constexpr double foldedBack = -0.5;
+    constexpr double goesOn = 0.5;
+    const auto squaredLength = [&](std::uint32_t h) {
+        const glm::dvec3 along =
+            glm::dvec3{mesh.positions[mesh.indices[nextHalfEdge(h)]]} - glm::dvec3{mesh.positions[mesh.indices[h]]};
+        return glm::dot(along, along);
+    };
+    std::array edges{3 * t, 3 * t + 1, 3 * t + 2};
+    std::ranges::sort(edges, std::ranges::greater{}, squaredLength);
+    std::array<glm::dvec3, 2> beyond;  // the neighbours' normals, as if all were wound alike
+    for (std::size_t k = 0; k < 2; ++k) {
+        const std::uint32_t twin = topology.twins[edges[k]];
+        if (!isHalfEdge(twin)) return false;
+        const bool against = topology.points[edges[k]] == topology.points[twin];
+        beyond[k] = against ? -normals[twin / 3] : normals[twin / 3];
+        if (!(glm::dot(beyond[k], normals[t]) < foldedBack)) return false;
+    }
+    return glm::dot(beyond[0], beyond[1]) > goesOn;
+}
+
+std::vector<glm::dvec3> withoutFolds(const Mesh& mesh, const MeshTopology& topology, TriangleNormals made) {
+    std::vector<std::uint32_t> folds;
+    for (const std::uint32_t t : made.slim)
+        if (isFold(mesh, topology, made.normals, t)) folds.push_back(t);
+    for (const std::uint32_t t : folds) made.normals[t] = glm::dvec3{0.0};
+    return std::move(made.normals);
 }
 
 // A face that is too thin to have a normal only connects its neighbours, as if they touched each other.
@@ -199,16 +242,18 @@ double bendCosine(const MeshTopology& topology, std::uint32_t halfEdge, std::uin
     return topology.points[halfEdge] == topology.points[twin] ? -cosine : cosine;
 }
 
-std::vector<glm::dvec3> makeFaceNormals(const Mesh& mesh) {
-    return faceNormals(mesh, minHeight * weldToleranceOf(mesh.positions));
+std::vector<glm::dvec3> makeFaceNormals(const Mesh& mesh, const MeshTopology& topology) {
+    return withoutFolds(mesh, topology, triangleNormals(mesh));
 }
+
+std::vector<glm::dvec3> normalsOfTriangles(const Mesh& mesh) { return triangleNormals(mesh).normals; }
 
 MeshTopology buildTopology(const Mesh& mesh) {
     MeshTopology topology;
     const auto triangleCount = static_cast<std::uint32_t>(mesh.indices.size() / 3);
     const bool large = triangleCount >= base::elementsWorthAThread;
-    using Normals = base::Later<std::vector<glm::dvec3>>;
-    Normals normals{[&] { return makeFaceNormals(mesh); }, large ? Normals::Begin::Now : Normals::Begin::WhenAsked};
+    using Normals = base::Later<TriangleNormals>;
+    Normals normals{[&] { return triangleNormals(mesh); }, large ? Normals::Begin::Now : Normals::Begin::WhenAsked};
     {
         const Weld weld = weldByPosition(mesh.positions);
         topology.pointCount = weld.pointCount;
@@ -222,7 +267,7 @@ MeshTopology buildTopology(const Mesh& mesh) {
         joinAtPoints(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), topology);
     });
     findCollapsedOriginals(topology);
-    topology.faceNormals = normals.take();
+    topology.faceNormals = withoutFolds(mesh, topology, normals.take());
     return topology;
 }
 

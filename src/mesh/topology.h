@@ -33,7 +33,7 @@ struct MeshTopology {
     std::vector<std::uint32_t> twins;      ///< one per half-edge: the other of its edge, noHalfEdge or manyHalfEdges
     std::vector<bool> creases;             ///< one per half-edge: whether its edge, which then has a twin, is a crease
     std::vector<glm::dvec3>
-        faceNormals;  ///< one per triangle, unit, by winding; 0 where it is too thin; none in a Scene
+        faceNormals;  ///< one per triangle, unit, by winding; 0 where it is too thin or a fold; none in a Scene
     std::vector<std::uint32_t> patches;   ///< one per triangle: 0..patchCount()-1
     std::vector<std::uint32_t> surfaces;  ///< one per patch: the first patch of the same surface
     /// The least bend of a crease that ends within a surface, as its cosine; -1: there is none.
@@ -47,12 +47,20 @@ struct MeshTopology {
 /// corners turns the normal by more than half the usual crease angle.
 inline constexpr double minHeight = 4.0;
 
+/// Of the diagonal of a mesh's box: the height up to which a triangle that is folded over both its neighbours is a fold
+/// of rounding, a tenth of a pixel of a model framed at 1024 pixels. Rounding to 14 bits turns triangles over whose
+/// corners lie nearly on a line.
+inline constexpr double maxFoldHeight = 1e-4;
+
 /// Fills points, originals, twins and faceNormals. Triangles that repeat an earlier one, whatever their winding, and
 /// triangles with two corners at one point have no edges. O(n), except for points with very many edges.
 [[nodiscard]] MeshTopology buildTopology(const Mesh&);
 
-/// MeshTopology::faceNormals, computed again: a Scene does not keep them.
-[[nodiscard]] std::vector<glm::dvec3> makeFaceNormals(const Mesh&);
+/// MeshTopology::faceNormals, computed again: a Scene does not keep them. O(n).
+[[nodiscard]] std::vector<glm::dvec3> makeFaceNormals(const Mesh&, const MeshTopology&);
+
+/// The same of triangles by themselves: 0 only where one is too thin. O(n).
+[[nodiscard]] std::vector<glm::dvec3> normalsOfTriangles(const Mesh&);
 
 /// Whether a triangle is thick enough to have a normal.
 [[nodiscard]] inline bool hasNormal(const MeshTopology& topology, std::uint32_t t) {

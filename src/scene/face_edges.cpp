@@ -54,7 +54,8 @@ public:
         std::unordered_map<std::uint32_t, std::vector<glm::dvec3>> normals;
         Borders borders{instancedMeshesOf(scene_), [&](std::uint32_t mesh) -> const std::vector<glm::dvec3>& {
                             const auto [entry, isNew] = normals.try_emplace(mesh);
-                            if (isNew) entry->second = mesh::makeFaceNormals(scene_.meshes()[mesh]);
+                            if (isNew)
+                                entry->second = mesh::makeFaceNormals(scene_.meshes()[mesh], topologyOf(scene_, mesh));
                             return entry->second;
                         }};
         const std::vector<BorderEdge>& edges = borders.edges();

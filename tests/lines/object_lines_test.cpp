@@ -83,6 +83,23 @@ TEST(ObjectLines, OfACubeSeenFaceOnAreOneSquare) {
     }
 }
 
+TEST(ObjectLines, HaveNoneAlongTrianglesThatRoundingFoldsOver) {
+    Mesh sheet;  // the second triangle's third corner lies past its first side
+    for (const glm::dvec3 p : {glm::dvec3{0, 0, 0}, {1, 0, 0}, {0.5, -1e-4, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}})
+        sheet.positions.emplace_back(p);
+    sheet.indices = {0, 3, 1, 0, 1, 2, 0, 2, 4, 2, 1, 4};
+    for (const glm::dvec3 eye : {glm::dvec3{0, 0, 5}, {1, 2, 4}, {0.5, -3, -2}}) {
+        double around = 0.0;
+        for (const Line& line : linesOf(sceneOf(sheet), orthographic(eye, 5.0))) {
+            forEachPiece(line, [&](const LinePoint& p, const LinePoint& q) {
+                EXPECT_FALSE(std::abs(p.position.y) < 0.01 && std::abs(q.position.y) < 0.01) << "along the fold";
+                around += glm::distance(p.position, q.position);
+            });
+        }
+        EXPECT_NEAR(around, 4.0 * std::sqrt(0.5), 1e-3);
+    }
+}
+
 TEST(ObjectLines, OfACubeKnowWhatTheyLieOn) {
     const Scene scene = sceneOf({{cube(1.0), glm::dmat4{1.0}}, {cube(1.0), translation({3, 0, 0})}});
     const auto lines = linesOf(scene, perspective({6, 4, 7}, {1.5, 0, 0}));

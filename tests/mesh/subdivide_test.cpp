@@ -154,7 +154,7 @@ TEST(Subdivide, givesTheNormalsOfTheLimitSurface) {
             EXPECT_LT(glm::distance(normal, coarse.meshes()[0].normals[i]), 1e-5F);
         }
         // And they are at right angles to the faces around, as far as those are small: they bend by 0.03 at most.
-        const std::vector<glm::dvec3> faceNormals = makeFaceNormals(mesh);
+        const std::vector<glm::dvec3> faceNormals = normalsOfTriangles(mesh);
         for (std::size_t c = 0; c < mesh.indices.size(); ++c)
             EXPECT_GT(glm::dot(glm::dvec3{mesh.normals[mesh.indices[c]]}, faceNormals[c / 3]), 0.995);
     }

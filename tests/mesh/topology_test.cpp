@@ -128,6 +128,27 @@ TEST(BuildTopology, givesFacesTheirUnitNormalsByWinding) {
     EXPECT_THAT(buildTopology(line).faceNormals, Each(glm::dvec3(0.0)));
 }
 
+// A flat sheet of four triangles. The second one is slim; a corner of it lies past the opposite side, by a depth.
+Mesh sheetWithFold(double depth) {
+    Mesh mesh;
+    for (const glm::dvec3 p : {glm::dvec3{0, 0, 0}, {1, 0, 0}, {0.5, -depth, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}})
+        mesh.positions.emplace_back(p);
+    mesh.indices = {0, 3, 1, 0, 1, 2, 0, 2, 4, 2, 1, 4};
+    return mesh;
+}
+
+TEST(BuildTopology, givesNoNormalToAFoldOfRounding) {
+    const glm::dvec3 up{0, 0, 1};
+    EXPECT_THAT(buildTopology(sheetWithFold(-1e-3)).faceNormals, ElementsAre(up, up, up, up));
+    EXPECT_THAT(buildTopology(sheetWithFold(1e-4)).faceNormals, ElementsAre(up, glm::dvec3{0.0}, up, up));
+    EXPECT_THAT(buildTopology(sheetWithFold(1e-3)).faceNormals, ElementsAre(up, -up, up, up)) << "it can be seen";
+    Mesh mesh = sheetWithFold(1e-4);
+    EXPECT_THAT(makeFaceNormals(mesh, buildTopology(mesh)), ElementsAre(up, glm::dvec3{0.0}, up, up));
+    EXPECT_THAT(normalsOfTriangles(mesh), ElementsAre(up, -up, up, up));
+    std::swap(mesh.indices[1], mesh.indices[2]);  // the first face is wound the other way
+    EXPECT_THAT(buildTopology(mesh).faceNormals, ElementsAre(-up, glm::dvec3{0.0}, up, up));
+}
+
 TEST(BuildTopology, ofNothingIsNothing) {
     const MeshTopology topology = buildTopology(Mesh{});
     EXPECT_THAT(topology.twins, IsEmpty());

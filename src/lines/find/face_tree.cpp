@@ -18,7 +18,7 @@ public:
         : mesh_{mesh}, topology_{topology}, widest_{static_cast<float>(maxAngle)} {}
 
     FaceTree build() {
-        tree_.normals = mesh::makeFaceNormals(mesh_);
+        tree_.normals = mesh::makeFaceNormals(mesh_, topology_);
         fillPoints();
         sortFaces();
         if (!keys_.empty()) {

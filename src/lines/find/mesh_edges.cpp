@@ -144,7 +144,7 @@ std::vector<float> edgeOnSinesOf(const Mesh& mesh, const std::vector<glm::dvec3>
 MeshEdges findEdges(const Mesh& mesh, const mesh::MeshTopology& topology, double creaseAngle) {
     const double creaseCosine = std::cos(glm::radians(creaseAngle));
     MeshEdges edges;
-    edges.faceNormals = mesh::makeFaceNormals(mesh);
+    edges.faceNormals = mesh::makeFaceNormals(mesh, topology);
     edges.edgeOnSines = edgeOnSinesOf(mesh, edges.faceNormals);
     edges.normalSines.resize(mesh.positions.size(), 0.0F);
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
