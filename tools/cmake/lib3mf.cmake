@@ -8,3 +8,5 @@ endif()
 add_library(Lib3MF::lib3mf SHARED IMPORTED)
 set_target_properties(Lib3MF::lib3mf PROPERTIES
   IMPORTED_LOCATION "${LIB3MF_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${LIB3MF_INCLUDE_DIR}")
+
+find_package(ZLIB REQUIRED)  # what its archives are packed with

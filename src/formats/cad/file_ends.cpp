@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -88,7 +89,11 @@ void expectThreeMf(std::string_view text, std::uint64_t maxUnpacked) {
     if (!text.starts_with("PK")) refuse("a ZIP archive in a 3MF file", text);
     std::uint64_t left = maxUnpacked;
     const std::span archive{reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-    for (const ZipEntry& entry : zipDirectory(archive)) {
+    const std::vector<ZipEntry> entries = zipDirectory(archive);
+    for (const std::string_view name : {"[Content_Types].xml", "_rels/.rels"})
+        if (std::ranges::find(entries, name, &ZipEntry::name) == entries.end())
+            base::refuse(fmt::format("expected {} in a 3MF file, found a ZIP archive without it", name));
+    for (const ZipEntry& entry : entries) {
         if (entry.size > left)
             base::refuse(fmt::format("expected at most {} bytes in the files of a 3MF, found more; raise max-file-size",
                                      maxUnpacked));

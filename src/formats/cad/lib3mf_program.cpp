@@ -4,21 +4,26 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <memory>
+#include <new>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
+#include <Common/NMR_ErrorConst.h>
 #include <Model/COM/NMR_DLLInterfaces.h>
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <inkedge/scene.h>
 
 #include "base/message.h"
 #include "formats/cad/program_side.h"
+#include "formats/cad/request.h"
+#include "formats/cad/zip_directory.h"
 #include "formats/text.h"
 
 namespace inkedge::cad {
@@ -89,11 +94,12 @@ using Rgba = std::array<std::uint8_t, 4>;
 
 class Reading {
 public:
-    Reading(std::vector<std::uint8_t> bytes, std::uint64_t maxVertices) : maxVertices_{maxVertices} {
+    Reading(std::vector<std::uint8_t> bytes, const Request& limits) : limits_{limits} {
         model_ = made(nullptr, [](PLib3MFBase** to) { return lib3mf_createmodel(to); });
         const Handle reader =
             made(model_.get(), [&](PLib3MFBase** to) { return lib3mf_model_queryreader(model_.get(), "3mf", to); });
         expectDone(reader.get(), lib3mf_reader_readfrombuffer(reader.get(), bytes.data(), bytes.size()));
+        addWarnings(reader.get());
     }
 
     Model model() {
@@ -126,12 +132,13 @@ private:
         const auto node = static_cast<std::uint32_t>(result_.nodes.size());
         const std::string name = nameOf(object);
         result_.nodes.push_back({name, parent});
-        expectFew(result_.nodes.size(), "objects and components");
+        limits_.expectNodes(result_.nodes.size());
         BOOL isMesh = false;
         expectDone(object, lib3mf_object_ismeshobject(object, &isMesh));
         if (isMesh) {
             const std::uint32_t part = partOf(object, name);
             result_.instances.push_back({name, part, node, transform});
+            limits_.expectInstances(result_.instances.size());
             return;
         }
         DWORD count = 0;
@@ -148,10 +155,22 @@ private:
         }
     }
 
-    void expectFew(std::uint64_t count, std::string_view what) const {
-        if (count > maxVertices_)
-            throw std::runtime_error{
-                fmt::format("expected at most {} {}, found more; raise max-vertices", maxVertices_, what)};
+    // What the library read otherwise than the file says it, once each.
+    void addWarnings(PLib3MFBase* reader) {
+        constexpr std::size_t maxWarnings = 8;
+        DWORD count = 0;
+        expectDone(reader, lib3mf_reader_getwarningcount(reader, &count));
+        for (DWORD i = 0; i < count && result_.warnings.size() < maxWarnings; ++i) {
+            std::array<char, 512> text{};
+            DWORD code = 0;
+            ULONG length = 0;
+            if (lib3mf_reader_getwarningutf8(reader, i, &code, text.data(), text.size(), &length) != LIB3MF_OK)
+                continue;
+            if (code == NMR_ERROR_MISSINGUUID) continue;  // the core specification asks for none
+            std::string warning = "lib3mf: " + base::printable(text.data());
+            if (std::ranges::find(result_.warnings, warning) == result_.warnings.end())
+                result_.warnings.push_back(std::move(warning));
+        }
     }
 
     static std::string nameOf(PLib3MFBase* object) {
@@ -182,7 +201,7 @@ private:
         expectDone(object, lib3mf_meshobject_gettrianglecount(object, &triangles));
         if (lib3mf_meshobject_getbeamcount(object, &beams) == LIB3MF_OK) beams_ += beams;
         vertices_ += vertices + 3 * std::uint64_t{triangles};
-        expectFew(vertices_, "vertices and indices");
+        limits_.expectVertices(vertices_);
         std::vector<MODELMESHVERTEX> corners(vertices);
         if (vertices > 0) expectDone(object, lib3mf_meshobject_getvertices(object, corners.data(), vertices, nullptr));
         for (const MODELMESHVERTEX& v : corners)
@@ -268,7 +287,7 @@ private:
     }
 
     Handle model_;
-    std::uint64_t maxVertices_;
+    const Request& limits_;
     Model result_;
     std::map<DWORD, std::uint32_t> parts_;  // by the numbers of resources
     std::map<MaterialKey, std::uint32_t> materials_;
@@ -289,14 +308,54 @@ std::vector<std::uint8_t> bytesOfFile() {
     return bytes;
 }
 
+// How many bytes a deflated file comes to, as far as one more than expected.
+std::uint64_t inflatedSize(std::string_view packed, std::uint64_t expected) {
+    z_stream stream{};
+    constexpr int withoutWrapper = -MAX_WBITS;
+    if (inflateInit2(&stream, withoutWrapper) != Z_OK) throw std::bad_alloc{};
+    const std::unique_ptr<z_stream, decltype(&inflateEnd)> end{&stream, inflateEnd};
+    std::array<Bytef, 1 << 16> buffer{};
+    std::uint64_t size = 0;
+    int result = Z_OK;
+    while (result == Z_OK && size <= expected) {
+        if (stream.avail_in == 0) {
+            const std::string_view next = packed.substr(0, 1 << 30);                    // it counts with 32 bits
+            stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(next.data()));  // it is not changed
+            stream.avail_in = static_cast<uInt>(next.size());
+            packed.remove_prefix(next.size());
+        }
+        stream.next_out = buffer.data();
+        stream.avail_out = static_cast<uInt>(buffer.size());
+        result = inflate(&stream, Z_NO_FLUSH);
+        size += buffer.size() - stream.avail_out;
+    }
+    return size;
+}
+
+// An archive may say that it holds less than it does; the library would read for ever, and take all memory.
+void expectTrueSizes(std::span<const std::uint8_t> archive) {
+    for (const ZipEntry& entry : zipDirectory(archive)) {
+        const std::string name = base::quote(entry.name);
+        if (entry.method != 0 && entry.method != Z_DEFLATED)
+            throw std::runtime_error{
+                fmt::format("expected stored or deflated files in a 3MF, found {} by method {}", name, entry.method)};
+        const std::uint64_t size = entry.method == 0 ? entry.packed.size() : inflatedSize(entry.packed, entry.size);
+        if (size != entry.size)
+            throw std::runtime_error{fmt::format("expected {} bytes in {} of a 3MF, found {}", entry.size, name,
+                                                 size < entry.size ? std::to_string(size) : "more")};
+    }
+}
+
 }  // namespace
 }  // namespace inkedge::cad
 
 int main(int count, char** arguments) {
     using namespace inkedge::cad;
     runProgram([&]() -> std::string {
-        if (count != 3) return "expected a format and a number of vertices, found others";
-        sendReady(Reading{bytesOfFile(), std::strtoull(arguments[2], nullptr, 10)}.model());
+        const Request request = Request::of(count, arguments);
+        std::vector<std::uint8_t> bytes = bytesOfFile();
+        expectTrueSizes(bytes);
+        sendReady(Reading{std::move(bytes), request}.model());
         return {};
     });
 }

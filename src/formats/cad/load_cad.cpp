@@ -19,6 +19,7 @@
 #include "formats/cad/fineness.h"
 #include "formats/cad/model.h"
 #include "formats/cad/pack.h"
+#include "formats/cad/request.h"
 #include "formats/cad/surfaces.h"
 #include "modules/failure.h"
 #include "modules/open_module.h"
@@ -68,10 +69,9 @@ std::chrono::duration<double> longestReading(std::size_t bytes, const LoadLimits
 Model readBy(FileKind kind, std::span<const std::uint8_t> bytes, glm::dvec3 up, const LoadSettings& settings) {
     const modules::Module& program = programOf(kind);
     const auto path = modules::findModule(program, Error::Kind::Input);
-    process::ChildProgram child{path,
-                                {std::string{nameOf(kind)}, std::to_string(settings.limits.vertices)},
-                                bytes,
-                                longestReading(bytes.size(), settings.limits),
+    const LoadLimits& limits = settings.limits;
+    const Request request{std::string{nameOf(kind)}, limits.vertices, limits.instances, limits.nodes};
+    process::ChildProgram child{path, request.arguments(), bytes, longestReading(bytes.size(), limits),
                                 base::stopIfAsked};
     const auto receive = [&] {
         try {
@@ -82,7 +82,7 @@ Model readBy(FileKind kind, std::span<const std::uint8_t> bytes, glm::dvec3 up, 
     };
     while (true) {
         const auto outline = modules::expectNoFailure(unpacked<Outline>(receive()), Error::Kind::Input);
-        child.setLimit(std::chrono::duration<double>{settings.limits.readingTime});
+        child.setLimit(std::chrono::duration<double>{limits.readingTime});
         if (outline.ready) return unpacked<Model>(receive());
         child.send(packed(finenessFor(outline, up, settings)));
     }

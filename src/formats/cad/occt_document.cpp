@@ -78,8 +78,9 @@ std::string nameOf(const TDF_Label& label) {
 class Walk {
 public:
     /// @param mapped  shapes that stand otherwise than the document says
-    Walk(const Handle(TDocStd_Document) & document, std::vector<MappedShape> mapped)
-        : mapped_{std::move(mapped)},
+    Walk(const Handle(TDocStd_Document) & document, std::vector<MappedShape> mapped, const Request& limits)
+        : limits_{limits},
+          mapped_{std::move(mapped)},
           shapes_{XCAFDoc_DocumentTool::ShapeTool(document->Main())},
           colors_{XCAFDoc_DocumentTool::ColorTool(document->Main())},
           layers_{XCAFDoc_DocumentTool::LayerTool(document->Main())} {}
@@ -106,8 +107,9 @@ private:
         TDF_Label referred;
         if (XCAFDoc_ShapeTool::GetReferredShape(label, referred))
             return visit(referred, outer * transformOf(label), parent, name, color);
-        const auto node = static_cast<std::uint32_t>(document_.nodes.size());
-        document_.nodes.push_back({name, parent});
+        const auto node = static_cast<std::uint32_t>(document_.model.nodes.size());
+        document_.model.nodes.push_back({name, parent});
+        limits_.expectNodes(document_.model.nodes.size());
         TDF_LabelSequence components;
         XCAFDoc_ShapeTool::GetComponents(label, components);
         if (components.IsEmpty() || areFaces(components)) return addInstance(label, outer, node, name, color);
@@ -126,7 +128,7 @@ private:
     void warnOfMapped() {
         for (const MappedShape& mapped : mapped_)
             if (!mapped.taken)
-                document_.warnings.push_back(fmt::format(
+                document_.model.warnings.push_back(fmt::format(
                     "'{}' is drawn without the mirroring or the scale that a MAPPED_ITEM asks for", mapped.name));
     }
 
@@ -149,7 +151,8 @@ private:
         const auto [entry, isNew] = parts_.try_emplace({label.Tag(), material}, document_.parts.size());
         const std::string own = nameOf(label);
         if (isNew) addPart(label, shape, material, own.empty() ? name : own);
-        document_.instances.push_back({name, static_cast<std::uint32_t>(entry->second), node, outer});
+        document_.model.instances.push_back({name, static_cast<std::uint32_t>(entry->second), node, outer});
+        limits_.expectInstances(document_.model.instances.size());
     }
 
     void addPart(const TDF_Label& label, const TopoDS_Shape& shape, std::uint32_t material, const std::string& name) {
@@ -213,12 +216,13 @@ private:
         const std::tuple key{rgb.Red(), rgb.Green(), rgb.Blue()};
         const auto [entry, isNew] = materials_.try_emplace(key, static_cast<std::uint32_t>(materials_.size() + 1));
         if (isNew)
-            document_.materials.push_back({{},
-                                           {static_cast<float>(rgb.Red()), static_cast<float>(rgb.Green()),
-                                            static_cast<float>(rgb.Blue()), 1.0F}});
+            document_.model.materials.push_back({{},
+                                                 {static_cast<float>(rgb.Red()), static_cast<float>(rgb.Green()),
+                                                  static_cast<float>(rgb.Blue()), 1.0F}});
         return entry->second;
     }
 
+    const Request& limits_;
     std::vector<MappedShape> mapped_;
     Handle(XCAFDoc_ShapeTool) shapes_;
     Handle(XCAFDoc_ColorTool) colors_;
@@ -253,7 +257,7 @@ std::uint64_t failuresOf(const XSControl_WorkSession& session) {
     return count;
 }
 
-Document readStep(const char* file) {
+Document readStep(const char* file, const Request& limits) {
     STEPCAFControl_Reader reader;
     reader.SetColorMode(true);
     reader.SetNameMode(true);
@@ -262,12 +266,12 @@ Document readStep(const char* file) {
         throw std::runtime_error{"expected STEP as ISO 10303-21 has it, found text that is not"};
     Handle(TDocStd_Document) document = newDocument();
     reader.Transfer(document);
-    Document read = Walk{document, mappedShapes(reader.Reader())}.walk();
+    Document read = Walk{document, mappedShapes(reader.Reader()), limits}.walk();
     read.unreadable = failuresOf(*reader.Reader().WS());
     return read;
 }
 
-Document readIges(const char* file) {
+Document readIges(const char* file, const Request& limits) {
     IGESCAFControl_Reader reader;
     reader.SetColorMode(true);
     reader.SetNameMode(true);
@@ -276,7 +280,7 @@ Document readIges(const char* file) {
         throw std::runtime_error{"expected IGES as its standard has it, found text that is not"};
     Handle(TDocStd_Document) document = newDocument();
     reader.Transfer(document);
-    Document read = Walk{document, {}}.walk();
+    Document read = Walk{document, {}, limits}.walk();
     read.unreadable = failuresOf(*reader.WS());
     return read;
 }
@@ -293,9 +297,9 @@ Document readBrep(const char* file) {
     if (!read || shape.IsNull())
         throw std::runtime_error{"expected BREP as OpenCASCADE writes it, found text that is not"};
     Document document;
-    document.nodes.push_back({{}, noNode});
+    document.model.nodes.push_back({{}, noNode});
     document.parts.push_back({{}, shape});
-    document.instances.push_back({});
+    document.model.instances.push_back({});
     return document;
 }
 
@@ -307,9 +311,9 @@ void countLoose(const TopoDS_Shape& shape, Document& document) {
 
 }  // namespace
 
-Document readDocument(const char* file, CadFormat format) {
-    Document document = format == CadFormat::Step   ? readStep(file)
-                        : format == CadFormat::Iges ? readIges(file)
+Document readDocument(const char* file, CadFormat format, const Request& limits) {
+    Document document = format == CadFormat::Step   ? readStep(file, limits)
+                        : format == CadFormat::Iges ? readIges(file, limits)
                                                     : readBrep(file);
     for (DocumentPart& part : document.parts) {
         countLoose(part.shape, document);

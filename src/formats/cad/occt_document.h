@@ -4,10 +4,10 @@
 
 #include <cstdint>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "formats/cad/model.h"
+#include "formats/cad/request.h"
 
 namespace inkedge::cad {
 
@@ -25,18 +25,15 @@ struct DocumentPart {
 /// A CAD file, read.
 struct Document {
     std::vector<DocumentPart> parts;
-    std::vector<Instance> instances;
-    std::vector<Node> nodes;
-    std::vector<Material> materials;
-    std::vector<std::string> warnings;
+    Model model;                   ///< all but its parts
     std::uint64_t curves = 0;      ///< that are no edges of faces
     std::uint64_t points = 0;      ///< that are no ends of curves
     std::uint64_t invisible = 0;   ///< items that the file hides
     std::uint64_t unreadable = 0;  ///< items that OpenCASCADE could not make shapes of
 };
 
-/// Reads a file whose first and last lines are right.
+/// Reads a file whose first and last lines are right, within the limits of instances and nodes.
 /// @throws std::runtime_error  with what was expected and what was found instead; Standard_Failure as OpenCASCADE
-[[nodiscard]] Document readDocument(const char* file, CadFormat);
+[[nodiscard]] Document readDocument(const char* file, CadFormat, const Request&);
 
 }  // namespace inkedge::cad

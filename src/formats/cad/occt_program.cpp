@@ -4,7 +4,6 @@
 #include <Standard_Failure.hxx>
 
 #include <cmath>
-#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -14,6 +13,7 @@
 #include "formats/cad/occt_document.h"
 #include "formats/cad/occt_mesh.h"
 #include "formats/cad/program_side.h"
+#include "formats/cad/request.h"
 #include "formats/text.h"
 
 namespace inkedge::cad {
@@ -44,7 +44,7 @@ private:
     void makeFine(std::vector<std::vector<glm::dvec3>> points, double share) {
         Outline outline;
         outline.parts = std::move(points);
-        outline.instances = document_.instances;
+        outline.instances = document_.model.instances;
         send(outline);
         const auto wanted = receive<Fineness>().deflections;
         for (std::size_t i = 0; i < deflections_.size() && i < wanted.size(); ++i) {
@@ -57,7 +57,7 @@ private:
     }
 
     Model model() {
-        Model model;
+        Model model = std::move(document_.model);
         std::uint64_t vertices = 0;
         for (std::size_t i = 0; i < document_.parts.size(); ++i) {
             model.parts.push_back(meshOf(document_.parts[i], deflections_[i]));
@@ -67,10 +67,6 @@ private:
                     fmt::format("expected at most {} vertices and indices, found more; raise max-vertices or tolerance",
                                 maxVertices_)};
         }
-        model.instances = std::move(document_.instances);
-        model.nodes = std::move(document_.nodes);
-        model.materials = std::move(document_.materials);
-        model.warnings = std::move(document_.warnings);
         addLoose(model);
         return model;
     }
@@ -96,13 +92,11 @@ CadFormat formatOf(std::string_view name) {
     return name == "STEP" ? CadFormat::Step : name == "IGES" ? CadFormat::Iges : CadFormat::Brep;
 }
 
-std::string run(int count, char** arguments) {
-    if (count != 3) return "expected a format and a number of vertices, found others";
+std::string run(const Request& request) {
     const std::string file = fmt::format("/proc/self/fd/{}", modelDescriptor);
-    const CadFormat format = formatOf(arguments[1]);
     try {
         Message::DefaultMessenger()->ChangePrinters().Clear();
-        Reading{readDocument(file.c_str(), format), std::strtoull(arguments[2], nullptr, 10)}.run();
+        Reading{readDocument(file.c_str(), formatOf(request.format), request), request.maxVertices}.run();
     } catch (const Standard_Failure& failure) {
         const char* const message = failure.GetMessageString();
         return modules::oneLine(fmt::format("expected a model that OpenCASCADE reads, found {} in it{}{}",
@@ -115,5 +109,5 @@ std::string run(int count, char** arguments) {
 }  // namespace inkedge::cad
 
 int main(int count, char** arguments) {
-    inkedge::cad::runProgram([&] { return inkedge::cad::run(count, arguments); });
+    inkedge::cad::runProgram([&] { return inkedge::cad::run(inkedge::cad::Request::of(count, arguments)); });
 }

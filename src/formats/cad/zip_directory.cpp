@@ -1,6 +1,7 @@
 #include "formats/cad/zip_directory.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <string>
 
 #include <fmt/format.h>
@@ -58,13 +59,29 @@ Directory directoryOf(const Bytes& bytes) {
     base::refuse("expected the directory of a ZIP archive at its end, found none: it is cut short");
 }
 
-// The unpacked size among an entry's extra fields.
-std::uint64_t zip64Size(const Bytes& bytes, std::uint64_t begin, std::uint64_t size) {
-    for (std::uint64_t at = begin; at + 4 <= begin + size;) {
-        if (bytes.number(at, 2) == 1) return bytes.number(at + 4, 8);
-        at += 4 + bytes.number(at + 2, 2);
+// Takes those of an entry's numbers from its extra fields that stand there, in the order of these.
+void takeZip64(const Bytes& bytes, std::uint64_t begin, std::uint64_t size,
+               std::initializer_list<std::uint64_t*> numbers) {
+    for (std::uint64_t at = begin; at + 4 <= begin + size; at += 4 + bytes.number(at + 2, 2)) {
+        if (bytes.number(at, 2) != 1) continue;
+        std::uint64_t from = at + 4;
+        for (std::uint64_t* const number : numbers) {
+            if (*number != inZip64) continue;
+            *number = bytes.number(from, 8);
+            from += 8;
+        }
+        return;
     }
-    return inZip64;
+}
+
+// @param head  where the entry's own head begins
+std::string_view packedAt(const Bytes& bytes, std::uint64_t head, std::uint64_t size, std::string_view name) {
+    constexpr std::uint64_t headSize = 30;
+    const std::uint64_t begin = head + headSize + bytes.number(head + 26, 2) + bytes.number(head + 28, 2);
+    if (bytes.number(head, 4) != 0x04034B50 || !bytes.holds(begin, size))
+        base::refuse(
+            fmt::format("expected {} bytes of {} in a part of a ZIP archive, found none", size, base::quote(name)));
+    return bytes.text(begin, size);
 }
 
 }  // namespace
@@ -81,9 +98,12 @@ std::vector<ZipEntry> zipDirectory(std::span<const std::uint8_t> archive) {
         if (bytes.number(at, 4) != 0x02014B50 || !bytes.holds(at, headSize + nameSize + extraSize))
             base::refuse(
                 fmt::format("expected {} entries in the directory of a ZIP archive, found {}", directory.entries, i));
+        const std::string_view name = bytes.text(at + headSize, nameSize);
         std::uint64_t size = bytes.number(at + 24, 4);
-        if (size == inZip64) size = zip64Size(bytes, at + headSize + nameSize, extraSize);
-        entries.push_back({bytes.text(at + headSize, nameSize), size});
+        std::uint64_t packedSize = bytes.number(at + 20, 4);
+        std::uint64_t head = bytes.number(at + 42, 4);
+        takeZip64(bytes, at + headSize + nameSize, extraSize, {&size, &packedSize, &head});
+        entries.push_back({name, size, bytes.number(at + 10, 2), packedAt(bytes, head, packedSize, name)});
         at += headSize + nameSize + extraSize + bytes.number(at + 32, 2);
     }
     return entries;

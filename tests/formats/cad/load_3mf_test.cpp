@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,6 +13,9 @@
 #include "base/expect_error.h"
 #include "formats/cad/threemf_files.h"
 #include "formats/cad/zip_directory.h"
+#ifdef INKEDGE_3MF_LINES
+#include "formats/same_lines.h"
+#endif
 
 namespace inkedge::cad {
 namespace {
@@ -123,7 +128,8 @@ TEST(Load3mf, refusesWhatIsNoneInOneLine) {
                 [&] { sceneOf(std::vector<std::uint8_t>(text.begin(), text.end())); });
     io::ZipWriter other;
     other.add("a.txt", {1, 2, 3});
-    expectError(Error::Kind::Input, HasSubstr("expected a 3MF model, found"),
+    expectError(Error::Kind::Input,
+                HasSubstr("expected [Content_Types].xml in a 3MF file, found a ZIP archive without it"),
                 [&] { sceneOf(std::move(other).take()); });
     for (const std::string& inside :
          {std::string{"<resources>"}, "<resources>" + cube(1) + "</resources><build><item objectid=\"9\"/></build>",
@@ -136,12 +142,45 @@ TEST(Load3mf, refusesWhatIsNoneInOneLine) {
         expectError(Error::Kind::Input, HasSubstr("part.3mf: expected"), [&] { sceneOf(inside); });
 }
 
+TEST(Load3mf, saysWhatTheLibraryReadsOtherwiseThanTheFileSaysIt) {
+    const Scene scene = sceneOf("<resources>" + cube(1) + "</resources>" + buildOne, "ell");
+    EXPECT_THAT(scene.warnings(), ElementsAre("lib3mf: invalid model unit"));
+}
+
+// The unpacked size that the last file's entry in the archive's directory says.
+std::vector<std::uint8_t> withSize(std::vector<std::uint8_t> bytes, std::uint32_t size) {
+    const std::string entry{"PK\1\2"};
+    const auto at = std::find_end(bytes.begin(), bytes.end(), entry.begin(), entry.end());
+    for (std::ptrdiff_t i = 0; i < 4; ++i) at[24 + i] = static_cast<std::uint8_t>(size >> (8 * i));
+    return bytes;
+}
+
+TEST(Load3mf, believesNoSizesThatAreNotTrue) {
+    for (const auto& [size, found] : std::vector<std::pair<std::uint32_t, std::string>>{
+             {0, "expected 0 bytes in '3D/3dmodel.model' of a 3MF, found more"},
+             {1000, "expected 1000 bytes in '3D/3dmodel.model' of a 3MF, found more"},
+             {1'000'000'000, "expected 1000000000 bytes in '3D/3dmodel.model' of a 3MF, found "}})
+        expectError(Error::Kind::Input, HasSubstr(found), [&] { sceneOf(withSize(oneCube(), size)); });
+}
+
 TEST(Load3mf, keepsToTheLimits) {
     LoadSettings settings;
     settings.limits.vertices = 43;  // 8 vertices and 36 indices
     expectError(Error::Kind::Input,
                 HasSubstr("expected at most 43 vertices and indices, found more; raise max-vertices"),
                 [&] { sceneOf(oneCube(), settings); });
+    settings.limits = {};
+    const auto pair = archive(model("<resources>" + cube(1) +
+                                    "<object id=\"2\" type=\"model\"><components><component objectid=\"1\"/>"
+                                    "<component objectid=\"1\"/></components></object></resources>"
+                                    "<build><item objectid=\"2\"/></build>"));
+    settings.limits.instances = 1;
+    expectError(Error::Kind::Input, HasSubstr("expected at most 1 instances, found more; raise max-instances"),
+                [&] { sceneOf(pair, settings); });
+    settings.limits = {};
+    settings.limits.nodes = 2;
+    expectError(Error::Kind::Input, HasSubstr("expected at most 2 nodes, found more; raise max-nodes"),
+                [&] { sceneOf(pair, settings); });
     settings.limits = {};
     std::string spaces(1'000'000, ' ');
     const auto padded = archive(model(spaces + "<resources>" + cube(1) + "</resources>" + buildOne));
@@ -150,6 +189,24 @@ TEST(Load3mf, keepsToTheLimits) {
     expectError(Error::Kind::Input, HasSubstr("expected at most 500000 bytes in the files of a 3MF, found more"),
                 [&] { sceneOf(padded, settings); });
 }
+
+#ifdef INKEDGE_3MF_LINES
+TEST(Load3mf, hasTheSameLinesInAnyUnit) {
+    const auto linesOf = [](const std::string& unit, double scale) {
+        return linesToCompare(
+            sceneOf(archive(model("<resources>" + cube(1) + "</resources><build><item objectid=\"1\" transform=\"" +
+                                      fmt::format("{0:g} 0 0 0 {0:g} 0 0 0 {0:g} 0 0 0", scale) + "\"/></build>",
+                                  unit))));
+    };
+    const Lines expected = linesOf("millimeter", 1.0);
+    ASSERT_GT(expected.lines.size(), 3U);
+    for (const auto& [unit, scale] : std::vector<std::pair<std::string, double>>{
+             {"millimeter", 1e-6}, {"millimeter", 1e6}, {"micron", 1e-3}, {"inch", 1.0}, {"meter", 1e3}}) {
+        SCOPED_TRACE(unit + " times " + fmt::format("{}", scale));
+        expectSameLines(linesOf(unit, scale), expected, 1e-3);
+    }
+}
+#endif
 
 TEST(ZipDirectory, listsWhatIsPacked) {
     for (const std::uint64_t maxPlain : {std::uint64_t{0xFFFFFFFEU}, std::uint64_t{10}}) {  // the other one is ZIP64
