@@ -56,10 +56,10 @@ struct LoadLimits {
     std::uint64_t decompressedSize = 1'073'741'824;  ///< bytes that compressed geometry comes to
     std::uint64_t vertices = 134'217'728;            ///< vertices and indices of all meshes drawn; below 2^32
     std::uint64_t instances = 16'777'216;            ///< meshes drawn, each time counted
-    std::uint64_t nodes = 4'194'304;                 ///< of a glTF's node trees
+    std::uint64_t nodes = 4'194'304;                 ///< of a model's trees of nodes
     std::uint64_t nodeDepth = 1'048'576;             ///< from a root down, roots are at 1
     std::uint64_t imagePixels = 67'108'864;          ///< of one picture
-    double readingTime = 600.0;                      ///< seconds that the library for CAD files may take, over 0
+    double readingTime = 600.0;                      ///< seconds, of CAD files and implicit surfaces, over 0
 };
 
 /// What one unit of a model's coordinates is.

@@ -1,9 +1,11 @@
 #include "formats/implicit/load_implicit.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -110,6 +112,27 @@ private:
     Surface surface_;
 };
 
+// A field that may be asked for so long.
+class TimedField final : public ScalarField {
+public:
+    TimedField(const ScalarField& field, double seconds) : field_{field}, seconds_{seconds} {}
+
+    void evaluate(std::span<const glm::dvec3> at, std::span<double> values) const override {
+        const std::chrono::duration<double> past = std::chrono::steady_clock::now() - start_;
+        if (past.count() > seconds_)
+            base::refuse(
+                fmt::format("expected triangles of the surface within {:.4g} s, found it still at work; raise "
+                            "max-reading-time or tolerance",
+                            seconds_));
+        field_.evaluate(at, values);
+    }
+
+private:
+    const ScalarField& field_;
+    double seconds_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
 constexpr glm::dvec3 zUp{0.0, 0.0, 1.0};
 
 double deflectionIn(const Box& box, const LoadSettings& settings) {
@@ -133,7 +156,7 @@ Scene::Data loadImplicit(const formats::ModelInput& input, const LoadSettings& s
         const Grain grain{*surface.bounds, deflectionIn(*surface.bounds, settings), settings.limits.vertices};
         Scene::Data data;
         data.source.unit = surface.unit;
-        data.meshes.push_back(polygonise(*field, grain));
+        data.meshes.push_back(polygonise(TimedField{*field, settings.limits.readingTime}, grain));
         data.meshes.back().name = input.name.stem().string();
         data.meshes.back().field = field;
         data.instances.emplace_back().name = data.meshes.back().name;

@@ -19,11 +19,14 @@
 namespace inkedge::implicit {
 namespace {
 
-constexpr int coarse = 64;                  // cubes along the longest side
-constexpr int maxParts = 64;                // of a coarse cube along each axis
-constexpr double gradientStep = 1e-5;       // of a coarse cube
-constexpr double curvatureStep = 0.05;      // likewise
-constexpr double sharpest = 0.99;           // of places: what bends more than these is a crease
+constexpr int coarse = 64;              // cubes along the longest side
+constexpr int maxParts = 64;            // of a coarse cube along each axis
+constexpr double gradientStep = 1e-5;   // of a coarse cube
+constexpr double curvatureStep = 0.05;  // likewise
+constexpr double sharpest = 0.99;       // of places: what bends more than these is a crease
+// Of vertices and indices in a coarse cube that a surface passes through, times the square of its parts: in the mean
+// there are four times as many.
+constexpr int fewestElements = 4;
 constexpr std::size_t groupSize = 200'000;  // fine cubes that are made at once
 
 // The six tetrahedra around a cube's diagonal from corner 0 to corner 7; bit 0 of a corner's number is along x.
@@ -43,6 +46,7 @@ public:
         findCubes();
         if (cubes_.empty()) base::refuse("expected f = 0 somewhere within the bounds, found it " + signOf());
         chooseParts();
+        expectFew(static_cast<std::size_t>(fewestElements * parts_ * parts_) * crossed_.size());
         const std::size_t atOnce =
             std::max<std::size_t>(1, groupSize / static_cast<std::size_t>(parts_ * parts_ * parts_));
         for (std::size_t i = 0; i < cubes_.size(); i += atOnce)
@@ -208,7 +212,11 @@ private:
             });
             begin += static_cast<std::size_t>(row * row * row);
         }
-        if (onSurface_.size() + mesh_.indices.size() > grain_.maxElements)
+        expectFew(onSurface_.size() + mesh_.indices.size());
+    }
+
+    void expectFew(std::uint64_t elements) const {
+        if (elements > grain_.maxElements)
             base::refuse(
                 fmt::format("expected at most {} vertices and indices, found more; raise max-vertices or tolerance",
                             grain_.maxElements));

@@ -126,7 +126,7 @@ std::vector<SettingDescription> limitRows() {
                        {.name = "max-instances", .help = "most meshes drawn, counted each time"}, amount,
                        [](auto& s) -> auto& { return s.load.limits.instances; }),
                    row(
-                       {.name = "max-nodes", .help = "most nodes of a glTF file"}, amount,
+                       {.name = "max-nodes", .help = "most nodes of a model"}, amount,
                        [](auto& s) -> auto& { return s.load.limits.nodes; }),
                    row(
                        {.name = "max-node-depth", .help = "most nodes from a root down"}, amount,
@@ -135,7 +135,7 @@ std::vector<SettingDescription> limitRows() {
                        {.name = "max-image-pixels", .help = "most pixels of a picture that a material needs"}, amount,
                        [](auto& s) -> auto& { return s.load.limits.imagePixels; }),
                    row(
-                       {.name = "max-reading-time", .help = "most seconds that the library for CAD files may take"},
+                       {.name = "max-reading-time", .help = "most seconds to read a CAD file or an implicit surface"},
                        Number{.min = 0.001, .max = 1e6, .unit = "SECONDS"},
                        [](auto& s) -> auto& { return s.load.limits.readingTime; })});
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -10,6 +11,8 @@
 #include <inkedge/load_scene.h>
 #include <inkedge/views.h>
 
+#include "formats/implicit/load_implicit.h"
+#include "formats/same_lines.h"
 #include "lines/object_lines.h"
 
 namespace inkedge::implicit {
@@ -66,6 +69,61 @@ TEST(ImplicitContours, areWhereTheSurfaceTurnsAway) {
             }
             EXPECT_GT(length, 2000.0);
         }
+    }
+}
+
+std::string torusOf(double scale) {
+    return fmt::format("bounds {0} {0} {1} {2} {2} {3}\nf = (sqrt(x^2 + y^2) - {4})^2 + z^2 - 0.09*{4}^2\n",
+                       -1.5 * scale, -0.5 * scale, 1.5 * scale, 0.5 * scale, scale);
+}
+
+LoadSettings ofSmallPicture() {
+    LoadSettings load;
+    load.pictures.picture.size = {400, 400};
+    return load;
+}
+
+TEST(ImplicitContours, areTheSameInAnyUnit) {
+    const auto linesOf = [](double scale) {
+        const std::string text = torusOf(scale);
+        return linesToCompare(
+            loadScene(std::vector<std::uint8_t>{text.begin(), text.end()}, "form.implicit", ofSmallPicture()));
+    };
+    const Lines expected = linesOf(1.0);
+    ASSERT_GT(expected.lines.size(), 2U);
+    for (const double scale : {1e-6, 25.4, 1e6}) {
+        SCOPED_TRACE(scale);
+        expectSameLines(linesOf(scale), expected, 1e-2);  // positions are floats, and numbers of the file are rounded
+    }
+}
+
+TEST(ImplicitContours, areThoseOfEachInstance) {
+    const std::string text = torusOf(1.0);
+    const std::vector<std::uint8_t> bytes{text.begin(), text.end()};
+    const Scene::Data one = loadImplicit({"form.implicit", bytes}, ofSmallPicture());
+    const auto at = [&](double x, double scale) {
+        Instance instance = one.instances.front();
+        instance.transform = glm::dmat4{glm::dmat3{scale}};
+        instance.transform[3] = {x, 0.0, 0.0, 1.0};
+        return instance;
+    };
+    const auto linesOf = [&](const std::vector<Instance>& instances) {
+        Scene::Data data = one;
+        data.instances = instances;
+        const Scene scene{std::move(data), ofSmallPicture()};
+        CameraSettings view;
+        view.position = glm::dvec3{1.0, -12.0, 7.0};
+        view.focalPoint = glm::dvec3{1.0, 0.0, 0.0};
+        Settings settings;
+        settings.picture.size = {400, 400};
+        return lines::ObjectLines{scene}.find(frameCamera(scene, view, settings.picture.size), settings);
+    };
+    Lines both = linesOf({at(-1.6, 1.0), at(3.5, 2.0)});
+    for (const std::uint32_t object : {1U, 2U}) {
+        Lines its = both;
+        std::erase_if(its.lines, [&](const Line& line) { return line.object != object; });
+        ASSERT_GT(its.lines.size(), 1U);
+        expectSameLines(its, linesOf({object == 1 ? at(-1.6, 1.0) : at(3.5, 2.0)}), 1e-3);
     }
 }
 

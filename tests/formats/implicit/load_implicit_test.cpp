@@ -189,5 +189,19 @@ TEST(LoadImplicit, refusesWhatIsNoneInOneLine) {
                 [&] { sceneOf(ball, settings); });
 }
 
+TEST(LoadImplicit, comesToAnEnd) {
+    const std::string bounds = "bounds -1 -1 -1 1 1 1\n";
+    // It passes through every part of the bounds: what would be made is refused before it is.
+    expectError(Error::Kind::Input, HasSubstr("vertices and indices, found more; raise max-vertices"),
+                [&] { sceneOf(bounds + "f = sin(1e9*x*y + 3e9*z)\n"); });
+    LoadSettings settings;
+    settings.limits.readingTime = 0.01;
+    std::string slow = "x";
+    for (int i = 0; i < 1000; ++i) slow = slow + (i % 80 == 0 ? "\n " : "") + "+sin(y)";
+    expectError(Error::Kind::Input,
+                HasSubstr("expected triangles of the surface within 0.01 s, found it still at work"),
+                [&] { sceneOf(bounds + "f = " + slow + "\n", settings); });
+}
+
 }  // namespace
 }  // namespace inkedge::implicit
