@@ -1,12 +1,16 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <initializer_list>
+#include <span>
 
 #include <inkedge/camera.h>
 #include <inkedge/load_scene.h>
 #include <inkedge/scene.h>
 
+#include "base/temporary_folder.h"
 #include "fuzz/promise.h"
 
 namespace inkedge::fuzz {
@@ -33,6 +37,17 @@ inline void loadAndFrame(const std::filesystem::path& model) {
         expect(std::isfinite(camera.near) && std::isfinite(camera.far) && camera.near < camera.far,
                "a near plane before the far one", "none");
     });
+}
+
+/// Bytes as a model in one of some files: the first byte says in which, "0" the first one.
+/// @return  as LLVMFuzzerTestOneInput()
+inline int loadAndFrameAs(std::initializer_list<const char*> names, std::span<const std::uint8_t> bytes) {
+    static const TemporaryFolder folder;
+    if (bytes.empty()) return -1;
+    const std::filesystem::path model = folder / names.begin()[bytes.front() % names.size()];
+    write(model, bytes.subspan(1));
+    loadAndFrame(model);
+    return 0;
 }
 
 }  // namespace inkedge::fuzz
