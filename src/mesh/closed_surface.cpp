@@ -28,29 +28,47 @@ double signedVolume(const Mesh& mesh, std::uint32_t t) {
 
 }  // namespace
 
+Components findComponents(const MeshTopology& topology) {
+    const auto faces = static_cast<std::uint32_t>(topology.originals.size());
+    const bool hasPatches = !topology.patches.empty();
+    const std::uint32_t parts = hasPatches ? topology.patchCount() : faces;
+    const auto partOf = [&](std::uint32_t t) { return hasPatches ? topology.patches[t] : t; };
+    base::UnionFind joined{parts};
+    for (std::uint32_t h = 0; parts > 1 && h < topology.twins.size(); ++h) {
+        const std::uint32_t twin = topology.twins[h];
+        if (isHalfEdge(twin) && h < twin && partOf(h / 3) != partOf(twin / 3))
+            joined.unite(partOf(h / 3), partOf(twin / 3));
+    }
+    Components components;
+    components.ofFaces.resize(faces);
+    constexpr std::uint32_t none = ~0U;
+    std::vector<std::uint32_t> numbers(parts, none);
+    for (std::uint32_t t = 0; t < faces; ++t) {
+        std::uint32_t& number = numbers[joined.root(partOf(t))];
+        if (number == none) number = components.count++;
+        components.ofFaces[t] = number;
+    }
+    return components;
+}
+
 std::vector<std::int8_t> componentOrientations(const Mesh& mesh, const MeshTopology& topology) {
+    const Components components = findComponents(topology);
     const auto count = static_cast<std::uint32_t>(topology.originals.size());
     const auto takesPart = [&](std::uint32_t t) { return topology.originals[t] == t && !isCollapsed(topology, t); };
-    base::UnionFind parts{count};
-    std::vector<bool> open(count, false);
+    std::vector<bool> open(components.count, false);
+    std::vector<double> volumes(components.count, 0.0);
     for (std::uint32_t t = 0; t < count; ++t) {
-        if (!takesPart(t)) continue;
-        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-            if (!isOpposed(topology, h)) open[t] = true;
-            if (isHalfEdge(topology.twins[h])) parts.unite(t, topology.twins[h] / 3);
-        }
-    }
-    std::vector<double> volumes(count, 0.0);
-    for (std::uint32_t t = 0; t < count; ++t) {
-        if (!takesPart(t)) continue;
-        if (open[t]) open[parts.root(t)] = true;
-        volumes[parts.root(t)] += signedVolume(mesh, t);
+        const std::uint32_t component = components.ofFaces[t];
+        if (open[component] || !takesPart(t)) continue;
+        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
+            if (!isOpposed(topology, h)) open[component] = true;
+        volumes[component] += signedVolume(mesh, t);
     }
     std::vector<std::int8_t> closed(count, 0);
     for (std::uint32_t t = 0; t < count; ++t) {
-        const std::uint32_t root = parts.root(t);
-        if (!takesPart(t) || open[root] || volumes[root] == 0.0) continue;
-        closed[t] = volumes[root] > 0.0 ? 1 : -1;
+        const std::uint32_t component = components.ofFaces[t];
+        if (open[component] || volumes[component] == 0.0 || !takesPart(t)) continue;
+        closed[t] = volumes[component] > 0.0 ? 1 : -1;
     }
     return closed;
 }

@@ -31,6 +31,29 @@ TEST(InRanges, coversEverythingOnce) {
     }
 }
 
+TEST(PartsOf, keepsTheOrderOfItsRanges) {
+    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, 10 * elementsWorthAThread}) {
+        std::size_t reached = 0;
+        for (const auto& [begin, end] : partsOf(count, [](std::size_t begin, std::size_t end) {
+                 return std::pair{begin, end};
+             })) {
+            EXPECT_EQ(begin, reached);
+            reached = end;
+        }
+        EXPECT_EQ(reached, count);
+    }
+}
+
+TEST(AtOnce, runsBothAndThrowsWhatEitherThrows) {
+    std::atomic<int> done = 0;
+    atOnce([&] { ++done; }, [&] { ++done; });
+    EXPECT_EQ(done, 2);
+    const auto fails = [] { throw std::runtime_error{"fails"}; };
+    EXPECT_THROW(atOnce([&] { ++done; }, fails), std::runtime_error);
+    EXPECT_THROW(atOnce(fails, [&] { ++done; }), std::runtime_error);
+    EXPECT_EQ(done, 4) << "the other one comes to its end";
+}
+
 TEST(InRanges, staysOnOneThreadForLittle) {
     const auto caller = std::this_thread::get_id();
     int calls = 0;

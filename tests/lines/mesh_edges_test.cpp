@@ -34,6 +34,24 @@ TEST(MeshEdges, HoldEachSharedEdgeOnceAndCreasesByTheirBend) {
     for (std::size_t e = 0; e < 18; ++e) EXPECT_EQ(edges.shared.halfEdges[e] / 3, edges.shared.faces[2 * e]);
 }
 
+TEST(MeshEdges, AreSplitWhereTheyAreCreasesOrShadedWithDifferentNormals) {
+    const auto split = [](const Mesh& mesh) {
+        const Scene scene = sceneOf(mesh);
+        const MeshEdges edges = findEdges(scene.meshes()[0], scene::topologyOf(scene, 0), 40.0);
+        std::size_t count = 0;
+        for (std::uint32_t e = 0; e < edges.shared.halfEdges.size(); ++e)
+            count += isSplit(scene.meshes()[0], scene::topologyOf(scene, 0), edges, e) ? 1 : 0;
+        return count;
+    };
+    EXPECT_EQ(split(cube()), 12U);
+    EXPECT_EQ(split(sphere()), 0U);
+    Mesh bent;  // by 20 degrees, but each face with its own normals
+    bent.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {0, -1, -0.36F}};
+    bent.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, -0.34F, 0.94F}, {0, -0.34F, 0.94F}, {0, -0.34F, 0.94F}};
+    bent.indices = {0, 1, 2, 3, 5, 4};
+    EXPECT_EQ(split(bent), 1U);
+}
+
 TEST(MeshEdges, KnowWhichSideOfClosedComponentsIsOut) {
     EXPECT_THAT(edgesOf(cube()).closed, Each(1));
     EXPECT_THAT(edgesOf(turnedOver(cube())).closed, Each(-1));

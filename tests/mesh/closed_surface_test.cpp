@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "mesh/connect.h"
+#include "scene/prepared.h"
 #include "scenes.h"
 
 namespace inkedge::mesh {
@@ -23,6 +24,16 @@ Mesh joined(Mesh a, const Mesh& b, glm::vec3 offset) {
 Mesh insideOut(Mesh mesh) {
     for (std::size_t t = 0; t < mesh.indices.size(); t += 3) turnOver(mesh, t);
     return mesh;
+}
+
+TEST(FindComponents, NumbersThemByTheirFirstFaces) {
+    const Mesh two = joined(scenes::cube(), scenes::cube(), {5, 0, 0});
+    const Scene scene = scenes::sceneOf(two);  // with patches: each cube has six
+    for (const MeshTopology& topology : {buildTopology(two), scene::topologyOf(scene, 0)}) {
+        const Components components = findComponents(topology);
+        EXPECT_EQ(components.count, 2U);
+        for (std::uint32_t t = 0; t < 24; ++t) EXPECT_EQ(components.ofFaces[t], t / 12);
+    }
 }
 
 TEST(IsClosedOutward, HoldsForSolids) {

@@ -42,6 +42,7 @@ public:
     void collect(ContourMemory& memory) {
         if (view_.scale == 0.0) return;
         contours_ = search_.find(eye_, choice_.finder, memory);
+        for (const std::uint32_t e : contours_.edges) isSmooth_.push_back(!isSplit(mesh_, topology_, edges_, e));
         chooseSmoothPatches();
         if (choice_.contour == Contour::Auto && choice_.refinement == 0 && !exact_) findLargeFaces();
         addContourEdges();
@@ -64,8 +65,6 @@ private:
 
     [[nodiscard]] bool keepsHidden() const { return choice_.hidden != HiddenLines::None; }
 
-    [[nodiscard]] bool mayBeSmooth(std::uint32_t e) const { return edges_.shared.split[e] == 0; }
-
     void chooseSmoothPatches() {
         const bool refined = exact_ || (choice_.refinement > 0 && choice_.contour != Contour::Mesh);
         smooth_.assign(topology_.patchCount(), refined || choice_.contour == Contour::Smooth);
@@ -75,8 +74,9 @@ private:
             int count = 0;
         };
         std::vector<Mean> means(topology_.patchCount());
-        for (const std::uint32_t e : contours_.edges) {
-            if (!mayBeSmooth(e)) continue;
+        for (std::size_t i = 0; i < contours_.edges.size(); ++i) {
+            if (!isSmooth_[i]) continue;
+            const std::uint32_t e = contours_.edges[i];
             const std::uint32_t h = edges_.shared.halfEdges[e];
             const glm::dvec3 from = toWorld(position(h));
             const glm::dvec3 to = toWorld(position(mesh::nextHalfEdge(h)));
@@ -129,17 +129,20 @@ private:
 
     // A smooth contour, which may cross a face anywhere, leaves out parts of large ones: mesh contours are drawn there.
     void findLargeFaces() {
-        for (const std::uint32_t e : contours_.edges)
+        for (std::size_t i = 0; i < contours_.edges.size(); ++i) {
+            const std::uint32_t e = contours_.edges[i];
             for (const std::uint32_t t : {edges_.shared.faces[2 * e], edges_.shared.faces[2 * e + 1]})
-                if (isReplaced(e) && isLarge(t)) large_.insert(t);
+                if (isReplaced(i) && isLarge(t)) large_.insert(t);
+        }
         for (const std::uint32_t t : large_)
             for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) largePoints_.insert(topology_.points[h]);
     }
 
     // Whether a smooth contour replaces a contour edge.
-    [[nodiscard]] bool isReplaced(std::uint32_t e) const {
-        const std::uint32_t h = edges_.shared.halfEdges[e];
-        return smooth_[topology_.surfaceOf(h / 3)] && mayBeSmooth(e) && !largePoints_.contains(topology_.points[h]) &&
+    // @param i  into the contour edges
+    [[nodiscard]] bool isReplaced(std::size_t i) const {
+        const std::uint32_t h = edges_.shared.halfEdges[contours_.edges[i]];
+        return isSmooth_[i] && smooth_[topology_.surfaceOf(h / 3)] && !largePoints_.contains(topology_.points[h]) &&
                !largePoints_.contains(topology_.points[mesh::nextHalfEdge(h)]);
     }
 
@@ -170,7 +173,8 @@ private:
     }
 
     void addContourEdges() {
-        for (const std::uint32_t e : contours_.edges) {
+        for (std::size_t i = 0; i < contours_.edges.size(); ++i) {
+            const std::uint32_t e = contours_.edges[i];
             const bool hidden = isHiddenFold(e);
             if (hidden && !keepsHidden()) continue;
             const std::uint32_t h = edges_.shared.halfEdges[e];
@@ -180,7 +184,7 @@ private:
             segment.hidden = hidden;
             segment.edgeOn = isEdgeOn(edges_.shared.faces[2 * e]) || isEdgeOn(edges_.shared.faces[2 * e + 1]);
             segment.occludes = !hidden;
-            segment.drawn = !isReplaced(e);
+            segment.drawn = !isReplaced(i);
             segment.marked = marksOutlines() && isMarked(h);
         }
     }
@@ -208,7 +212,8 @@ private:
         std::size_t nextContour = 0;
         for (const std::uint32_t e : edges) {  // both lists are in order
             while (nextContour < contours_.edges.size() && contours_.edges[nextContour] < e) ++nextContour;
-            if (nextContour < contours_.edges.size() && contours_.edges[nextContour] == e && !isReplaced(e)) continue;
+            if (nextContour < contours_.edges.size() && contours_.edges[nextContour] == e && !isReplaced(nextContour))
+                continue;
             const std::uint32_t first = edges_.shared.faces[2 * e];
             const std::uint32_t other = edges_.shared.faces[2 * e + 1];
             const std::uint32_t h = edges_.shared.halfEdges[e];
@@ -463,6 +468,7 @@ private:
     std::optional<SurfaceContours> exact_;  // where the faces have surfaces
     std::uint32_t joints_ = 0;              // within triangles, of exact contours
     FoundContours contours_;
+    std::vector<bool> isSmooth_;               // one per contour edge: whether its faces are one smooth surface
     std::vector<bool> smooth_;                 // one per patch
     std::vector<double> viewDots_;             // one per position: n . (x - C)
     std::unordered_set<std::uint32_t> large_;  // faces at contour edges

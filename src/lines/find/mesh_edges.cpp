@@ -32,11 +32,9 @@ bool sameNormals(const Mesh& mesh, const mesh::MeshTopology& topology, std::uint
     return agree(halfEdge, ends.atStart) && agree(mesh::nextHalfEdge(halfEdge), ends.atEnd);
 }
 
-// Collects the half-edges of edges that many faces share. Those of one edge follow each other.
-void collectMany(const mesh::MeshTopology& topology, MeshEdges& edges) {
+// Sorts the half-edges of edges that many faces share. Those of one edge follow each other.
+void sortMany(const mesh::MeshTopology& topology, MeshEdges& edges) {
     auto& many = edges.many;
-    for (std::uint32_t h = 0; h < topology.twins.size(); ++h)
-        if (topology.twins[h] == mesh::manyHalfEdges) many.push_back(h);
     const auto ends = [&](std::uint32_t h) {
         return std::minmax(topology.points[h], topology.points[mesh::nextHalfEdge(h)]);
     };
@@ -81,40 +79,91 @@ Whole wholeOf(const Mesh& mesh, const mesh::MeshTopology& topology, const std::v
     return whole;
 }
 
-// Adds an edge that two faces share. If thin faces lie between them it looks for the two faces beyond, and whether they
-// meet in a crease.
-void addShared(const Mesh& mesh, const mesh::MeshTopology& topology, std::uint32_t h, double creaseCosine,
-               MeshEdges& edges) {
-    const std::uint32_t twin = topology.twins[h];
-    const auto isThin = [&](std::uint32_t t) { return edges.faceNormals[t] == glm::dvec3{0.0}; };
-    bool against = topology.points[h] == topology.points[twin];
-    bool crease = topology.creases[h];
-    std::uint32_t first = h / 3;
-    std::uint32_t second = twin / 3;
-    if (isThin(first) || isThin(second)) {
-        const Whole a = wholeOf(mesh, topology, edges.faceNormals, first);
-        const Whole b = wholeOf(mesh, topology, edges.faceNormals, second);
-        first = a.face;
-        second = b.face;
-        if (first == second) return;
-        against = against != (a.against != b.against);
-        const double cosine = glm::dot(edges.faceNormals[first], edges.faceNormals[second]);
-        const bool bends = !isThin(first) && !isThin(second) && (against ? -cosine : cosine) < creaseCosine;
-        crease = mesh::isOfKind(mesh, h, twin, EdgeKind::Sharp) || (bends && !mesh::isSmoothByKind(mesh, h, twin));
+// Collects the edges of a range of half-edges.
+class EdgeCollector {
+public:
+    EdgeCollector(const Mesh& mesh, const mesh::MeshTopology& topology, const std::vector<glm::dvec3>& normals,
+                  const std::vector<float>& edgeOnSines, double creaseCosine)
+        : mesh_{mesh}, topology_{topology}, normals_{normals}, sines_{edgeOnSines}, creaseCosine_{creaseCosine} {}
+
+    [[nodiscard]] MeshEdges collect(std::uint32_t begin, std::uint32_t end) const {
+        MeshEdges edges;
+        edges.shared.halfEdges.reserve((end - begin) / 2);
+        edges.shared.faces.reserve(end - begin);
+        edges.shared.against.reserve((end - begin) / 2);
+        for (std::uint32_t h = begin; h < end; ++h) {
+            const std::uint32_t twin = topology_.twins[h];
+            if (mesh::isHalfEdge(twin)) {
+                if (h < twin) addShared(h, twin, edges);
+            } else if (twin == mesh::manyHalfEdges) {
+                edges.many.push_back(h);
+            } else if (isThin(h / 3) && takesPart(topology_, h / 3)) {
+                edges.thinBorders.push_back(h);
+            }
+        }
+        return edges;
     }
-    MeshEdges::Shared& shared = edges.shared;
-    const auto number = static_cast<std::uint32_t>(shared.halfEdges.size());
-    if (crease)
-        edges.creases.push_back(number);
-    else if (isMarked(mesh, topology, h))
-        edges.marked.push_back(number);
-    else if (mesh::isOfKind(mesh, h, twin, EdgeKind::Tangent))
-        edges.tangents.push_back(number);
-    shared.faces.push_back(first);
-    shared.faces.push_back(second);
-    shared.halfEdges.push_back(h);
-    shared.against.push_back(against ? 1 : 0);
-    shared.split.push_back(crease || !sameNormals(mesh, topology, h, twin) ? 1 : 0);
+
+private:
+    [[nodiscard]] bool isThin(std::uint32_t t) const { return sines_[t] < 0.0F; }
+
+    // If thin faces lie beside the edge, looks for the two faces beyond, and whether they meet in a crease.
+    void addShared(std::uint32_t h, std::uint32_t twin, MeshEdges& edges) const {
+        bool against = topology_.points[h] == topology_.points[twin];
+        bool crease = topology_.creases[h];
+        std::uint32_t first = h / 3;
+        std::uint32_t second = twin / 3;
+        if (isThin(first) || isThin(second)) {
+            const Whole a = wholeOf(mesh_, topology_, normals_, first);
+            const Whole b = wholeOf(mesh_, topology_, normals_, second);
+            first = a.face;
+            second = b.face;
+            if (first == second) return;
+            against = against != (a.against != b.against);
+            const double cosine = glm::dot(normals_[first], normals_[second]);
+            const bool bends = !isThin(first) && !isThin(second) && (against ? -cosine : cosine) < creaseCosine_;
+            crease =
+                mesh::isOfKind(mesh_, h, twin, EdgeKind::Sharp) || (bends && !mesh::isSmoothByKind(mesh_, h, twin));
+        }
+        MeshEdges::Shared& shared = edges.shared;
+        const auto number = static_cast<std::uint32_t>(shared.halfEdges.size());
+        if (crease)
+            edges.creases.push_back(number);
+        else if (isMarked(mesh_, topology_, h))
+            edges.marked.push_back(number);
+        else if (mesh::isOfKind(mesh_, h, twin, EdgeKind::Tangent))
+            edges.tangents.push_back(number);
+        shared.faces.push_back(first);
+        shared.faces.push_back(second);
+        shared.halfEdges.push_back(h);
+        shared.against.push_back(against ? 1 : 0);
+    }
+
+    const Mesh& mesh_;
+    const mesh::MeshTopology& topology_;
+    const std::vector<glm::dvec3>& normals_;
+    const std::vector<float>& sines_;
+    double creaseCosine_;
+};
+
+// Adds the edges that were collected from the next range.
+void append(MeshEdges&& part, MeshEdges& to) {
+    const auto first = static_cast<std::uint32_t>(to.shared.halfEdges.size());
+    const auto addAll = [](auto&& from, auto& all) {
+        if (all.empty())
+            all = std::move(from);
+        else
+            all.insert(all.end(), from.begin(), from.end());
+    };
+    for (auto numbers : {&MeshEdges::creases, &MeshEdges::marked, &MeshEdges::tangents}) {
+        for (std::uint32_t& number : part.*numbers) number += first;
+        addAll(std::move(part.*numbers), to.*numbers);
+    }
+    addAll(std::move(part.shared.faces), to.shared.faces);
+    addAll(std::move(part.shared.halfEdges), to.shared.halfEdges);
+    addAll(std::move(part.shared.against), to.shared.against);
+    addAll(std::move(part.many), to.many);
+    addAll(std::move(part.thinBorders), to.thinBorders);
 }
 
 // A corner that is off by an error tilts its face by up to the error through the face's height there.
@@ -141,6 +190,11 @@ std::vector<float> edgeOnSinesOf(const Mesh& mesh, const std::vector<glm::dvec3>
 
 }  // namespace
 
+bool isSplit(const Mesh& mesh, const mesh::MeshTopology& topology, const MeshEdges& edges, std::uint32_t edge) {
+    const std::uint32_t h = edges.shared.halfEdges[edge];
+    return std::ranges::binary_search(edges.creases, edge) || !sameNormals(mesh, topology, h, topology.twins[h]);
+}
+
 MeshEdges findEdges(const Mesh& mesh, const mesh::MeshTopology& topology, double creaseAngle) {
     const double creaseCosine = std::cos(glm::radians(creaseAngle));
     MeshEdges edges;
@@ -151,13 +205,12 @@ MeshEdges findEdges(const Mesh& mesh, const mesh::MeshTopology& topology, double
         float& sine = edges.normalSines[mesh.indices[i]];
         sine = std::max(sine, edges.edgeOnSines[i / 3]);
     }
-    for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
-        if (mesh::isHalfEdge(topology.twins[h]) && h < topology.twins[h])
-            addShared(mesh, topology, h, creaseCosine, edges);
-        const bool thin = topology.twins[h] == mesh::noHalfEdge && edges.faceNormals[h / 3] == glm::dvec3{0.0};
-        if (thin && takesPart(topology, h / 3)) edges.thinBorders.push_back(h);
-    }
-    collectMany(topology, edges);
+    const EdgeCollector collector{mesh, topology, edges.faceNormals, edges.edgeOnSines, creaseCosine};
+    for (MeshEdges& part : base::partsOf(topology.twins.size(), [&](std::size_t begin, std::size_t end) {
+             return collector.collect(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
+         }))
+        append(std::move(part), edges);
+    sortMany(topology, edges);
     edges.closed = mesh::componentOrientations(mesh, topology);
     return edges;
 }

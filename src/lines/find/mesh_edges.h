@@ -19,8 +19,6 @@ struct MeshEdges {
         std::vector<std::uint32_t> faces;      ///< two per edge; the half-edge of the first face names the edge
         std::vector<std::uint32_t> halfEdges;  ///< one per edge: of the first face
         std::vector<std::uint8_t> against;     ///< one per edge: 1 if the faces are wound against each other, else 0
-        std::vector<std::uint8_t>
-            split;  ///< one per edge: 1 if it is a crease or the faces are shaded with different normals
     } shared;
     std::vector<std::uint32_t> creases;   ///< into shared, ascending
     std::vector<std::uint32_t> marked;    ///< into shared, ascending: edges that the file marks and that are no creases
@@ -42,6 +40,9 @@ struct MeshEdges {
 
 /// Whether the file marks a half-edge, or its twin.
 [[nodiscard]] bool isMarked(const Mesh&, const mesh::MeshTopology&, std::uint32_t halfEdge);
+
+/// Whether a shared edge is a crease, or its faces are shaded with different normals.
+[[nodiscard]] bool isSplit(const Mesh&, const mesh::MeshTopology&, const MeshEdges&, std::uint32_t edge);
 
 /// @param creaseAngle  degrees
 /// O(n).

@@ -6,32 +6,11 @@
 #include <glm/vector_relational.hpp>
 
 #include "base/union_find.h"
-#include "mesh/topology.h"
+#include "mesh/closed_surface.h"
 #include "scene/prepared.h"
 
 namespace inkedge::lines {
 namespace {
-
-struct MeshComponents {
-    std::vector<std::uint32_t> ofFaces;  // 0..count-1
-    std::uint32_t count = 0;
-};
-
-MeshComponents componentsOf(const mesh::MeshTopology& topology) {
-    const auto faces = static_cast<std::uint32_t>(topology.originals.size());
-    base::UnionFind whole{faces};
-    for (std::uint32_t h = 0; h < topology.twins.size(); ++h) {
-        const std::uint32_t twin = topology.twins[h];
-        if (mesh::isHalfEdge(twin) && h < twin) whole.unite(h / 3, twin / 3);
-    }
-    MeshComponents components;
-    components.ofFaces.resize(faces);
-    for (std::uint32_t t = 0; t < faces; ++t) {  // a root is the first member of its component
-        const std::uint32_t root = whole.root(t);
-        components.ofFaces[t] = root == t ? components.count++ : components.ofFaces[root];
-    }
-    return components;
-}
 
 void extend(Box& box, glm::dvec3 point) {
     box = box.empty() ? Box{point, point} : Box{glm::min(box.min, point), glm::max(box.max, point)};
@@ -42,7 +21,7 @@ void extend(Box& box, glm::dvec3 point) {
 SurfaceComponents::SurfaceComponents(const Scene& scene, std::span<const BorderSegment> borders) {
     std::vector<std::uint32_t> counts;
     for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
-        MeshComponents components = componentsOf(scene::topologyOf(scene, i));
+        mesh::Components components = mesh::findComponents(scene::topologyOf(scene, i));
         ofFaces_.push_back(std::move(components.ofFaces));
         counts.push_back(components.count);
     }
