@@ -30,6 +30,8 @@ struct Piece {
     glm::dvec2 a;
     glm::dvec2 b;
     double start;  // pixels along the line to a
+    double length;
+    glm::dvec2 along;  // unit
 };
 
 // Two pieces along each other. Positions along a line count pieces, as those of a Part do.
@@ -73,8 +75,11 @@ public:
         std::vector<Overlap> overlaps = findOverlaps();
         if (overlaps.empty()) return std::move(lines_);
         // The nearest first: what has gone makes no other line go.
-        std::ranges::stable_sort(overlaps, {}, [&](const Overlap& overlap) { return rank(overlap.stays); });
-        for (const Overlap& overlap : overlaps) settle(overlap);
+        std::vector<std::pair<Rank, std::uint32_t>> order;
+        order.reserve(overlaps.size());
+        for (std::uint32_t i = 0; i < overlaps.size(); ++i) order.emplace_back(rank(overlaps[i].stays), i);
+        std::ranges::stable_sort(order);
+        for (const auto& each : order) settle(overlaps[each.second]);
         std::vector<Line> merged;
         for (std::uint32_t i = 0; i < lines_.size(); ++i) {
             if (!runs_[i]) {
@@ -92,9 +97,10 @@ private:
         const std::size_t count = line.points.size() - (line.closed ? 0 : 1);
         double start = 0.0;
         for (std::uint32_t k = 0; k < count; ++k) {
-            const Piece piece{i, k, line.points[k].pixel, line.points[(k + 1) % line.points.size()].pixel, start};
-            const double length = glm::distance(piece.a, piece.b);
-            if (length > shortest) pieces_.push_back(piece);
+            const glm::dvec2 a = line.points[k].pixel;
+            const glm::dvec2 b = line.points[(k + 1) % line.points.size()].pixel;
+            const double length = glm::distance(a, b);
+            if (length > shortest) pieces_.push_back({i, k, a, b, start, length, (b - a) / length});
             start += length;
         }
         lengths_[i] = start;
@@ -139,27 +145,28 @@ private:
     }
 
     void addOverlaps(const Piece& p, const Piece& q, std::vector<Overlap>& overlaps) const {
-        const double one = within(p.line, q.line);
-        if (const auto overlap = overlapOf(p, q, one)) overlaps.push_back(*overlap);
         const double far = farthest(p.line, q.line);
+        const double apart[2]{cross(p.along, q.a - p.a), cross(p.along, q.b - p.a)};
+        if (std::min(apart[0], apart[1]) > far || std::max(apart[0], apart[1]) < -far) return;
+        const double one = within(p.line, q.line);
+        if (const auto overlap = overlapOf(p, q, apart, one)) overlaps.push_back(*overlap);
         if (far == one) return;
-        if (auto overlap = overlapOf(p, q, far)) {
+        if (auto overlap = overlapOf(p, q, apart, far)) {
             overlap->isBeside = true;
             overlaps.push_back(*overlap);
         }
     }
 
     // The stretch of p along which q runs.
-    [[nodiscard]] std::optional<Overlap> overlapOf(const Piece& p, const Piece& q, double within) const {
-        const double length = glm::distance(p.a, p.b);
-        const glm::dvec2 along = (p.b - p.a) / length;
-        const double apart[2]{cross(along, q.a - p.a), cross(along, q.b - p.a)};
+    // @param apart  how far q's ends are from p
+    [[nodiscard]] std::optional<Overlap> overlapOf(const Piece& p, const Piece& q, const double (&apart)[2],
+                                                   double within) const {
         if (std::min(apart[0], apart[1]) > within || std::max(apart[0], apart[1]) < -within) return {};
-        const double at[2]{glm::dot(along, q.a - p.a), glm::dot(along, q.b - p.a)};
+        const double at[2]{glm::dot(p.along, q.a - p.a), glm::dot(p.along, q.b - p.a)};
         const double whole = at[1] - at[0];
         if (std::abs(whole) <= shortest) return {};
         // Shares of q: first where it lies beside p, then where it is near enough.
-        double shares[2]{(0.0 - at[0]) / whole, (length - at[0]) / whole};
+        double shares[2]{(0.0 - at[0]) / whole, (p.length - at[0]) / whole};
         if (shares[0] > shares[1]) std::swap(shares[0], shares[1]);
         const double begin = std::max(0.0, shares[0]);
         const double end = std::min(1.0, shares[1]);
@@ -177,22 +184,21 @@ private:
         // Pieces that only cross part on either side. Many such in a row are no line that falls on another.
         const bool seen = lines_[p.line].visible && lines_[q.line].visible;
         if (seen && from > begin && to < end && overlap < minCoincident) return {};
-        const auto shareOfP = [&](double share) { return std::clamp((at[0] + share * whole) / length, 0.0, 1.0); };
+        const auto shareOfP = [&](double share) { return std::clamp((at[0] + share * whole) / p.length, 0.0, 1.0); };
         if (p.line == q.line && bends(p, shareOfP(0.5 * (from + to)), q, 0.5 * (from + to))) return {};
         return decided(sideOf(p, shareOfP(from), shareOfP(to)), sideOf(q, from, to));
     }
 
     // Whether two points of one line are near each other because it has not gone on far from one to the other.
     [[nodiscard]] bool bends(const Piece& p, double atP, const Piece& q, double atQ) const {
-        const double between =
-            std::abs(p.start + atP * glm::distance(p.a, p.b) - q.start - atQ * glm::distance(q.a, q.b));
+        const double between = std::abs(p.start + atP * p.length - q.start - atQ * q.length);
         const double round = lines_[p.line].closed ? lengths_[p.line] - between : between;
         return std::min(between, round) < roundAnEnd * farthest(p.line, p.line);
     }
 
     [[nodiscard]] Overlap::Side sideOf(const Piece& piece, double from, double to) const {
         const double middle = piece.number + 0.5 * (from + to);
-        const glm::dvec3 point = pointAt(lines_[piece.line], middle).position - origin_;
+        const glm::dvec3 point = placeAt(lines_[piece.line], middle).position - origin_;
         const double depth = screen_.depth(point);
         const double footprint = screen_.footprint(point);
         // In footprints: in perspective these grow with the depth.
@@ -214,7 +220,8 @@ private:
         return pStays ? Overlap{false, p, q} : Overlap{false, q, p};
     }
 
-    [[nodiscard]] std::tuple<bool, bool, double, LineType, std::uint32_t> rank(const Overlap::Side& side) const {
+    using Rank = std::tuple<bool, bool, double, LineType, std::uint32_t>;
+    [[nodiscard]] Rank rank(const Overlap::Side& side) const {
         const Line& line = lines_[side.line];
         return {!line.visible, isScrap(side.line), std::floor(side.depth / asNear), line.type, side.line};
     }
@@ -234,17 +241,33 @@ private:
         return *runs_[line];
     }
 
-    [[nodiscard]] LinePoint pointAt(const Line& line, double position) const {
+    // A position along a line, in space.
+    struct Place {
+        const LinePoint& p;
+        const LinePoint& q;
+        double share;  // of the way from p to q in the picture
+        double inSpace;
+        glm::dvec3 position;
+    };
+    [[nodiscard]] Place placeAt(const Line& line, double position) const {
         const std::size_t count = line.points.size();
         const auto piece = static_cast<std::size_t>(position);
         const LinePoint& p = line.points[piece % count];
         const double share = position - static_cast<double>(piece);
-        if (share == 0.0) return p;
+        if (share == 0.0) return {p, p, 0.0, 0.0, p.position};
         const LinePoint& q = line.points[(piece + 1) % count];
-        const double inSpace = screen_.unproject(share, screen_.project(p.position - origin_).inverseDepth,
-                                                 screen_.project(q.position - origin_).inverseDepth);
-        return {p.pixel + share * (q.pixel - p.pixel), p.position + inSpace * (q.position - p.position),
-                p.strength + inSpace * (q.strength - p.strength)};
+        const auto inverseDepth = [&](const LinePoint& point) {
+            return screen_.project(point.position - origin_).inverseDepth;
+        };
+        const double inSpace =
+            screen_.orthographic() ? share : screen_.unproject(share, inverseDepth(p), inverseDepth(q));
+        return {p, q, share, inSpace, p.position + inSpace * (q.position - p.position)};
+    }
+
+    [[nodiscard]] LinePoint pointAt(const Line& line, double position) const {
+        const auto [p, q, share, inSpace, at] = placeAt(line, position);
+        if (share == 0.0) return p;
+        return {p.pixel + share * (q.pixel - p.pixel), at, p.strength + inSpace * (q.strength - p.strength)};
     }
 
     // A run may go on over the start of a closed line.

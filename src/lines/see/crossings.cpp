@@ -4,7 +4,7 @@
 
 #include <glm/common.hpp>
 
-#include "base/stop.h"
+#include "base/parallel.h"
 #include "lines/picture_grid.h"
 
 namespace inkedge::lines {
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double minStep = 0.05;  // footprints: an occluder that is nearer by less lies on the same surface
 
-constexpr std::uint32_t segmentsBetweenLooks = 256;
+constexpr std::size_t segmentsOfPart = 256;  // that one thread looks at
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -33,10 +33,8 @@ std::vector<Crossing> findCrossings(std::span<const Segment> segments, std::span
                                   if (segments[s].occludes) grid.forEachCell(ends[0].pixel, ends[1].pixel, 0.0, visit);
                               }};
 
-    std::vector<Crossing> crossings;
-    for (std::uint32_t s = 0; s < segments.size(); ++s) {
-        if (s % segmentsBetweenLooks == 0) base::stopIfAsked();
-        if (!segments[s].drawn) continue;
+    const auto addCrossings = [&](std::uint32_t s, std::vector<Crossing>& crossings) {
+        if (!segments[s].drawn) return;
         const ScreenSegment& own = screenSegments[s];
         const glm::dvec2 along = own.ends[1].pixel - own.ends[0].pixel;
         const double footprint = screen.footprint(own.world[0]);
@@ -64,7 +62,15 @@ std::vector<Crossing> findCrossings(std::span<const Segment> segments, std::span
         });
         std::sort(crossings.begin() + static_cast<std::ptrdiff_t>(before), crossings.end(),
                   [](const Crossing& a, const Crossing& b) { return a.at < b.at; });
-    }
+    };
+    std::vector<std::vector<Crossing>> parts((segments.size() + segmentsOfPart - 1) / segmentsOfPart);
+    base::onEach(parts.size(), [&](std::size_t part) {
+        const std::size_t end = std::min(segments.size(), (part + 1) * segmentsOfPart);
+        for (std::size_t s = part * segmentsOfPart; s < end; ++s)
+            addCrossings(static_cast<std::uint32_t>(s), parts[part]);
+    });
+    std::vector<Crossing> crossings;
+    for (const std::vector<Crossing>& part : parts) crossings.insert(crossings.end(), part.begin(), part.end());
     return crossings;
 }
 
