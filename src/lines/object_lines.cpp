@@ -215,20 +215,14 @@ private:
 
 // It holds the scene, which therefore must not hold it.
 struct ObjectLines::Prepared {
-    explicit Prepared(const Scene& whole) : scene{whole}, rays{scene} {
-        for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
-            base::stopIfAsked();
-            edges.push_back(findEdges(scene.meshes()[i], scene::topologyOf(scene, i), scene.creaseAngle()));
-        }
-        for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
-            base::stopIfAsked();
-            searches.push_back(
-                std::make_unique<ContourSearch>(scene.meshes()[i], scene::topologyOf(scene, i), edges[i]));
-        }
-        borders = findBorderSegments(scene, edges);
-        for (const Mesh& mesh : scene.meshes()) {
-            base::stopIfAsked();
-            fileLines.push_back(findFileLines(mesh));
+    explicit Prepared(const Scene& whole) : scene{whole} {
+        const auto findLines = [&] { findEdgesOfMeshes(); };
+        const auto makeRays = [&] { rays.emplace(scene); };
+        if (preparedOf(scene)->triangleCount > base::elementsWorthAThread) {
+            base::atOnce(findLines, makeRays);
+        } else {
+            findLines();
+            makeRays();
         }
     }
 
@@ -248,7 +242,7 @@ struct ObjectLines::Prepared {
     // Found when they are first asked for: no other line needs the search.
     const std::vector<IntersectionSegment>& intersections() const {
         const std::unique_lock lock = base::lockUnlessStopped(mutex_);
-        if (!intersections_) intersections_ = findIntersections(scene);
+        if (!intersections_) intersections_ = findIntersections(scene, edges);
         return *intersections_;
     }
 
@@ -319,13 +313,30 @@ struct ObjectLines::Prepared {
     }
 
     Scene scene;
-    RayCaster rays;
+    std::optional<RayCaster> rays;
     std::vector<MeshEdges> edges;
     std::vector<std::unique_ptr<ContourSearch>> searches;  // one per mesh
     std::vector<BorderSegment> borders;
     std::vector<FileLines> fileLines;  // one per mesh
 
 private:
+    void findEdgesOfMeshes() {
+        for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
+            base::stopIfAsked();
+            edges.push_back(findEdges(scene.meshes()[i], scene::topologyOf(scene, i), scene.creaseAngle()));
+        }
+        for (std::size_t i = 0; i < scene.meshes().size(); ++i) {
+            base::stopIfAsked();
+            searches.push_back(
+                std::make_unique<ContourSearch>(scene.meshes()[i], scene::topologyOf(scene, i), edges[i]));
+        }
+        borders = findBorderSegments(scene, edges);
+        for (const Mesh& mesh : scene.meshes()) {
+            base::stopIfAsked();
+            fileLines.push_back(findFileLines(mesh));
+        }
+    }
+
     mutable std::timed_mutex mutex_;  // of what is made on first use
     mutable std::optional<std::vector<IntersectionSegment>> intersections_;
     mutable std::optional<SurfaceComponents> components_;
@@ -387,9 +398,9 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings, Ma
     for (std::size_t s = 0; s < segments.size(); ++s) firstCrossings[s + 1] += firstCrossings[s];
     clock.finish("crossings");
 
-    const Touching touching{scene, prepared_->rays, components, screen};
-    const ViewSegments view{
-        scene, prepared_->rays, screen, components, touching, std::move(segments), std::move(projected)};
+    const RayCaster& rays = *prepared_->rays;
+    const Touching touching{scene, rays, components, screen};
+    const ViewSegments view{scene, rays, screen, components, touching, std::move(segments), std::move(projected)};
     std::vector<std::vector<Part>> parts(chains.size());
     const Judge judge = [&](std::uint32_t segment, double at) {
         base::stopIfAsked();

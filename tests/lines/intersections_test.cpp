@@ -10,6 +10,7 @@
 
 #include <gmock/gmock.h>
 
+#include "scene/prepared.h"
 #include "scenes.h"
 
 namespace inkedge::lines {
@@ -17,6 +18,13 @@ namespace {
 
 using namespace scenes;
 using testing::IsEmpty;
+
+std::vector<IntersectionSegment> intersectionsOf(const Scene& scene) {
+    std::vector<MeshEdges> edges;
+    for (std::size_t i = 0; i < scene.meshes().size(); ++i)
+        edges.push_back(findEdges(scene.meshes()[i], scene::topologyOf(scene, i), scene.creaseAngle()));
+    return findIntersections(scene, edges);
+}
 
 double totalLength(const std::vector<IntersectionSegment>& segments) {
     double sum = 0.0;
@@ -48,7 +56,7 @@ std::array<Scene, 2> bothWays(const Mesh& a, const Mesh& b, const glm::dmat4& tr
 
 TEST(Intersections, OfABoxThatSinksIntoATableAreItsFourSides) {
     for (const Scene& scene : bothWays(lines::views::sheet(10.0, 3), box({2, 1, 3}), translation({0.1, 0.2, 0.3}))) {
-        const auto segments = findIntersections(scene);
+        const auto segments = intersectionsOf(scene);
         EXPECT_NEAR(totalLength(segments), 10.0, 1e-5);  // positions are floats
         for (const IntersectionSegment& s : segments) {
             EXPECT_LT(s.a, s.b);
@@ -61,7 +69,7 @@ TEST(Intersections, OfABoxThatSinksIntoATableAreItsFourSides) {
 TEST(Intersections, OfTwoSpheresAreOneClosedCircle) {
     // Two unit spheres a unit apart meet in a circle of radius sqrt(3) / 2.
     for (const Scene& scene : bothWays(sphere(1.0, 96), sphere(1.0, 80), translation({0.6, 0.7, std::sqrt(0.15)}))) {
-        const auto segments = findIntersections(scene);
+        const auto segments = intersectionsOf(scene);
         const double circle = std::numbers::pi * std::sqrt(3.0);
         EXPECT_NEAR(totalLength(segments), circle, 0.005 * circle);  // of facets
         const auto ends = endsAtNodes(segments);
@@ -74,7 +82,7 @@ TEST(Intersections, OfTwoSpheresAreOneClosedCircle) {
 TEST(Intersections, ShareAPointWhereTheyShareANode) {
     const Scene scene = sceneOf(onePart(sphere(1.0, 64), sphere(1.0, 48), translation({0.6, 0.7, 0.2})));
     std::map<std::uint32_t, glm::dvec3> ends;
-    for (const IntersectionSegment& s : findIntersections(scene)) {
+    for (const IntersectionSegment& s : intersectionsOf(scene)) {
         for (std::size_t i = 0; i < 2; ++i) {
             const auto [entry, isNew] = ends.emplace(s.nodes[i], s.ends[i]);
             EXPECT_LT(glm::distance(entry->second, s.ends[i]), 1e-5);  // a few weld tolerances
@@ -94,12 +102,12 @@ TEST(Intersections, NeedMoreThanTouch) {
         for (const std::uint32_t cells : {1U, 2U, 7U}) {
             for (const Scene& scene :
                  bothWays(lines::views::sheet(10.0, cells), box({2, 1, 2}), translation({0, 0.5 + off, 0}) * turned))
-                EXPECT_THAT(findIntersections(scene), IsEmpty()) << cells << " cells, off by " << off;
+                EXPECT_THAT(intersectionsOf(scene), IsEmpty()) << cells << " cells, off by " << off;
         }
     }
     const Mesh unit = cube(1.0);
     const auto expectNone = [](const Mesh& a, const Mesh& b, const glm::dmat4& transform, const char* what) {
-        for (const Scene& scene : bothWays(a, b, transform)) EXPECT_THAT(findIntersections(scene), IsEmpty()) << what;
+        for (const Scene& scene : bothWays(a, b, transform)) EXPECT_THAT(intersectionsOf(scene), IsEmpty()) << what;
     };
     expectNone(unit, unit, translation({1, 0, 0}), "side by side");
     expectNone(unit, unit, translation({1, 0.5, 0.25}), "side by side, shifted");
@@ -121,12 +129,12 @@ TEST(Intersections, NeedMoreThanTouch) {
 TEST(Intersections, OfWhatIsThereTwiceAreNone) {
     for (const std::uint32_t segments : {8U, 16U, 64U}) {
         const Mesh one = sphere(1.0, segments);
-        for (const Scene& scene : bothWays(one, one, glm::dmat4{1.0})) EXPECT_THAT(findIntersections(scene), IsEmpty());
+        for (const Scene& scene : bothWays(one, one, glm::dmat4{1.0})) EXPECT_THAT(intersectionsOf(scene), IsEmpty());
     }
     // A face that repeats another takes part once.
     Mesh twice = lines::views::sheet(10.0);
     twice.indices.insert(twice.indices.end(), twice.indices.begin(), twice.indices.end());
-    const auto segments = findIntersections(sceneOf(onePart(twice, cube(1.0), rotation(10.0, {0, 1, 0}))));
+    const auto segments = intersectionsOf(sceneOf(onePart(twice, cube(1.0), rotation(10.0, {0, 1, 0}))));
     EXPECT_NEAR(totalLength(segments), 4.0, 1e-5);
 }
 
@@ -136,7 +144,7 @@ TEST(Intersections, WhereAnEdgeLiesInAFaceAreOneLineOfTwo) {
     const double ring = 16.0 * 2.0 * std::sin(std::numbers::pi / 16.0);
     for (const std::uint32_t cells : {1U, 2U, 5U}) {
         for (const Scene& scene : bothWays(lines::views::sheet(4.0, cells), ball, glm::dmat4{1.0})) {
-            const auto segments = findIntersections(scene);
+            const auto segments = intersectionsOf(scene);
             EXPECT_NEAR(totalLength(segments), ring, 1e-5) << cells;
             for (const auto& [node, ends] : endsAtNodes(segments)) EXPECT_EQ(ends, 2) << cells;
         }
@@ -144,7 +152,7 @@ TEST(Intersections, WhereAnEdgeLiesInAFaceAreOneLineOfTwo) {
     // A cube's edges are lines themselves.
     for (const Scene& scene :
          bothWays(lines::views::sheet(4.0), cube(1.0), rotation(45.0, {0, 0, 1}) * rotation(90.0, {1, 0, 0})))
-        EXPECT_NEAR(totalLength(findIntersections(scene)), 2.0 * std::sqrt(2.0), 1e-5);
+        EXPECT_NEAR(totalLength(intersectionsOf(scene)), 2.0 * std::sqrt(2.0), 1e-5);
 }
 
 // Corners of a face in the space of the segments' ends.
@@ -202,7 +210,7 @@ TEST(Intersections, OfSmoothBodiesAtExactDistancesEndOnlyWhereFacesAreNearlyPara
         // A sheet's faces lie exactly where rings of a body's edges do.
         const Mesh other = pick(std::array{true, false}) ? body() : views::sheet(6.0, pick(std::array{1U, 4U, 6U}));
         const Scene scene = sceneOf({{body(), glm::dmat4{1.0}}, {other, moved}}, noCreases);
-        const std::vector<IntersectionSegment> segments = findIntersections(scene);
+        const std::vector<IntersectionSegment> segments = intersectionsOf(scene);
         const std::map<std::uint32_t, int> ends = endsAtNodes(segments);
         segmentsInAll += segments.size();
         for (const IntersectionSegment& s : segments)
@@ -222,7 +230,7 @@ TEST(Intersections, KeepToTheirInstances) {
     for (std::uint32_t i = 0; i < 4; ++i)
         data.instances.push_back({"copy", i % 2, translation({5.0 * i, 0, 0}) * scaling(glm::dvec3{1.0 + 0.1 * i})});
     const Scene scene{std::move(data)};
-    const auto segments = findIntersections(scene);
+    const auto segments = intersectionsOf(scene);
     std::array<double, 4> lengths{};
     std::map<std::uint32_t, std::set<std::uint32_t>> instancesAt;
     for (const IntersectionSegment& s : segments) {
@@ -244,7 +252,7 @@ TEST(Intersections, AreFoundBetweenMirroredScaledAndDistortedInstances) {
          {scaling({-2, 2, 2}), scaling({1, 3, 0.5}), rotation(33, {1, 2, 3}) * scaling(glm::dvec3{1e-3})}) {
         const Scene scene =
             sceneOf({{lines::views::sheet(4.0, 2), transform}, {cube(1.0), transform * rotation(10.0, {0, 1, 0})}});
-        const auto segments = findIntersections(scene);
+        const auto segments = intersectionsOf(scene);
         const glm::dmat3 linear{transform};
         double expected = 0.0;
         for (int i = 0; i < 4; ++i) {
@@ -264,7 +272,7 @@ TEST(Intersections, AreThoseThatEveryPairOfFacesHas) {
         return mesh;
     };
     const Mesh one = onePart(sheet(0.0), sheet(1.0), rotation(4.0, {0, 1, 0.2}));
-    const auto found = findIntersections(sceneOf(one));
+    const auto found = intersectionsOf(sceneOf(one));
     // Face by face, each a mesh of its own, so that there is no tree to pass anything over.
     std::set<std::pair<std::uint32_t, std::uint32_t>> expected;
     const std::uint32_t half = static_cast<std::uint32_t>(one.indices.size() / 6);

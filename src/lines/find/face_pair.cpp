@@ -102,7 +102,7 @@ std::optional<FacePair::Around> FacePair::around(const FaceSide& side, const Sid
     const std::uint32_t half = 3 * face.triangle + static_cast<std::uint32_t>(edge);
     const std::uint32_t twin = side.topology->twins[half];
     if (!mesh::isHalfEdge(twin) || side.topology->creases[half]) return {};
-    if (side.tree->normals[twin / 3] == glm::dvec3{0.0}) return {};
+    if (side.normals[twin / 3] == glm::dvec3{0.0}) return {};
     const SideFace other = faceOf(side, twin / 3);
     const auto angleTo = [&](const SideFace& of, std::uint32_t apex) {
         return angleAbout(along, zero, of.corners[apex] - face.corners[static_cast<std::size_t>(edge)]);

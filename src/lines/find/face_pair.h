@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "lines/find/face_cones.h"
 #include "lines/find/face_tree.h"
 #include "lines/find/intersections.h"
 #include "mesh/topology.h"
@@ -20,10 +22,14 @@ namespace inkedge::lines {
 /// Radians: faces that meet at less do not cross; and its cosine.
 inline constexpr double minCrossingAngle = glm::radians(minIntersectionAngle);
 inline const double maxCrossingCosine = std::cos(minCrossingAngle);
+/// The distance of the ends of two unit normals at that angle.
+inline const float minCrossingDistance = static_cast<float>(2.0 * std::sin(0.5 * minCrossingAngle));
 
 /// A mesh as one of the two sides that may cross.
 struct FaceSide {
     const FaceTree* tree;
+    const FaceCones* cones;
+    std::span<const glm::dvec3> normals;  ///< as MeshTopology::faceNormals
     const mesh::MeshTopology* topology;
     glm::dmat4 transform;  ///< into the space in which the two are compared
 };

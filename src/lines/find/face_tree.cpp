@@ -1,147 +1,110 @@
 #include "lines/find/face_tree.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
+#include <utility>
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
+#include "base/parallel.h"
+#include "base/radix_sort.h"
 #include "mesh/z_order.h"
 
 namespace inkedge::lines {
 namespace {
 
-class Builder {
-public:
-    Builder(const Mesh& mesh, const mesh::MeshTopology& topology, double maxAngle)
-        : mesh_{mesh}, topology_{topology}, widest_{static_cast<float>(maxAngle)} {}
+constexpr std::uint32_t nodeFaces = 16;  // four packets of four
 
-    FaceTree build() {
-        tree_.normals = mesh::makeFaceNormals(mesh_, topology_);
-        fillPoints();
-        sortFaces();
-        if (!keys_.empty()) {
-            tree_.nodes.reserve(keys_.size());
-            addNode(0, static_cast<std::uint32_t>(keys_.size()));
+std::vector<glm::vec3> pointsOf(const Mesh& mesh, const mesh::MeshTopology& topology) {
+    std::vector<glm::vec3> points(topology.pointCount);
+    for (std::size_t c = topology.points.size(); c-- > 0;)  // the last assignment is that of a point's first corner
+        points[topology.points[c]] = mesh.positions[mesh.indices[c]];
+    return points;
+}
+
+// The number of a code of Gray along a Z-order curve: neighbours differ in one bit, so that jumps are shorter
+// (Faloutsos 1988).
+std::uint64_t grayed(std::uint64_t code) {
+    for (unsigned shift = 1; shift < 64; shift *= 2) code ^= code >> shift;
+    return code;
+}
+
+std::vector<std::uint32_t> sorted(const mesh::MeshTopology& topology, const std::vector<glm::vec3>& points) {
+    glm::vec3 low{points.empty() ? glm::vec3{0.0F} : points.front()};
+    glm::vec3 high = low;
+    for (const glm::vec3& p : points) low = glm::min(low, p), high = glm::max(high, p);
+    const mesh::ZOrder order{low, high};
+    std::vector<std::uint64_t> places(topology.originals.size());  // along the curve
+    base::inRanges(places.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            const std::uint32_t* const p = &topology.points[3 * t];
+            const glm::dvec3 sum = glm::dvec3{points[p[0]]} + glm::dvec3{points[p[1]]} + glm::dvec3{points[p[2]]};
+            places[t] = grayed(order.key(sum / 3.0));
         }
-        return std::move(tree_);
+    });
+    // First by the upper half, which is enough for almost all.
+    struct Upper {
+        std::uint32_t place;
+        std::uint32_t triangle;
+    };
+    std::vector<Upper> uppers;
+    uppers.reserve(places.size());
+    for (std::uint32_t t = 0; t < places.size(); ++t)
+        if (topology.originals[t] == t) uppers.push_back({static_cast<std::uint32_t>(places[t] >> 31U), t});
+    base::radixSort(uppers, [](const Upper& each) { return each.place; });
+    for (auto run = uppers.begin(); run != uppers.end();) {
+        const auto end = std::find_if(run, uppers.end(), [&](const Upper& each) { return each.place != run->place; });
+        if (end - run > 1)
+            std::stable_sort(run, end,
+                             [&](const Upper& x, const Upper& y) { return places[x.triangle] < places[y.triangle]; });
+        run = end;
     }
+    std::vector<std::uint32_t> triangles(uppers.size());
+    std::ranges::transform(uppers, triangles.begin(), &Upper::triangle);
+    return triangles;
+}
 
-private:
-    void fillPoints() {
-        tree_.points.resize(topology_.pointCount);
-        for (std::size_t c = topology_.points.size();
-             c-- > 0;)  // the last assignment is that of a point's first corner
-            tree_.points[topology_.points[c]] = mesh_.positions[mesh_.indices[c]];
-    }
-
-    [[nodiscard]] std::array<glm::vec3, 3> corners(std::uint32_t t) const {
-        const std::uint32_t* const p = &topology_.points[3 * std::size_t{t}];
-        return {tree_.points[p[0]], tree_.points[p[1]], tree_.points[p[2]]};
-    }
-
-    void sortFaces() {
-        glm::vec3 low{tree_.points.empty() ? glm::vec3{0.0F} : tree_.points.front()};
-        glm::vec3 high = low;
-        for (const glm::vec3& p : tree_.points) low = glm::min(low, p), high = glm::max(high, p);
-        const mesh::ZOrder order{low, high};
-        const auto count = static_cast<std::uint32_t>(topology_.originals.size());
-        keys_.reserve(count);
-        for (std::uint32_t t = 0; t < count; ++t) {
-            if (topology_.originals[t] != t || tree_.normals[t] == glm::dvec3{0.0}) continue;
-            const auto [a, b, c] = corners(t);
-            keys_.push_back({order.key((glm::dvec3{a} + glm::dvec3{b} + glm::dvec3{c}) / 3.0), t});
+void fill(FaceTree::Packet& packet, const FaceTree& tree, const mesh::MeshTopology& topology, std::size_t first) {
+    for (std::size_t face = 0; face < 4; ++face) {
+        const bool isNone = first + face >= tree.triangles.size();
+        const std::uint32_t* const p =
+            isNone ? nullptr : &topology.points[3 * std::size_t{tree.triangles[first + face]}];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const glm::vec3 corner = isNone ? glm::vec3{FourBoxes::none} : tree.points[p[k]];
+            for (int axis = 0; axis < 3; ++axis) packet.corners[k][axis][face] = corner[axis];
         }
-        sortByKey(keys_);
-        tree_.triangles.reserve(keys_.size());
-        for (const mesh::ZOrderKey& each : keys_) tree_.triangles.push_back(each.index);
     }
+}
 
-    // The first key of a range that has the highest bit in which the keys differ.
-    [[nodiscard]] std::uint32_t splitOf(std::uint32_t begin, std::uint32_t end) const {
-        const std::uint64_t differing = keys_[begin].key ^ keys_[end - 1].key;
-        if (differing == 0) return (begin + end) / 2;
-        const std::uint64_t bit = std::bit_floor(differing);
-        const auto one = std::partition_point(keys_.begin() + begin, keys_.begin() + end,
-                                              [&](const mesh::ZOrderKey& k) { return (k.key & bit) == 0; });
-        return static_cast<std::uint32_t>(one - keys_.begin());
+void setBox(FourBoxes& boxes, std::size_t k, const FaceTree::Packet& packet, std::size_t faces) {
+    const FourBoxes own = packet.boxes();
+    glm::vec3 low = own.min(0);
+    glm::vec3 high = own.max(0);
+    for (std::size_t face = 1; face < faces; ++face) {
+        low = glm::min(low, own.min(face));
+        high = glm::max(high, own.max(face));
     }
-
-    std::uint32_t addNode(std::uint32_t begin, std::uint32_t end) {
-        const auto number = static_cast<std::uint32_t>(tree_.nodes.size());
-        tree_.nodes.emplace_back();
-        FaceTree::Node node{};
-        if (end - begin <= FaceTree::leafSize) {
-            node = leaf(begin, end);
-        } else {
-            const std::uint32_t middle = splitOf(begin, end);
-            const std::uint32_t first = addNode(begin, middle);
-            const std::uint32_t second = addNode(middle, end);
-            node = joined(tree_.nodes[first], tree_.nodes[second]);
-            node.second = second;
-        }
-        node.begin = begin;
-        node.end = end;
-        tree_.nodes[number] = node;
-        return number;
-    }
-
-    [[nodiscard]] FaceTree::Node leaf(std::uint32_t begin, std::uint32_t end) const {
-        FaceTree::Node node{};
-        node.low = node.high = corners(tree_.triangles[begin])[0];
-        const glm::dvec3 first = tree_.normals[tree_.triangles[begin]];
-        glm::dvec3 sum{0.0};
-        for (std::uint32_t i = begin; i < end; ++i) {
-            for (const glm::vec3& p : corners(tree_.triangles[i])) {
-                node.low = glm::min(node.low, p);
-                node.high = glm::max(node.high, p);
-            }
-            const glm::dvec3 normal = tree_.normals[tree_.triangles[i]];
-            sum += glm::dot(normal, first) < 0.0 ? -normal : normal;
-        }
-        const glm::dvec3 axis = glm::normalize(sum);  // every term was turned to the side of the first
-        double cosine = 1.0;
-        for (std::uint32_t i = begin; i < end; ++i)
-            cosine = std::min(cosine, std::abs(glm::dot(tree_.normals[tree_.triangles[i]], axis)));
-        node.axis = glm::vec3{axis};
-        setAngle(node, static_cast<float>(std::acos(cosine)) + rounding);
-        return node;
-    }
-
-    [[nodiscard]] FaceTree::Node joined(const FaceTree::Node& a, const FaceTree::Node& b) const {
-        FaceTree::Node node{};
-        node.low = glm::min(a.low, b.low);
-        node.high = glm::max(a.high, b.high);
-        node.axis = a.axis;
-        node.angle = FaceTree::wideCone;
-        if (a.angle > widest_ || b.angle > widest_) return node;
-        const glm::vec3 other = glm::dot(a.axis, b.axis) < 0.0F ? -b.axis : b.axis;
-        node.axis = glm::normalize(a.axis + other);
-        const auto reach = [&](glm::vec3 axis, float angle) {
-            return std::acos(std::min(glm::dot(node.axis, axis), 1.0F)) + angle;
-        };
-        setAngle(node, std::max(reach(a.axis, a.angle), reach(other, b.angle)) + rounding);
-        return node;
-    }
-
-    void setAngle(FaceTree::Node& node, float angle) const {
-        node.angle = angle <= widest_ ? angle : FaceTree::wideCone;
-    }
-
-    static constexpr float rounding = 5e-4F;  // radians: the error of acos() of a float near 1
-
-    const Mesh& mesh_;
-    const mesh::MeshTopology& topology_;
-    float widest_;
-    FaceTree tree_;
-    std::vector<mesh::ZOrderKey> keys_;
-};
+    boxes.set(k, low, high);
+}
 
 }  // namespace
 
-FaceTree buildFaceTree(const Mesh& mesh, const mesh::MeshTopology& topology, double maxAngle) {
-    return Builder{mesh, topology, maxAngle}.build();
+FaceTree buildFaceTree(const Mesh& mesh, const mesh::MeshTopology& topology) {
+    FaceTree tree;
+    tree.points = pointsOf(mesh, topology);
+    tree.triangles = sorted(topology, tree.points);
+    const std::size_t count = tree.triangles.size();
+    tree.packets.resize((count + 3) / 4);
+    std::vector<FourBoxes> bottom((count + nodeFaces - 1) / nodeFaces);
+    base::inRanges(count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t node = (begin + nodeFaces - 1) / nodeFaces; node * nodeFaces < end; ++node) {
+            for (std::size_t p = 4 * node; p < std::min(4 * node + 4, tree.packets.size()); ++p) {
+                fill(tree.packets[p], tree, topology, 4 * p);
+                setBox(bottom[node], p - 4 * node, tree.packets[p], std::min<std::size_t>(4, count - 4 * p));
+            }
+        }
+    });
+    tree.boxes = BoxLevels{std::move(bottom), tree.packets.size()};
+    return tree;
 }
 
 }  // namespace inkedge::lines

@@ -6,38 +6,35 @@
 
 #include <glm/vec3.hpp>
 
-#include <inkedge/scene.h>
+#include <inkedge/mesh.h>
 
+#include "lines/find/box_levels.h"
 #include "mesh/topology.h"
 
 namespace inkedge::lines {
 
-/// The faces of a mesh in a tree of boxes. Each box has a cone around the normals of its faces, so that a search for
-/// crossing faces can skip nodes that are nearly flat. Repeated faces and those without a normal are left out.
-///
-/// The tree is split along a Z-order curve through the faces' middles. Its nodes are in depth-first order, so that the
-/// first child of node i is i + 1.
+/// The faces of a mesh in a tree of boxes. Faces that repeat another are left out. Mesh space less origin.
 struct FaceTree {
-    struct Node {
-        glm::vec3 low;
-        glm::vec3 high;
-        glm::vec3 axis;        ///< of a cone that holds every normal or its opposite; unit
-        float angle;           ///< of the cone, radians; wideCone: the cone is too wide to be useful
-        std::uint32_t second;  ///< the second child; 0: a leaf
-        std::uint32_t begin;   ///< into triangles
-        std::uint32_t end;
+    /// Four faces side by side. One that is none lies at infinity.
+    struct Packet {
+        Four corners[3][3];  ///< of each face, by axis
+        [[nodiscard]] FourBoxes boxes() const noexcept {
+            FourBoxes boxes;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                boxes.low[axis] = least(least(corners[0][axis], corners[1][axis]), corners[2][axis]);
+                boxes.high[axis] = greatest(greatest(corners[0][axis], corners[1][axis]), corners[2][axis]);
+            }
+            return boxes;
+        }
     };
-    static constexpr float wideCone = 4.0F;
-    static constexpr std::uint32_t leafSize = 4;
 
-    std::vector<glm::dvec3> normals;       ///< one per triangle of the mesh, as MeshTopology::faceNormals
-    std::vector<glm::vec3> points;         ///< one per point of the topology: mesh space less origin
-    std::vector<std::uint32_t> triangles;  ///< of the mesh
-    std::vector<Node> nodes;               ///< the root first; none: no faces
+    std::vector<glm::vec3> points;         ///< one per point of the topology
+    std::vector<std::uint32_t> triangles;  ///< of the mesh, along a Z-order curve: packet p has 4 p to 4 p + 3
+    std::vector<Packet> packets;
+    BoxLevels boxes;  ///< of the packets
 };
 
-/// @param maxAngle  radians: wider cones are not kept
-/// O(n log n)
-[[nodiscard]] FaceTree buildFaceTree(const Mesh&, const mesh::MeshTopology&, double maxAngle);
+/// O(n)
+[[nodiscard]] FaceTree buildFaceTree(const Mesh&, const mesh::MeshTopology&);
 
 }  // namespace inkedge::lines

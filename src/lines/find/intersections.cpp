@@ -1,6 +1,7 @@
 #include "lines/find/intersections.h"
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 #include <glm/common.hpp>
@@ -8,6 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include "base/parallel.h"
+#include "lines/find/face_cones.h"
 #include "lines/find/face_pair.h"
 #include "lines/find/face_tree.h"
 #include "lines/find/tree_pair.h"
@@ -47,10 +49,11 @@ void numberEnds(SideCrossings& crossing, double tolerance) {
 
 class Finder {
 public:
-    explicit Finder(const Scene& scene) : scene_{scene}, sides_(scene.meshes().size()) {}
+    Finder(const Scene& scene, std::span<const MeshEdges> edges)
+        : scene_{scene}, edges_{edges}, trees_(edges.size()), cones_(edges.size()), sides_(edges.size()) {}
 
     std::vector<IntersectionSegment> find() {
-        buildTrees();
+        findSides();
         findWithinMeshes();
         for (std::uint32_t i = 0; i < scene_.instances().size(); ++i) instances_.push_back(sideOfInstance(i));
         findBetweenInstances();
@@ -67,11 +70,12 @@ private:
         return glm::determinant(glm::dmat3{transform}) == 0.0;
     }
 
-    void buildTrees() {
-        trees_.resize(scene_.meshes().size());
+    void findSides() {
         base::onEach(trees_.size(), [&](std::size_t i) {
-            trees_[i] = buildFaceTree(scene_.meshes()[i], scene::topologyOf(scene_, i), minCrossingAngle);
-            sides_[i] = {&trees_[i], &scene::topologyOf(scene_, i), glm::dmat4{1.0}};
+            const std::span<const glm::dvec3> normals = edges_[i].faceNormals;
+            trees_[i] = buildFaceTree(scene_.meshes()[i], scene::topologyOf(scene_, i));
+            cones_[i].emplace(trees_[i], normals, minCrossingDistance);
+            sides_[i] = {&trees_[i], &*cones_[i], normals, &scene::topologyOf(scene_, i), glm::dmat4{1.0}};
         });
     }
 
@@ -84,7 +88,7 @@ private:
         std::vector<double> tolerances;
         std::vector<std::size_t> meshes;
         for (std::size_t i = 0; i < trees_.size(); ++i) {
-            if (trees_[i].nodes.empty()) continue;
+            if (trees_[i].boxes.empty()) continue;
             tolerances.push_back(toleranceOf(static_cast<std::uint32_t>(i)));
             pairings.emplace_back(sides_[i], tolerances.back());
             meshes.push_back(i);
@@ -122,7 +126,7 @@ private:
         std::vector<std::uint32_t> instances;
         std::vector<Box> boxes;
         for (std::uint32_t i = 0; i < instances_.size(); ++i) {
-            if (instances_[i].tree->nodes.empty() || isFlat(instances_[i].transform)) continue;
+            if (instances_[i].tree->boxes.empty() || isFlat(instances_[i].transform)) continue;
             instances.push_back(i);
             boxes.push_back(boxOfInstance(i));
         }
@@ -202,7 +206,9 @@ private:
     }
 
     const Scene& scene_;
+    std::span<const MeshEdges> edges_;
     std::vector<FaceTree> trees_;
+    std::vector<std::optional<FaceCones>> cones_;
     std::vector<FaceSide> sides_;        // one per mesh, in its own space less its origin
     std::vector<SideCrossings> within_;  // one per mesh, in its own space less its origin
     std::vector<FaceSide> instances_;    // one per instance, in world space less the scene's middle
@@ -212,6 +218,8 @@ private:
 
 }  // namespace
 
-std::vector<IntersectionSegment> findIntersections(const Scene& scene) { return Finder{scene}.find(); }
+std::vector<IntersectionSegment> findIntersections(const Scene& scene, std::span<const MeshEdges> edges) {
+    return Finder{scene, edges}.find();
+}
 
 }  // namespace inkedge::lines

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/vec3.hpp>
 
 #include <inkedge/scene.h>
 
+#include "lines/find/mesh_edges.h"
 #include "scene/scene_face.h"
 
 namespace inkedge::lines {
@@ -38,7 +40,8 @@ inline constexpr double minIntersectionAngle = 15.0;
 ///
 /// Ordered by the instances of a and b, then by their triangles, whatever the number of threads. Thread-safe.
 /// About O(n log n) for surfaces: the search in a tree of boxes with cones of normals skips parts that are nearly flat.
+/// @param edges  one per mesh
 /// @throws std::bad_alloc
-[[nodiscard]] std::vector<IntersectionSegment> findIntersections(const Scene&);
+[[nodiscard]] std::vector<IntersectionSegment> findIntersections(const Scene&, std::span<const MeshEdges> edges);
 
 }  // namespace inkedge::lines

@@ -15,6 +15,32 @@ namespace {
 // Only a mass of faces that overlap each other needs more than these.
 constexpr std::uint64_t maxSteps = 50'000'000;  // pairs of nodes or faces that a task looks at
 constexpr std::size_t maxSegmentsOfTask = 500'000;
+constexpr std::uint64_t stepsOfFour = 16;  // four nodes or faces with four others
+
+constexpr float rounding = 1e-3F;  // of the distance of two normals
+
+struct Extent {
+    glm::vec3 low;
+    glm::vec3 high;
+};
+Extent extentOf(const FaceTree& tree) {
+    const FourBoxes& boxes = tree.boxes.boxes(tree.boxes.top() - 1, 0);
+    Extent all{boxes.min(0), boxes.max(0)};
+    for (std::size_t k = 1; k < tree.boxes.count(tree.boxes.top() - 1); ++k) {
+        all.low = glm::min(all.low, boxes.min(k));
+        all.high = glm::max(all.high, boxes.max(k));
+    }
+    return all;
+}
+
+// Which of b's faces have a point in common with face i of a, as bits: a point has one position.
+unsigned touching(const FaceTree::Packet& a, std::size_t i, const FaceTree::Packet& b) {
+    FourBits touching{};
+    for (const auto& p : a.corners)
+        for (const auto& q : b.corners)
+            touching |= (four(p[0][i]) == q[0]) & (four(p[1][i]) == q[1]) & (four(p[2][i]) == q[2]);
+    return bitsOf(touching);
+}
 
 }  // namespace
 
@@ -26,17 +52,16 @@ TreePair::TreePair(const FaceSide& a, const FaceSide& b, double tolerance)
     for (int i = 0; i < 3; ++i) absolute_[i] = glm::abs(toA_[i]);
     scale_ = static_cast<float>(glm::length(glm::dvec3{toA[0]}));
     // Boxes of floats, transformed by floats: the error is a few roundings of the largest number that occurs.
-    const FaceTree::Node& rootOfA = a.tree->nodes.front();
-    const FaceTree::Node& rootOfB = b.tree->nodes.front();
-    const double reach =
-        glm::length(glm::dvec3{offset_}) + glm::length(glm::dvec3{rootOfA.high - rootOfA.low}) +
-        double{scale_} * glm::length(glm::dvec3{glm::max(glm::abs(rootOfB.low), glm::abs(rootOfB.high))});
+    const Extent ofA = extentOf(*a.tree);
+    const Extent ofB = extentOf(*b.tree);
+    const double reach = glm::length(glm::dvec3{offset_}) + glm::length(glm::dvec3{ofA.high - ofA.low}) +
+                         double{scale_} * glm::length(glm::dvec3{glm::max(glm::abs(ofB.low), glm::abs(ofB.high))});
     const double scaleOfA = glm::length(glm::dvec3{a.transform[0]});
     margin_ = static_cast<float>(tolerance / scaleOfA + (sameMesh_ ? 0.0 : 1e-6 * reach));
 }
 
 std::vector<TreePair::Task> TreePair::tasks() const {
-    std::vector<Task> tasks{{0, 0}};
+    std::vector<Task> tasks{{{a_.tree->boxes.top(), 0}, {b_.tree->boxes.top(), 0}}};
     const std::size_t wanted =
         std::min<std::size_t>(256, (a_.tree->triangles.size() + b_.tree->triangles.size()) / 4096);
     std::vector<Task> split;
@@ -55,83 +80,149 @@ std::vector<FaceCrossing> TreePair::find(Task task) const {
     return std::move(search.found);
 }
 
-// The smaller tasks of a task that may hold a crossing; the task itself if it is small enough to be looked at.
+TreePair::Nodes TreePair::below(const FaceSide& side, Node node) {
+    const std::uint32_t level = node.level - 1;
+    const std::uint32_t first = 4 * node.index;
+    return {level,
+            first,
+            0,
+            std::min(4U, side.tree->boxes.count(level) - first),
+            &side.tree->boxes.boxes(level, node.index),
+            &side.cones->cones(level, node.index)};
+}
+
+TreePair::Nodes TreePair::only(const FaceSide& side, Node packet) {
+    const std::uint32_t parent = packet.index / 4;
+    const std::uint32_t k = packet.index % 4;
+    return {0, 4 * parent, k, k + 1, &side.tree->boxes.boxes(0, parent), &side.cones->cones(0, parent)};
+}
+
+// The smaller tasks of a task that may hold a crossing; the task itself if it is of packets.
 template <class Take>
 void TreePair::expand(Task task, Take&& take) const {
-    const FaceTree::Node& a = a_.tree->nodes[task.first];
-    const FaceTree::Node& b = b_.tree->nodes[task.second];
-    if (sameMesh_ && task.first == task.second) {
-        if (2.0F * a.angle < static_cast<float>(minCrossingAngle)) return;
-        if (a.second == 0) return take(task);
-        take({task.first + 1, task.first + 1});
-        take({a.second, a.second});
-        return take({task.first + 1, a.second});
+    if (task.first.level == 0 && task.second.level == 0) return take(task);
+    const bool self = sameMesh_ && task.first == task.second;
+    const Nodes a = task.first.level == 0 ? only(a_, task.first) : below(a_, task.first);
+    Nodes b = task.second.level == 0 ? only(b_, task.second) : below(b_, task.second);
+    FourBoxes boxesOfB;
+    FourCones conesOfB;
+    if (!sameMesh_) {
+        boxesOfB = inA(*b.boxes);
+        conesOfB = inA(*b.cones);
+        b.boxes = &boxesOfB;
+        b.cones = &conesOfB;
     }
-    if (apart(a, b)) return;
-    if (a.second == 0 && b.second == 0) return take(task);
-    if (b.second == 0 || (a.second != 0 && a.end - a.begin >= b.end - b.begin)) {
-        take({task.first + 1, task.second});
-        take({a.second, task.second});
-    } else {
-        take({task.first, task.second + 1});
-        take({task.first, b.second});
+    for (std::uint32_t i = a.begin; i < a.end; ++i) {
+        const Node first{a.level, a.first + i};
+        if (self && 2.0F * a.cones->radius[i] >= minCrossingDistance - rounding) take({first, first});
+        const unsigned near = this->near(*a.boxes, i, *b.boxes);
+        const unsigned from = self ? i + 1 : b.begin;
+        const unsigned wanted = near & ((1U << b.end) - (1U << from));
+        if (wanted == 0) continue;
+        const unsigned open = wanted & bent(*a.cones, i, *b.cones);
+        for (std::uint32_t j = from; j < b.end; ++j)
+            if ((open >> j & 1U) != 0) take({first, {b.level, b.first + j}});
     }
 }
 
-TreePair::NodeBox TreePair::boxInA(const FaceTree::Node& b) const {
-    if (sameMesh_) return {b.low, b.high, b.axis};
-    const glm::vec3 centre = toA_ * (0.5F * (b.low + b.high)) + offset_;
-    const glm::vec3 half = absolute_ * (0.5F * (b.high - b.low));
-    return {centre - half, centre + half, toA_ * b.axis / scale_};
+FourBoxes TreePair::inA(const FourBoxes& ofB) const {
+    FourBoxes boxes;
+    for (std::size_t k = 0; k < 4; ++k) {
+        if (ofB.low[0][k] == FourBoxes::none) continue;
+        const glm::vec3 centre = toA_ * (0.5F * (ofB.min(k) + ofB.max(k))) + offset_;
+        const glm::vec3 half = absolute_ * (0.5F * (ofB.max(k) - ofB.min(k)));
+        boxes.set(k, centre - half, centre + half);
+    }
+    return boxes;
 }
 
-// Whether no face of one node can cross a face of the other: their boxes do not overlap, or all faces are nearly
-// parallel.
-bool TreePair::apart(const FaceTree::Node& a, const FaceTree::Node& nodeOfB) const {
-    const NodeBox b = boxInA(nodeOfB);
-    if (a.low.x > b.high.x + margin_ || b.low.x > a.high.x + margin_ || a.low.y > b.high.y + margin_ ||
-        b.low.y > a.high.y + margin_ || a.low.z > b.high.z + margin_ || b.low.z > a.high.z + margin_)
-        return true;
-    const float left = static_cast<float>(minCrossingAngle) - a.angle - nodeOfB.angle - 1e-3F;
-    if (left <= 0.0F) return false;
-    const float square = left * left;
-    return std::abs(glm::dot(a.axis, b.axis)) > 1.0F - square * (0.5F - square / 24.0F);  // over the cosine of left
+FourCones TreePair::inA(const FourCones& ofB) const {
+    FourCones cones = ofB;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const glm::vec3 axis = toA_ * glm::vec3{ofB.axis[0][k], ofB.axis[1][k], ofB.axis[2][k]} / scale_;
+        for (int i = 0; i < 3; ++i) cones.axis[i][k] = axis[i];
+    }
+    return cones;
+}
+
+// Which of b's boxes are not apart from box k of a, as bits.
+unsigned TreePair::near(const FourBoxes& a, std::size_t k, const FourBoxes& b) const {
+    FourBits apart{};
+    const Four margin = four(margin_);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        apart |= four(a.low[axis][k]) > b.high[axis] + margin;
+        apart |= b.low[axis] > four(a.high[axis][k]) + margin;
+    }
+    return bitsOf(apart) ^ 15U;
+}
+
+// Of which of b's cones some face is not nearly parallel to some face of cone k of a, as bits.
+unsigned TreePair::bent(const FourCones& a, std::size_t k, const FourCones& b) const {
+    const Four cosine =
+        four(a.axis[0][k]) * b.axis[0] + four(a.axis[1][k]) * b.axis[1] + four(a.axis[2][k]) * b.axis[2];
+    const Four left = four(minCrossingDistance - rounding - a.radius[k]) - b.radius;
+    const Four square = four(2.0F) - four(2.0F) * greatest(cosine, -cosine);  // of the distance of two axes
+    return bitsOf((left > four(0.0F)) & (square < left * left)) ^ 15U;
 }
 
 void TreePair::visit(Task task, Search& search) const {
     if (search.stepsLeft == 0) return;
-    --search.stepsLeft;
-    expand(task, [&](Task part) {
-        if (part.first == task.first && part.second == task.second)
-            compareLeaves(part, search);
-        else
-            visit(part, search);
-    });
+    search.stepsLeft -= std::min(search.stepsLeft, stepsOfFour);
+    if (task.first.level == 0 && task.second.level == 0)
+        return comparePackets(task.first.index, task.second.index, search);
+    expand(task, [&](Task part) { visit(part, search); });
 }
 
-void TreePair::compareLeaves(Task task, Search& search) const {
-    const FaceTree::Node& a = a_.tree->nodes[task.first];
-    const FaceTree::Node& b = b_.tree->nodes[task.second];
-    search.stepsLeft -= std::min<std::uint64_t>(search.stepsLeft, (a.end - a.begin) * (b.end - b.begin));
-    if (!sameMesh_) return compareFaces(a, b, search);
-    const bool sameLeaf = task.first == task.second;
-    for (std::uint32_t i = a.begin; i < a.end; ++i) {
-        for (std::uint32_t j = sameLeaf ? i + 1 : b.begin; j < b.end; ++j) {
-            const auto [first, second] = std::minmax(a_.tree->triangles[i], a_.tree->triangles[j]);
-            if (shareAPoint(first, second) || partAlongAxes(first, second)) continue;
-            const double cosine = glm::dot(a_.tree->normals[first], a_.tree->normals[second]);
-            if (std::abs(cosine) < maxCrossingCosine) compare(faceOf(a_, first), faceOf(a_, second), search);
+unsigned TreePair::facesIn(const FaceSide& side, std::uint32_t packet) {
+    return static_cast<unsigned>(std::min<std::size_t>(4, side.tree->triangles.size() - 4 * std::size_t{packet}));
+}
+
+void TreePair::comparePackets(std::uint32_t a, std::uint32_t b, Search& search) const {
+    if (sameMesh_) return compareOwnPackets(a, b, search);
+    const FourBoxes boxesOfA = a_.tree->packets[a].boxes();
+    const FourBoxes boxesOfB = inA(b_.tree->packets[b].boxes());
+    const unsigned ends = 1U << facesIn(b_, b);
+    std::array<std::optional<SideFace>, 4> ofB;  // those that are compared
+    for (std::uint32_t i = 0; i < facesIn(a_, a); ++i) {
+        const std::uint32_t first = a_.tree->triangles[4 * std::size_t{a} + i];
+        if (a_.normals[first] == glm::dvec3{0.0}) continue;
+        const unsigned near = this->near(boxesOfA, i, boxesOfB) & (ends - 1U);
+        if (near == 0) continue;
+        const SideFace ofA = faceOf(a_, first);
+        for (std::uint32_t j = 0; near >> j != 0; ++j) {
+            const std::uint32_t second = b_.tree->triangles[4 * std::size_t{b} + j];
+            if ((near >> j & 1U) == 0 || b_.normals[second] == glm::dvec3{0.0}) continue;
+            if (!ofB[j]) ofB[j] = faceOf(b_, second);
+            compare(ofA, *ofB[j], search);
         }
     }
 }
 
-void TreePair::compareFaces(const FaceTree::Node& a, const FaceTree::Node& b, Search& search) const {
-    std::array<SideFace, FaceTree::leafSize> facesOfB;
-    for (std::uint32_t j = b.begin; j < b.end; ++j) facesOfB[j - b.begin] = faceOf(b_, b_.tree->triangles[j]);
-    for (std::uint32_t i = a.begin; i < a.end; ++i) {
-        const SideFace faceOfA = faceOf(a_, a_.tree->triangles[i]);
-        for (std::uint32_t j = b.begin; j < b.end; ++j) compare(faceOfA, facesOfB[j - b.begin], search);
+// Two packets of one mesh.
+void TreePair::compareOwnPackets(std::uint32_t a, std::uint32_t b, Search& search) const {
+    const FaceTree::Packet& packetOfA = a_.tree->packets[a];
+    const FaceTree::Packet& packetOfB = a_.tree->packets[b];
+    const FourBoxes boxesOfA = packetOfA.boxes();
+    const FourBoxes boxesOfB = packetOfB.boxes();
+    const unsigned ends = 1U << facesIn(a_, b);
+    for (std::uint32_t i = 0; i < facesIn(a_, a); ++i) {
+        const unsigned begin = a == b ? i + 1 : 0;
+        unsigned near = this->near(boxesOfA, i, boxesOfB) & (ends - (1U << begin));
+        if (near != 0) near &= ~touching(packetOfA, i, packetOfB);
+        for (std::uint32_t j = begin; near >> j != 0; ++j) {
+            if ((near >> j & 1U) == 0) continue;
+            compareWithin(a_.tree->triangles[4 * std::size_t{a} + i], a_.tree->triangles[4 * std::size_t{b} + j],
+                          search);
+        }
     }
+}
+
+void TreePair::compareWithin(std::uint32_t one, std::uint32_t other, Search& search) const {
+    const auto [first, second] = std::minmax(one, other);
+    const glm::dvec3 a = a_.normals[first];
+    const glm::dvec3 b = a_.normals[second];
+    if (a == glm::dvec3{0.0} || b == glm::dvec3{0.0} || std::abs(glm::dot(a, b)) >= maxCrossingCosine) return;
+    compare(faceOf(a_, first), faceOf(a_, second), search);
 }
 
 void TreePair::compare(const SideFace& first, const SideFace& second, Search& search) const {
@@ -141,25 +232,6 @@ void TreePair::compare(const SideFace& first, const SideFace& second, Search& se
         search.found.push_back(*found);
     else
         search.stepsLeft = 0;
-}
-
-bool TreePair::shareAPoint(std::uint32_t first, std::uint32_t second) const {
-    const std::uint32_t* const p = &a_.topology->points[3 * std::size_t{first}];
-    const std::uint32_t* const q = &a_.topology->points[3 * std::size_t{second}];
-    const auto isOneOfQ = [&](std::uint32_t point) { return point == q[0] || point == q[1] || point == q[2]; };
-    return isOneOfQ(p[0]) || isOneOfQ(p[1]) || isOneOfQ(p[2]);
-}
-
-bool TreePair::partAlongAxes(std::uint32_t first, std::uint32_t second) const {
-    const std::uint32_t* const p = &a_.topology->points[3 * std::size_t{first}];
-    const std::uint32_t* const q = &a_.topology->points[3 * std::size_t{second}];
-    const std::vector<glm::vec3>& points = a_.tree->points;
-    const glm::vec3 lowOfP = glm::min(glm::min(points[p[0]], points[p[1]]), points[p[2]]);
-    const glm::vec3 highOfP = glm::max(glm::max(points[p[0]], points[p[1]]), points[p[2]]);
-    const glm::vec3 lowOfQ = glm::min(glm::min(points[q[0]], points[q[1]]), points[q[2]]);
-    const glm::vec3 highOfQ = glm::max(glm::max(points[q[0]], points[q[1]]), points[q[2]]);
-    return lowOfP.x > highOfQ.x + margin_ || lowOfQ.x > highOfP.x + margin_ || lowOfP.y > highOfQ.y + margin_ ||
-           lowOfQ.y > highOfP.y + margin_ || lowOfP.z > highOfQ.z + margin_ || lowOfQ.z > highOfP.z + margin_;
 }
 
 }  // namespace inkedge::lines

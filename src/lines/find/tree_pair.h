@@ -6,6 +6,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "lines/find/face_cones.h"
 #include "lines/find/face_pair.h"
 #include "lines/find/face_tree.h"
 
@@ -21,10 +22,16 @@ public:
     /// @param tolerance  in the space in which both are compared
     TreePair(const FaceSide& a, const FaceSide& b, double tolerance);
 
+    /// A node of BoxLevels; of level 0, a packet.
+    struct Node {
+        std::uint32_t level;
+        std::uint32_t index;
+        bool operator==(const Node&) const = default;
+    };
     /// Two nodes, one of each side.
     struct Task {
-        std::uint32_t first;
-        std::uint32_t second;
+        Node first;
+        Node second;
     };
 
     /// Splits the work into tasks of about the same size, the same ones whatever the machine.
@@ -38,23 +45,30 @@ private:
         std::uint64_t stepsLeft;
         std::vector<FaceCrossing> found;
     };
-    // The box of a node in the space of the other side's boxes.
-    struct NodeBox {
-        glm::vec3 low;
-        glm::vec3 high;
-        glm::vec3 axis;
+    // Nodes of one parent, with their boxes and cones: all of them, or one.
+    struct Nodes {
+        std::uint32_t level;
+        std::uint32_t first;  // of the parent's four
+        std::uint32_t begin;  // of these the nodes from begin to end
+        std::uint32_t end;
+        const FourBoxes* boxes;
+        const FourCones* cones;
     };
 
     template <class Take>
     void expand(Task, Take&&) const;
-    [[nodiscard]] NodeBox boxInA(const FaceTree::Node& ofB) const;
-    [[nodiscard]] bool apart(const FaceTree::Node& a, const FaceTree::Node& b) const;
+    [[nodiscard]] static Nodes below(const FaceSide&, Node);
+    [[nodiscard]] static Nodes only(const FaceSide&, Node packet);
+    [[nodiscard]] unsigned near(const FourBoxes& a, std::size_t k, const FourBoxes& bInA) const;
+    [[nodiscard]] unsigned bent(const FourCones& a, std::size_t k, const FourCones& bInA) const;
+    [[nodiscard]] FourBoxes inA(const FourBoxes& ofB) const;
+    [[nodiscard]] FourCones inA(const FourCones& ofB) const;
     void visit(Task, Search&) const;
-    void compareLeaves(Task, Search&) const;
-    void compareFaces(const FaceTree::Node& a, const FaceTree::Node& b, Search&) const;
+    [[nodiscard]] static unsigned facesIn(const FaceSide&, std::uint32_t packet);
+    void comparePackets(std::uint32_t a, std::uint32_t b, Search&) const;
+    void compareOwnPackets(std::uint32_t a, std::uint32_t b, Search&) const;
+    void compareWithin(std::uint32_t first, std::uint32_t second, Search&) const;
     void compare(const SideFace& first, const SideFace& second, Search&) const;
-    [[nodiscard]] bool shareAPoint(std::uint32_t first, std::uint32_t second) const;
-    [[nodiscard]] bool partAlongAxes(std::uint32_t first, std::uint32_t second) const;
 
     const FaceSide& a_;
     const FaceSide& b_;
