@@ -198,7 +198,7 @@ private:
 
     [[nodiscard]] Overlap::Side sideOf(const Piece& piece, double from, double to) const {
         const double middle = piece.number + 0.5 * (from + to);
-        const glm::dvec3 point = placeAt(lines_[piece.line], middle).position - origin_;
+        const glm::dvec3 point = atPosition(lines_[piece.line], middle).position - origin_;
         const double depth = screen_.depth(point);
         const double footprint = screen_.footprint(point);
         // In footprints: in perspective these grow with the depth.
@@ -242,14 +242,14 @@ private:
     }
 
     // A position along a line, in space.
-    struct Place {
+    struct PositionOnLine {
         const LinePoint& p;
         const LinePoint& q;
         double share;  // of the way from p to q in the picture
         double inSpace;
         glm::dvec3 position;
     };
-    [[nodiscard]] Place placeAt(const Line& line, double position) const {
+    [[nodiscard]] PositionOnLine atPosition(const Line& line, double position) const {
         const std::size_t count = line.points.size();
         const auto piece = static_cast<std::size_t>(position);
         const LinePoint& p = line.points[piece % count];
@@ -265,7 +265,7 @@ private:
     }
 
     [[nodiscard]] LinePoint pointAt(const Line& line, double position) const {
-        const auto [p, q, share, inSpace, at] = placeAt(line, position);
+        const auto [p, q, share, inSpace, at] = atPosition(line, position);
         if (share == 0.0) return p;
         return {p.pixel + share * (q.pixel - p.pixel), at, p.strength + inSpace * (q.strength - p.strength)};
     }

@@ -33,29 +33,29 @@ std::vector<std::uint32_t> sorted(const mesh::MeshTopology& topology, const std:
     glm::vec3 high = low;
     for (const glm::vec3& p : points) low = glm::min(low, p), high = glm::max(high, p);
     const mesh::ZOrder order{low, high};
-    std::vector<std::uint64_t> places(topology.originals.size());  // along the curve
-    base::inRanges(places.size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint64_t> keys(topology.originals.size());  // along the curve
+    base::inRanges(keys.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
             const std::uint32_t* const p = &topology.points[3 * t];
             const glm::dvec3 sum = glm::dvec3{points[p[0]]} + glm::dvec3{points[p[1]]} + glm::dvec3{points[p[2]]};
-            places[t] = grayed(order.key(sum / 3.0));
+            keys[t] = grayed(order.key(sum / 3.0));
         }
     });
     // First by the upper half, which is enough for almost all.
     struct Upper {
-        std::uint32_t place;
+        std::uint32_t key;
         std::uint32_t triangle;
     };
     std::vector<Upper> uppers;
-    uppers.reserve(places.size());
-    for (std::uint32_t t = 0; t < places.size(); ++t)
-        if (topology.originals[t] == t) uppers.push_back({static_cast<std::uint32_t>(places[t] >> 31U), t});
-    base::radixSort(uppers, [](const Upper& each) { return each.place; });
+    uppers.reserve(keys.size());
+    for (std::uint32_t t = 0; t < keys.size(); ++t)
+        if (topology.originals[t] == t) uppers.push_back({static_cast<std::uint32_t>(keys[t] >> 31U), t});
+    base::radixSort(uppers, [](const Upper& each) { return each.key; });
     for (auto run = uppers.begin(); run != uppers.end();) {
-        const auto end = std::find_if(run, uppers.end(), [&](const Upper& each) { return each.place != run->place; });
+        const auto end = std::find_if(run, uppers.end(), [&](const Upper& each) { return each.key != run->key; });
         if (end - run > 1)
             std::stable_sort(run, end,
-                             [&](const Upper& x, const Upper& y) { return places[x.triangle] < places[y.triangle]; });
+                             [&](const Upper& x, const Upper& y) { return keys[x.triangle] < keys[y.triangle]; });
         run = end;
     }
     std::vector<std::uint32_t> triangles(uppers.size());

@@ -21,8 +21,8 @@ struct FaceTree {
         [[nodiscard]] FourBoxes boxes() const noexcept {
             FourBoxes boxes;
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                boxes.low[axis] = least(least(corners[0][axis], corners[1][axis]), corners[2][axis]);
-                boxes.high[axis] = greatest(greatest(corners[0][axis], corners[1][axis]), corners[2][axis]);
+                boxes.low[axis] = smaller(smaller(corners[0][axis], corners[1][axis]), corners[2][axis]);
+                boxes.high[axis] = larger(larger(corners[0][axis], corners[1][axis]), corners[2][axis]);
             }
             return boxes;
         }

@@ -11,8 +11,8 @@ using Four = float __attribute__((vector_size(16)));
 using FourBits = decltype(Four{} < Four{});
 
 [[nodiscard]] inline Four four(float value) noexcept { return Four{value, value, value, value}; }
-[[nodiscard]] inline Four least(Four a, Four b) noexcept { return a < b ? a : b; }
-[[nodiscard]] inline Four greatest(Four a, Four b) noexcept { return a > b ? a : b; }
+[[nodiscard]] inline Four smaller(Four a, Four b) noexcept { return a < b ? a : b; }
+[[nodiscard]] inline Four larger(Four a, Four b) noexcept { return a > b ? a : b; }
 
 /// Bit k is set where comparison k holds.
 [[nodiscard]] inline unsigned bitsOf(FourBits bits) noexcept {

@@ -161,7 +161,7 @@ unsigned TreePair::bent(const FourCones& a, std::size_t k, const FourCones& b) c
     const Four cosine =
         four(a.axis[0][k]) * b.axis[0] + four(a.axis[1][k]) * b.axis[1] + four(a.axis[2][k]) * b.axis[2];
     const Four left = four(minCrossingDistance - rounding - a.radius[k]) - b.radius;
-    const Four square = four(2.0F) - four(2.0F) * greatest(cosine, -cosine);  // of the distance of two axes
+    const Four square = four(2.0F) - four(2.0F) * larger(cosine, -cosine);  // of the distance of two axes
     return bitsOf((left > four(0.0F)) & (square < left * left)) ^ 15U;
 }
 
