@@ -156,11 +156,15 @@ std::vector<std::uint8_t> withSize(std::vector<std::uint8_t> bytes, std::uint32_
 }
 
 TEST(Load3mf, believesNoSizesThatAreNotTrue) {
-    for (const auto& [size, found] : std::vector<std::pair<std::uint32_t, std::string>>{
-             {0, "expected 0 bytes in '3D/3dmodel.model' of a 3MF, found more"},
-             {1000, "expected 1000 bytes in '3D/3dmodel.model' of a 3MF, found more"},
-             {1'000'000'000, "expected 1000000000 bytes in '3D/3dmodel.model' of a 3MF, found "}})
-        expectError(Error::Kind::Input, HasSubstr(found), [&] { sceneOf(withSize(oneCube(), size)); });
+    struct Lie {
+        std::uint32_t size;
+        std::string found;
+    };
+    for (const Lie& lie :
+         std::vector<Lie>{{0, "expected 0 bytes in '3D/3dmodel.model' of a 3MF, found more"},
+                          {1000, "expected 1000 bytes in '3D/3dmodel.model' of a 3MF, found more"},
+                          {1'000'000'000, "expected 1000000000 bytes in '3D/3dmodel.model' of a 3MF, found "}})
+        expectError(Error::Kind::Input, HasSubstr(lie.found), [&] { sceneOf(withSize(oneCube(), lie.size)); });
 }
 
 TEST(Load3mf, keepsToTheLimits) {
