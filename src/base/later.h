@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <future>
 #include <optional>
 #include <system_error>
 #include <utility>
 
+#include "base/parallel.h"
 #include "base/stop.h"
 
 namespace inkedge::base {
@@ -15,16 +17,14 @@ namespace inkedge::base {
 template <class Result>
 class Later {
 public:
-    enum class Begin { Now, WhenAsked };
-
-    /// @param begin  Now: on a thread of its own, if the process may have one
-    Later(std::function<Result()> work, Begin begin) {
+    /// @param elements  that are worked on: on a thread of its own if they are worth one, else when it is asked for
+    Later(std::function<Result()> work, std::size_t elements) {
         auto run = [work = std::move(work), around = StopScope::current()] {
             const StopScope scope{around};
             return work();
         };
         try {
-            if (begin == Begin::Now) coming_ = std::async(std::launch::async, run);
+            if (elements >= elementsWorthAThread) coming_ = std::async(std::launch::async, run);
         } catch (const std::system_error&) {  // the process may have no more threads
         }
         if (!coming_.valid()) coming_ = std::async(std::launch::deferred, std::move(run));

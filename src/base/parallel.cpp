@@ -64,29 +64,6 @@ void inRanges(std::size_t count, const std::function<void(std::size_t begin, std
         if (failure) std::rethrow_exception(failure);
 }
 
-void atOnce(const std::function<void()>& one, const std::function<void()>& other) {
-    const StopScope* const around = StopScope::current();
-    std::exception_ptr failure;
-    {
-        std::jthread thread;
-        const auto run = [&]() noexcept {
-            try {
-                const StopScope scope{around};
-                other();
-            } catch (...) {
-                failure = std::current_exception();
-            }
-        };
-        try {
-            thread = std::jthread{run};
-        } catch (const std::system_error&) {  // the process may have no more threads
-            run();
-        }
-        one();
-    }
-    if (failure) std::rethrow_exception(failure);
-}
-
 void onEach(std::size_t count, const std::function<void(std::size_t i)>& work) {
     constexpr std::size_t piecesWorthAThread = 8;
     std::atomic<std::size_t> next = 0;

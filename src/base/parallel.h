@@ -38,10 +38,6 @@ template <class Work>
     return parts;
 }
 
-/// Calls two pieces of work at the same time, of which each may use all cores, too.
-/// @throws  what the first that failed has thrown
-void atOnce(const std::function<void()>& one, const std::function<void()>& other);
-
 /// Calls work(i) for 0..count-1 on all cores of this process, in no order: for independent pieces of work of any size.
 /// @throws  what the first piece that failed has thrown; what stopIfAsked() throws, which is called before each
 void onEach(std::size_t count, const std::function<void(std::size_t i)>& work);

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "base/later.h"
 #include "base/parallel.h"
 #include "base/stage_clock.h"
 #include "base/stop.h"
@@ -216,14 +217,10 @@ private:
 // It holds the scene, which therefore must not hold it.
 struct ObjectLines::Prepared {
     explicit Prepared(const Scene& whole) : scene{whole} {
-        const auto findLines = [&] { findEdgesOfMeshes(); };
-        const auto makeRays = [&] { rays.emplace(scene); };
-        if (preparedOf(scene)->triangleCount > base::elementsWorthAThread) {
-            base::atOnce(findLines, makeRays);
-        } else {
-            findLines();
-            makeRays();
-        }
+        base::Later<std::unique_ptr<const RayCaster>> raysToCome{
+            [&] { return std::make_unique<const RayCaster>(scene); }, preparedOf(scene)->triangleCount};
+        findEdgesOfMeshes();
+        rays = raysToCome.take();
     }
 
     [[nodiscard]] std::span<const BorderSegment> bordersOf(std::uint32_t instance) const {
@@ -313,7 +310,7 @@ struct ObjectLines::Prepared {
     }
 
     Scene scene;
-    std::optional<RayCaster> rays;
+    std::unique_ptr<const RayCaster> rays;
     std::vector<MeshEdges> edges;
     std::vector<std::unique_ptr<ContourSearch>> searches;  // one per mesh
     std::vector<BorderSegment> borders;

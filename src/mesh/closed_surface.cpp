@@ -81,21 +81,9 @@ bool isClosedOutward(const Mesh& mesh, const MeshTopology& topology) {
         for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
             if (!isOpposed(topology, h)) return false;
     }
-    // Components are made of surfaces, which are far fewer than faces.
-    base::UnionFind parts{topology.patchCount()};
-    std::vector<double> volumes(topology.patchCount(), 0.0);  // of surfaces
-    for (std::uint32_t t = 0; t < count; ++t) {
-        if (isCollapsed(topology, t)) continue;
-        const std::uint32_t surface = topology.surfaceOf(t);
-        volumes[surface] += signedVolume(mesh, t);
-        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
-            if (topology.creases[h]) parts.unite(surface, topology.surfaceOf(topology.twins[h] / 3));
-    }
-    std::vector<double> ofParts(volumes.size(), 0.0);
-    for (std::uint32_t surface = 0; surface < volumes.size(); ++surface)
-        ofParts[parts.root(surface)] += volumes[surface];
+    const std::vector<std::int8_t> closed = componentOrientations(mesh, topology);
     for (std::uint32_t t = 0; t < count; ++t)
-        if (!isCollapsed(topology, t) && !(ofParts[parts.root(topology.surfaceOf(t))] > 0.0)) return false;
+        if (!isCollapsed(topology, t) && closed[t] != 1) return false;
     return true;
 }
 

@@ -25,7 +25,6 @@ struct Components {
 /// Whether every connected component of a mesh is closed (each edge has two faces), wound consistently, and outward
 /// (its signed volume is over 0). From outside only fronts of faces are then seen, unless the mesh runs through itself
 /// so that a component is inside out. Faces collapsed to a line or a point do not matter. O(n).
-/// @param topology  complete, as connect() returns it
-[[nodiscard]] bool isClosedOutward(const Mesh&, const MeshTopology& topology);
+[[nodiscard]] bool isClosedOutward(const Mesh&, const MeshTopology&);
 
 }  // namespace inkedge::mesh

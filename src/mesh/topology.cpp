@@ -251,9 +251,7 @@ std::vector<glm::dvec3> normalsOfTriangles(const Mesh& mesh) { return triangleNo
 MeshTopology buildTopology(const Mesh& mesh) {
     MeshTopology topology;
     const auto triangleCount = static_cast<std::uint32_t>(mesh.indices.size() / 3);
-    const bool large = triangleCount >= base::elementsWorthAThread;
-    using Normals = base::Later<TriangleNormals>;
-    Normals normals{[&] { return triangleNormals(mesh); }, large ? Normals::Begin::Now : Normals::Begin::WhenAsked};
+    base::Later<TriangleNormals> normals{[&] { return triangleNormals(mesh); }, triangleCount};
     {
         const Weld weld = weldByPosition(mesh.positions);
         topology.pointCount = weld.pointCount;

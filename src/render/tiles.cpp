@@ -9,7 +9,6 @@
 #include <glm/vec3.hpp>
 
 #include "base/later.h"
-#include "base/parallel.h"
 #include "camera/light.h"
 #include "gl/read_back.h"
 #include "lines/specks.h"
@@ -39,14 +38,12 @@ struct Traceable {
 
 // Of large scenes it is made while the triangles are drawn.
 base::Later<Traceable> traceable(const passes::Frame& picture, Size whole, int samplesPerPixel) {
-    using Later = base::Later<Traceable>;
-    const bool large = picture.scene.triangleCount() >= base::elementsWorthAThread;
     const auto make = [&picture, whole, samplesPerPixel] {
         trace::ScreenTriangles triangles{picture.scene, picture.upload.firstTriangles(), picture.camera, whole};
         std::vector<trace::ThinStretch> thin = trace::findThinParts(picture.scene, triangles, whole, samplesPerPixel);
         return Traceable{std::move(triangles), std::move(thin)};
     };
-    return {make, large ? Later::Begin::Now : Later::Begin::WhenAsked};
+    return {make, picture.scene.triangleCount()};
 }
 
 class TilePainter {

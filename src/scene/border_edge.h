@@ -11,7 +11,8 @@
 
 namespace inkedge::scene {
 
-/// Of the scene's radius: within it borders run along each other. A fortieth of a pixel of a model framed at 1024 pixels.
+/// Of the scene's radius: within it borders run along each other. A fortieth of a pixel of a model framed at 1024
+/// pixels.
 inline constexpr double seamTolerance = 5e-5;
 
 /// A border edge of an instance's mesh, in world space less the centre of InstancedMeshes::bounds.

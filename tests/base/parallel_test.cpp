@@ -44,16 +44,6 @@ TEST(PartsOf, keepsTheOrderOfItsRanges) {
     }
 }
 
-TEST(AtOnce, runsBothAndThrowsWhatEitherThrows) {
-    std::atomic<int> done = 0;
-    atOnce([&] { ++done; }, [&] { ++done; });
-    EXPECT_EQ(done, 2);
-    const auto fails = [] { throw std::runtime_error{"fails"}; };
-    EXPECT_THROW(atOnce([&] { ++done; }, fails), std::runtime_error);
-    EXPECT_THROW(atOnce(fails, [&] { ++done; }), std::runtime_error);
-    EXPECT_EQ(done, 4) << "the other one comes to its end";
-}
-
 TEST(InRanges, staysOnOneThreadForLittle) {
     const auto caller = std::this_thread::get_id();
     int calls = 0;

@@ -8,7 +8,8 @@
 
 int main(int count, char** arguments) {
     if (count != 4) {
-        fmt::print(stderr, "make_mesh: error: expected cad|smooth|scan TRIANGLES FILE.glb, found {} arguments\n", count - 1);
+        fmt::print(stderr, "make_mesh: error: expected cad|smooth|scan TRIANGLES FILE.glb, found {} arguments\n",
+                   count - 1);
         return 2;
     }
     try {
