@@ -14,6 +14,7 @@
 #include "cli/nearest_name.h"
 #include "cli/streams.h"
 #include "cli/verbs.h"
+#include "process/large_pages.h"
 #include "process/signals.h"
 
 namespace {
@@ -85,6 +86,7 @@ int run(CLI::App& app, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    inkedge::process::useLargePages();
     inkedge::cli::holdStandardStreams();
     inkedge::process::handleSignals();
     CLI::App app{"Clean line drawings of 3D models, without a screen.", "inkedge"};
