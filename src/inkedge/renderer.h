@@ -18,7 +18,8 @@ namespace inkedge {
 
 /// When a Renderer makes its context.
 enum class ContextTime {
-    AtOnce,  ///< in its constructor
+    AtOnce,     ///< in its constructor
+    Meanwhile,  ///< in a thread of its own, while the caller loads a scene, say; the call that needs it waits for it
     /// In the first call that draws with it. Lines from object space, and pictures of them alone, without maps and
     /// functions, need no OpenGL on the machine.
     WhenNeeded
@@ -40,7 +41,7 @@ enum class ContextTime {
 class INKEDGE_API Renderer {
 public:
     /// @throws Error  (Kind::Context) if no context can be had; the message says why for each backend tried;
-    ///                (Kind::Usage) if the settings name a device that is not there. With ContextTime::WhenNeeded the
+    ///                (Kind::Usage) if the settings name a device that is not there. Unless it is made at once the
     ///                call that needs the context throws, not the constructor.
     explicit Renderer(const BackendSettings& = {}, ContextTime = ContextTime::AtOnce);
     Renderer(Renderer&&) noexcept;

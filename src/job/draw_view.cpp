@@ -10,6 +10,7 @@
 #include "io/output_formats.h"
 #include "io/write_map_files.h"
 #include "job/file_names.h"
+#include "render/needs_context.h"
 
 namespace inkedge::job {
 namespace {
@@ -57,6 +58,14 @@ void writeText(const std::filesystem::path& file, const std::string& text) {
 }
 
 }  // namespace
+
+bool needsContext(const Job& job) {
+    const auto forPictures = [&] { return render::pictureNeedsContext(withMapsOf(job.outputs, job.settings)); };
+    if (job.outputs.empty()) return forPictures();
+    return std::ranges::any_of(job.outputs, [&](const std::string& output) {
+        return holdsLines(output) ? render::linesNeedContext(forLines(job.outputs, job.settings)) : forPictures();
+    });
+}
 
 ViewOutcome drawView(const Job& job, const View& view, const FramedView& framed, const Scene& scene, Renderer& renderer,
                      const std::vector<StageTime>& before, const std::function<void(const Maps&)>& reportDrawn,

@@ -16,6 +16,9 @@ struct ViewOutcome {
     io::Json metadata;  ///< what they say of the view
 };
 
+/// Whether a job's views are drawn with OpenGL.
+[[nodiscard]] bool needsContext(const Job&);
+
 /// Draws one view and writes what the job asks for. Lines are found once for all outputs that hold lines, and a picture
 /// is drawn once for all others.
 /// @param framed    the view, laid on its picture

@@ -44,10 +44,10 @@ struct JobState {
 // A worker's renderer, made when its first view comes, and anew for a job that asks for another backend.
 class OwnRenderer {
 public:
-    Renderer& of(const BackendSettings& wanted) {
+    Renderer& of(const BackendSettings& wanted, ContextTime when = ContextTime::WhenNeeded) {
         if (!renderer_ || wanted.backend != backend_.backend || wanted.device != backend_.device) {
             renderer_.reset();
-            renderer_.emplace(wanted, ContextTime::WhenNeeded);
+            renderer_.emplace(wanted, when);
             backend_ = wanted;
         }
         return *renderer_;
@@ -119,6 +119,7 @@ private:
                 base::stopIfAsked();
                 const Task task = tasks_[i];
                 JobState& state = states_[task.job];
+                if (needsContext(*state.job)) (void)renderer.of(state.job->settings.backend, ContextTime::Meanwhile);
                 if (isLoaded(state, task.job)) drawView(state, task, renderer);
                 if (--state.left == 0) finish(state, task.job);
                 const std::scoped_lock lock{calling_};

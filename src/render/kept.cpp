@@ -1,5 +1,7 @@
 #include "render/kept.h"
 
+#include <utility>
+
 #include "gl/stage_clock.h"
 
 namespace inkedge::render {
@@ -26,10 +28,15 @@ passes::Frame Graphics::frame(const Scene& scene, const Camera& camera, const Pi
     return passes::frameOf(*gpu_, *upload_, scene, camera, samples);
 }
 
+void Kept::startGraphics() {
+    coming_.emplace([settings = settings_] { return std::make_unique<Graphics>(settings); }, base::elementsWorthAThread);
+}
+
 Graphics& Kept::graphics(std::vector<StageTime>& times) {
     if (!graphics_) {
         gl::StageClock clock{times};
-        graphics_.emplace(settings_);
+        auto coming = std::exchange(coming_, std::nullopt);
+        graphics_ = coming ? coming->take() : std::make_unique<Graphics>(settings_);
         clock.finish("context");
     }
     return *graphics_;

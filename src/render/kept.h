@@ -13,6 +13,7 @@
 #include <inkedge/stage_time.h>
 
 #include "base/kept_files.h"
+#include "base/later.h"
 #include "gl/context.h"
 #include "gl/function_inputs.h"
 #include "gl/gpu.h"
@@ -49,7 +50,9 @@ class Kept {
 public:
     explicit Kept(BackendSettings backend) : settings_{std::move(backend)} {}
 
-    /// @param times  the time that making the context took is added
+    /// Begins to make the context, in a thread of its own.
+    void startGraphics();
+    /// @param times  the time that making the context took, or waiting for it, is added
     [[nodiscard]] Graphics& graphics(std::vector<StageTime>& times);
     /// Empty while there is no context.
     [[nodiscard]] const BackendInfo& backend() const noexcept;
@@ -60,7 +63,8 @@ public:
 
 private:
     BackendSettings settings_;
-    std::optional<Graphics> graphics_;
+    std::optional<base::Later<std::unique_ptr<Graphics>>> coming_;  // of startGraphics(), until it is asked for
+    std::unique_ptr<Graphics> graphics_;
     std::unique_ptr<lines::ObjectLines> objectLines_;
     base::KeptFiles<ink::Brush> brushes_;
 };

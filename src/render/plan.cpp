@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lines/object_lines.h"
+#include "render/needs_context.h"
 #include "settings/idle.h"
 #include "settings/shades.h"
 
@@ -79,6 +80,12 @@ Plan planOf(const RenderSettings& settings) {
     plan.underlaid = settings.shade.shade != Shade::None;
     if (plan.style->redraw != nullptr || plan.underlaid) plan.paper = settings::Paper::Transparent;
     return plan;
+}
+
+bool pictureNeedsContext(const RenderSettings& settings) { return planOf(settings).needsContext(); }
+
+bool linesNeedContext(const RenderSettings& settings) {
+    return settings.lines.from == LinesFrom::Image || settings.shade.shade != Shade::None;
 }
 
 Plan planOfShade(const RenderSettings& settings) {

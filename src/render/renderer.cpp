@@ -19,6 +19,7 @@ Renderer::Renderer(const BackendSettings& settings, ContextTime when) : state_{s
     validate(settings);
     std::vector<StageTime> ignored;
     if (when == ContextTime::AtOnce) (void)state_->graphics(ignored);
+    if (when == ContextTime::Meanwhile) state_->startGraphics();
 }
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
