@@ -28,41 +28,37 @@ uint pairMarks(vec4 p, vec4 q, vec3 np, vec3 nq, float gp, float gq) {
     return found;
 }
 
-// The row of samples above the current row.
-vec4 above[5];
-vec3 aboveNormal[5];
-
-// The marks of the pixels above row y. Row y then becomes the row above. Samples beyond the planes are those at their
-// border again: no pairs.
-uint marksAbove(int y, vec4 row[5]) {
-    ivec2 size = textureSize(planes, 0);
-    ivec2 inside = size - 4 * ivec2(gl_FragCoord.xy);
-    uint found = 0u;
-    for (int x = 0; x < 4 && y > 0 && x + 1 < inside.x; ++x) {
-        found |= pairMarks(above[x], above[x + 1], aboveNormal[x], aboveNormal[x + 1], above[x].y, above[x + 1].y)
-                 << (8 * x);
-    }
-    for (int x = 0; x < 5; ++x) {
-        ivec2 pixel = min(4 * ivec2(gl_FragCoord.xy) + ivec2(x, y), size - 1);
-        vec3 normal = normalOf(row[x], vec2(pixel) + 0.5 - centre);
-        if (x < 4 && y > 0 && y < inside.y) {
-            found |= pairMarks(above[x], row[x], aboveNormal[x], normal, above[x].z, row[x].z) << (8 * x + 4);
-        }
-        above[x] = row[x];
-        aboveNormal[x] = normal;
-    }
-    return found;
-}
-
-// Offsets must be constants, hence no loop. llvmpipe clamps and fetches such a texel in half the time of texelFetch().
-#define SAMPLE(x, y) textureLodOffset(planes, corner, 0.0, ivec2(x, y))
-#define ROW(y) vec4[](SAMPLE(0, y), SAMPLE(1, y), SAMPLE(2, y), SAMPLE(3, y), SAMPLE(4, y))
-
 void main() {
-    vec2 corner = (4.0 * floor(gl_FragCoord.xy) + 0.5) / vec2(textureSize(planes, 0));
-    marksAbove(0, ROW(0));
-    marks[0] = marksAbove(1, ROW(1));
-    marks[1] = marksAbove(2, ROW(2));
-    marks[2] = marksAbove(3, ROW(3));
-    marks[3] = marksAbove(4, ROW(4));
+    ivec2 size = textureSize(planes, 0);
+    ivec2 first = 4 * ivec2(gl_FragCoord.xy);
+    ivec2 inside = size - first;
+
+    // The row of samples above the current row.
+    vec4 above[5];
+    vec3 aboveNormal[5];
+    marks = uvec4(0u);
+    // A count that the compiler does not know keeps it from repeating the rows' code, which takes it five times as long
+    // to compile. Samples beyond the planes are those at their border again: no pairs.
+    int last = min(4, inside.y);
+    for (int y = 0; y <= last; ++y) {
+        vec4 row[5];
+        vec3 normal[5];
+        uint found = 0u;
+        for (int x = 0; x < 5; ++x) {
+            ivec2 pixel = min(first + ivec2(x, y), size - 1);
+            // llvmpipe clamps and fetches such a texel in half the time of texelFetch().
+            row[x] = textureLod(planes, (vec2(pixel) + 0.5) / vec2(size), 0.0);
+            normal[x] = normalOf(row[x], vec2(pixel) + 0.5 - centre);
+        }
+        if (y > 0) {
+            for (int x = 0; x < 4; ++x) {
+                uint right = x + 1 < inside.x ? pairMarks(above[x], above[x + 1], aboveNormal[x], aboveNormal[x + 1], above[x].y, above[x + 1].y) : 0u;
+                uint below = y < inside.y ? pairMarks(above[x], row[x], aboveNormal[x], normal[x], above[x].z, row[x].z) : 0u;
+                found |= (right | (below << 4)) << (8 * x);
+            }
+            marks[y - 1] = found;
+        }
+        above = row;
+        aboveNormal = normal;
+    }
 }
