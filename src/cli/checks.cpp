@@ -1,11 +1,17 @@
 #include "cli/checks.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/nearest_name.h"
 
 namespace inkedge::cli {
 namespace {
@@ -38,6 +44,16 @@ CLI::Validator numberOver(double low, double high) {
                 const auto value = number(text);
                 if (value && *value > low && *value <= high) return std::string{};
                 return refusal(fmt::format("over {}", low), high, text);
+            },
+            ""};
+}
+
+CLI::Validator oneOf(std::vector<std::string> names) {
+    return {[names = std::move(names)](const std::string& text) {
+                if (std::ranges::find(names, text) != names.end()) return std::string{};
+                const std::vector<std::string_view> views{names.begin(), names.end()};
+                return fmt::format("expected one of {}, found '{}'{}", fmt::join(names, ", "), text,
+                                   base::suggestion(text, views));
             },
             ""};
 }

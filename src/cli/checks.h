@@ -1,6 +1,8 @@
 #pragma once
 
 #include <limits>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -12,5 +14,8 @@ constexpr double unlimited = std::numeric_limits<double>::max();
 [[nodiscard]] CLI::Validator numberFrom(double low, double high);
 /// The same, but refuses the number low, too.
 [[nodiscard]] CLI::Validator numberOver(double low, double high);
+
+/// Refuses what is none of these.
+[[nodiscard]] CLI::Validator oneOf(std::vector<std::string> names);
 
 }  // namespace inkedge::cli

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,7 +23,7 @@ namespace {
 using nlohmann::ordered_json;
 
 struct InspectArguments {
-    std::string model;
+    ModelArgument model;
     bool json = false;
     SettingsSources settings;
 };
@@ -154,10 +155,12 @@ void printText(const std::string& model, const ModelContents& contents) {
 
 int inspect(const InspectArguments& arguments) {
     const LoadSettings settings = arguments.settings.resolve().load;
+    const GivenModel model = std::move(arguments.model.models(settings.limits).front());
     const base::Stopwatch watch;
-    const ModelContents contents = inspectModel(arguments.model, settings);
+    const ModelContents contents =
+        model.bytes ? inspectModel(*model.bytes, model.name, settings) : inspectModel(model.name, settings);
     const double milliseconds = watch.milliseconds();
-    arguments.json ? printJson(arguments.model, contents, milliseconds) : printText(arguments.model, contents);
+    arguments.json ? printJson(model.name.string(), contents, milliseconds) : printText(model.name.string(), contents);
     return 0;
 }
 
@@ -166,7 +169,7 @@ int inspect(const InspectArguments& arguments) {
 void addInspect(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<InspectArguments>();
     CLI::App* verb = app.add_subcommand("inspect", "Say what is in a model: meshes, bounds, cameras and warnings.");
-    addModel(*verb, arguments->model);
+    arguments->model.addTo(*verb);
     verb->add_flag("--json", arguments->json, "print it as JSON");
     arguments->settings.addTo(
         *verb, [](const SettingDescription& row) { return row.group == "model" || row.group == "limits"; });

@@ -1,5 +1,6 @@
 // Turns outcomes into exit codes: 0 success, 1 to 5 an Error's kind, 1 also when pictures differ or time is over, 128
 // and the signal's number when interrupted.
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <sstream>
@@ -7,11 +8,14 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <inkedge/error.h>
+#include <inkedge/load_scene.h>
 #include <inkedge/version.h>
 
-#include "cli/nearest_name.h"
+#include "base/file_extension.h"
+#include "base/nearest_name.h"
 #include "cli/streams.h"
 #include "cli/verbs.h"
 #include "process/large_pages.h"
@@ -29,12 +33,36 @@ int report(std::string_view message, int exitCode) {
 
 // The flag of a verb that a misspelt one stands for; empty: none.
 std::string nearestFlag(const CLI::App& verb, const std::string& text) {
-    std::vector<std::string> flags;
+    std::vector<std::string_view> flags;
     for (const CLI::Option* option : verb.get_options())
         for (const std::string& name : option->get_lnames()) flags.push_back(name);
     if (!text.starts_with("--")) return {};
-    const std::string nearest = inkedge::cli::nearestName(text.substr(2, text.find('=') - 2), flags);
+    const std::string nearest = inkedge::base::nearestName(text.substr(2, text.find('=') - 2), flags);
     return nearest.empty() ? nearest : "--" + nearest;
+}
+
+bool namesModel(const std::string& text) {
+    const std::string extension = inkedge::base::lowerCaseExtension(text);
+    return std::ranges::any_of(inkedge::readableFormats(), [&](const inkedge::ModelFormat& format) {
+        return std::ranges::find(format.extensions, extension) != format.extensions.end();
+    });
+}
+
+// What to do where no verb is given, or none that there is.
+std::string explainVerb(const CLI::App& app, const std::vector<std::string>& unknown) {
+    std::vector<std::string> verbs;
+    for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
+    const std::string last = verbs.back();
+    const std::string expected =
+        fmt::format("expected {} or {}, found ", fmt::join(verbs.begin(), verbs.end() - 1, ", "), last);
+    if (unknown.empty()) return expected + "nothing; see inkedge --help";
+    const std::string& found = unknown.front();
+    if (namesModel(found))
+        return fmt::format("{}the model '{}'; put render before it: inkedge render {} -o FILE", expected, found, found);
+    const std::vector<std::string_view> names{verbs.begin(), verbs.end()};
+    const std::string nearest = inkedge::base::nearestName(found, names);
+    return fmt::format("{}'{}'; {}see inkedge --help", expected, found,
+                       nearest.empty() ? nearest : fmt::format("is it {}? ", nearest));
 }
 
 // An error of the command line in the words of all our errors, or in the parser's own words if we have none for it.
@@ -42,10 +70,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
     const auto verbs = app.get_subcommands();
     const std::vector<std::string> unknown = app.remaining(true);
     const std::string text = error.what();
-    if (verbs.empty()) {
-        return fmt::format("expected render, sheet, inspect, compare or doctor, found {}; see inkedge --help",
-                           unknown.empty() ? "nothing" : fmt::format("'{}'", unknown.front()));
-    }
+    if (verbs.empty()) return explainVerb(app, unknown);
     const std::string remedy = fmt::format("see inkedge {} --help", verbs.front()->get_name());
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !unknown.empty()) {
         const std::string nearest = nearestFlag(*verbs.front(), unknown.front());
@@ -70,6 +95,8 @@ int run(CLI::App& app, int argc, char** argv) {
     inkedge::cli::addCompare(app, action);
     inkedge::cli::addInspect(app, action);
     inkedge::cli::addDoctor(app, action);
+    inkedge::cli::addCompletion(app, action);
+    inkedge::cli::addManual(app, action);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& helpOrVersion) {

@@ -15,6 +15,7 @@
 #include "base/message.h"
 #include "cli/checks.h"
 #include "cli/model_argument.h"
+#include "cli/progress.h"
 #include "cli/settings_sources.h"
 #include "cli/streams.h"
 #include "cli/verbs.h"
@@ -24,7 +25,7 @@ namespace inkedge::cli {
 namespace {
 
 struct RenderArguments {
-    std::vector<std::string> models;
+    ModelArgument models;
     std::string output;
     std::string metadataFile;
     std::string views;              // as viewsOf() takes them; empty: one
@@ -41,9 +42,9 @@ void checkStandardOutput(const RenderArguments& arguments, const Settings& setti
     if (arguments.output != "-") return;
     if (arguments.json) throw Error{Error::Kind::Usage, "--json: expected --output FILE, found - (both use stdout)"};
     if (!settings.maps.empty()) throw Error{Error::Kind::Usage, "--maps: expected --output FILE, found -"};
-    if (arguments.models.size() > 1)
+    if (arguments.models.names().size() > 1)
         throw Error{Error::Kind::Usage, fmt::format("--output: expected a FILE with {{model}} for {} models, found -",
-                                                    arguments.models.size())};
+                                                    arguments.models.names().size())};
     if (!arguments.views.empty()) throw Error{Error::Kind::Usage, "--views: expected --output FILE, found -"};
 }
 
@@ -53,7 +54,7 @@ void startTimeout(const RenderArguments& arguments) {
         *arguments.timeout,
         fmt::format("inkedge: error: {}: expected the work to end within {} s, found it still going; raise "
                     "--timeout or ask for less (a smaller model, --size or --supersampling)\n",
-                    base::printable(fmt::format("{}", fmt::join(arguments.models, ", "))), *arguments.timeout));
+                    base::printable(fmt::format("{}", fmt::join(arguments.models.names(), ", "))), *arguments.timeout));
 }
 
 void warnOfIdleSettings(const RenderArguments& arguments, const Job& job) {
@@ -86,14 +87,14 @@ void printJson(const RenderArguments& arguments, const std::vector<JobResult>& r
     using nlohmann::ordered_json;
     ordered_json all = ordered_json::array();
     for (const JobResult& result : results) all.push_back(ordered_json::parse(result.metadata));
-    const bool one = arguments.views.empty() && arguments.models.size() == 1;
+    const bool one = arguments.views.empty() && arguments.models.names().size() == 1;
     const ordered_json& shown = one ? all.front() : all;
     print(shown.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
 // A model and an output are needed but to print the configuration.
 void expectGiven(const RenderArguments& arguments) {
-    if (arguments.models.empty()) throw CLI::RequiredError("MODEL");
+    if (arguments.models.names().empty()) throw CLI::RequiredError("MODEL");
     if (arguments.output.empty()) throw CLI::RequiredError("--output");
 }
 
@@ -118,12 +119,19 @@ int render(const RenderArguments& arguments) {
     } else {
         job.outputs = {arguments.output};
     }
-    std::vector<Job> jobs(arguments.models.size(), job);
-    for (std::size_t i = 0; i < jobs.size(); ++i) jobs[i].model = arguments.models[i];
+    const std::size_t views = std::max<std::size_t>(job.views.size(), 1);
+    const std::vector<std::string>& names = arguments.models.names();
+    Progress progress{names.front(), names.size() * views, !arguments.quiet};
+    const std::vector<GivenModel> models = arguments.models.models(job.settings.load.limits);
+    std::vector<Job> jobs(models.size(), job);
+    for (std::size_t i = 0; i < jobs.size(); ++i) jobs[i].model = models[i].name, jobs[i].bytes = models[i].content();
     checkJobs(jobs);
     warnOfIdleSettings(arguments, jobs.front());
-    options.loaded = [&](std::size_t number, const Scene& scene) { warn(arguments, jobs[number], scene); };
-    const std::size_t views = std::max<std::size_t>(job.views.size(), 1);
+    options.loaded = [&](std::size_t number, const Scene& scene) {
+        progress.modelRead();
+        warn(arguments, jobs[number], scene);
+    };
+    options.progress = [&](std::size_t, std::size_t) { progress.viewEnded(); };
     std::vector<JobResult> results(jobs.size() * views);
     options.finished = [&](const JobResult& result) { results[result.job * views + result.view] = result; };
     runJobs(jobs, options);
@@ -138,7 +146,7 @@ int render(const RenderArguments& arguments) {
 void addRender(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<RenderArguments>();
     CLI::App* verb = app.add_subcommand("render", "Draw the outlines of models.");
-    addModels(*verb, arguments->models);
+    arguments->models.addSeveralTo(*verb);
     verb->add_option("-o,--output", arguments->output,
                      "picture to write, .png .tif .exr .npz, or lines, .svg .pdf .dxf .json, or - for PNG on stdout; "
                      "{model}, {view} "

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <inkedge/error.h>
 #include <inkedge/setting_table.h>
@@ -41,7 +42,9 @@ std::string presetHelp() {
 }  // namespace
 
 void SettingsSources::addTo(CLI::App& app, const std::function<bool(const SettingDescription&)>& uses) {
-    app.add_option("--preset", preset_, presetHelp())->type_name("NAME");
+    std::vector<std::string_view> presetNames;
+    for (const Preset& preset : presets()) presetNames.push_back(preset.name);
+    app.add_option("--preset", preset_, presetHelp())->type_name(fmt::format("{}", fmt::join(presetNames, "|")));
     app.add_option("--config", configFile_, "read settings from a file of lines: name = value")->type_name("FILE");
     for (const SettingDescription& row : settingTable()) {
         if (uses && !uses(row)) continue;

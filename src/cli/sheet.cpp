@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@
 #include "base/message.h"
 #include "cli/checks.h"
 #include "cli/model_argument.h"
+#include "cli/progress.h"
 #include "cli/settings_sources.h"
 #include "cli/streams.h"
 #include "cli/verbs.h"
@@ -25,7 +27,7 @@ namespace inkedge::cli {
 namespace {
 
 struct SheetArguments {
-    std::string model;
+    ModelArgument model;
     std::string output;
     std::vector<std::string> values;  // of sheetOptions()
     std::vector<CLI::Option*> options;
@@ -77,21 +79,27 @@ int drawSheet(const SheetArguments& arguments) {
             *arguments.timeout,
             fmt::format("inkedge: error: {}: expected the work to end within {} s, found it still going; "
                         "raise --timeout or ask for fewer --views\n",
-                        base::printable(arguments.model), *arguments.timeout));
+                        base::printable(arguments.model.names().front()), *arguments.timeout));
     }
     const SheetSettings wanted = sheetSettings(arguments);
     expectSheetFile(arguments.output);
-    Job job{.model = arguments.model, .settings = arguments.settings.resolve(), .outputs = {arguments.output}};
+    Job job{.model = {}, .settings = arguments.settings.resolve(), .outputs = {arguments.output}};
+    Progress progress{arguments.model.names().front(), 1, !arguments.quiet};
+    const GivenModel model = std::move(arguments.model.models(job.settings.load.limits).front());
+    job.model = model.name;
+    job.bytes = model.content();
     if (!arguments.settings.configFile().empty()) job.inputs = {arguments.settings.configFile()};
     const auto warn = [&](const std::string& text) {
         if (!arguments.quiet) report("warning: ", text);
     };
-    const auto warnOfModel = [&](const std::string& text) { warn(fmt::format("{}: {}", arguments.model, text)); };
+    const auto warnOfModel = [&](const std::string& text) { warn(fmt::format("{}: {}", model.name.string(), text)); };
     if (!arguments.quiet) warnOfIdleSettings(job.settings);
     const Settings settings = job.settings;
     job.settings = {};  // names of files alone are checked: a sheet draws nothing that its files could not hold
     checkJobs({&job, 1});
-    const Scene scene = loadScene(arguments.model, loadSettings(settings));
+    const Scene scene = model.bytes ? loadScene(*model.bytes, model.name, loadSettings(settings))
+                                    : loadScene(model.name, loadSettings(settings));
+    progress.modelRead();
     const std::filesystem::path output = filesOf(job, {"sheet", {}}).front();
     expectNotRead(output, scene);
     std::ranges::for_each(scene.warnings(), warnOfModel);
@@ -107,7 +115,7 @@ int drawSheet(const SheetArguments& arguments) {
 void addSheet(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<SheetArguments>();
     CLI::App* verb = app.add_subcommand("sheet", "Draw several views of a model on one page, as workshops read them.");
-    addModel(*verb, arguments->model);
+    arguments->model.addTo(*verb);
     verb->add_option("-o,--output", arguments->output,
                      "sheet to write, .pdf .svg .dxf .png (at --dpi, or 150); {model} is filled in")
         ->type_name("FILE")

@@ -15,5 +15,7 @@ void addSheet(CLI::App&, Action&);
 void addCompare(CLI::App&, Action&);
 void addInspect(CLI::App&, Action&);
 void addDoctor(CLI::App&, Action&);
+void addCompletion(CLI::App&, Action&);
+void addManual(CLI::App&, Action&);
 
 }  // namespace inkedge::cli

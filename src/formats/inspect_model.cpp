@@ -29,11 +29,8 @@ std::vector<MeshContents> meshesOf(const Scene& scene) {
     return all;
 }
 
-}  // namespace
-
-ModelContents inspectModel(const std::filesystem::path& file, const LoadSettings& settings) {
+ModelContents inspect(const formats::ModelInput& input, const LoadSettings& settings) {
     validate(settings);
-    const formats::ModelInput input{file};
     Scene::Data data = formats::readModel(input, settings);
     const glm::dvec3 up = glm::normalize(settings.up.value_or(data.source.up));
     if (!drawsAnything(data))
@@ -63,6 +60,17 @@ ModelContents inspectModel(const std::filesystem::path& file, const LoadSettings
             .lines = lines,
             .up = up,
             .box = scene.box()};
+}
+
+}  // namespace
+
+ModelContents inspectModel(const std::filesystem::path& file, const LoadSettings& settings) {
+    return inspect({file}, settings);
+}
+
+ModelContents inspectModel(std::span<const std::uint8_t> bytes, const std::filesystem::path& name,
+                           const LoadSettings& settings) {
+    return inspect({name, bytes}, settings);
 }
 
 }  // namespace inkedge

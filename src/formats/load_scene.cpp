@@ -52,9 +52,10 @@ const Reader& readerOf(const ModelInput& input) {
     const Reader* const known = byFirstBytes(base::textOf(bytes));
     if (known != nullptr && (named == nullptr || known->firstBytesAreCertain)) return *known;
     if (named != nullptr) return *named;
-    base::refuse(fmt::format("{}: expected a model by its extension, {}, found {} with {}", input.where(),
+    base::refuse(fmt::format("{}: expected a model by its extension, {}, found {} with {}{}", input.where(),
                              allExtensions(), base::kindOf(base::textOf(bytes)),
-                             extension.empty() ? "none" : base::printable(extension)));
+                             extension.empty() ? "none" : base::printable(extension),
+                             input.isFile() ? "" : "; say which it is: --format, or a name in the library"));
 }
 
 // What only some formats have to choose from.

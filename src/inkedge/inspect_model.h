@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,11 @@ struct ModelContents {
 /// Reads a model and says what it holds, whether or not loadScene() finds something to draw.
 /// @throws Error  as loadScene(), but not for want of something to draw
 [[nodiscard]] INKEDGE_API ModelContents inspectModel(const std::filesystem::path& file,
+                                                     const LoadSettings& settings = {});
+
+/// The same of a model in memory, whose bytes and name are as loadScene() takes them.
+[[nodiscard]] INKEDGE_API ModelContents inspectModel(std::span<const std::uint8_t> bytes,
+                                                     const std::filesystem::path& name,
                                                      const LoadSettings& settings = {});
 
 }  // namespace inkedge

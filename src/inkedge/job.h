@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -25,6 +26,8 @@ namespace inkedge {
 /// is, braces in a model's name too.
 struct Job {
     std::filesystem::path model;
+    /// The model's file in memory, which must outlive the work; model is then the file's name. None: it is read.
+    std::optional<std::span<const std::uint8_t>> bytes = {};
     std::optional<Scene> scene = {};  ///< the model, already loaded; none: it is read from its file, with
                                       ///< loadSettings(settings), and given up after its last view
     Settings settings = {};

@@ -83,7 +83,7 @@ void check(const Job& job, std::size_t& viewsBefore, FilesApart& files) {
 }
 
 void addInputs(const Job& job, FilesApart& files) {
-    if (!job.scene) files.addInput(job.model, "the model");
+    if (!job.scene && !job.bytes) files.addInput(job.model, "the model");
     if (!job.settings.lines.brush.empty()) files.addInput(job.settings.lines.brush, "--brush");
     for (const FunctionSettings& function : job.settings.detector.functions)
         if (!function.file.empty()) files.addInput(function.file, "--function");

@@ -64,7 +64,7 @@ void loadScene(JobState& state) {
     LoadSettings load = loadSettings(job.settings, state.views);
     load.completeNormals =
         settings::readsVertexNormals(withMapsOf(job.outputs, job.settings), kindsOf(job, state.views));
-    state.scene = inkedge::loadScene(job.model, load);
+    state.scene = job.bytes ? inkedge::loadScene(*job.bytes, job.model, load) : inkedge::loadScene(job.model, load);
     const double loading = watch.milliseconds();
     const double preparing = state.scene->preparationMilliseconds();
     state.times = {{"load", loading - preparing}, {"prepare", preparing}};

@@ -8,6 +8,8 @@
 #include <inkedge/error.h>
 #include <inkedge/setting_table.h>
 
+#include "settings/rows.h"
+
 namespace inkedge {
 namespace {
 
@@ -60,7 +62,8 @@ void readLine(Settings& settings, std::string_view line, const std::string& wher
         refuse(Error::Kind::Usage, where, fmt::format("expected name = value, found '{}'", text));
     const std::string_view name = trimmed(text.substr(0, equals));
     if (findSetting(name) == nullptr)
-        refuse(Error::Kind::Usage, where, fmt::format("expected the name of a setting, found '{}'", name));
+        refuse(Error::Kind::Usage, where,
+               fmt::format("expected the name of a setting, found '{}'{}", name, settings::suggestSetting(name)));
     set(settings, name, unquoted(trimmed(text.substr(equals + 1))), fmt::format("{}: {}", where, name));
 }
 

@@ -7,6 +7,8 @@
 
 #include <inkedge/error.h>
 
+#include "base/nearest_name.h"
+
 namespace inkedge {
 
 const std::vector<Preset>& presets() {
@@ -52,8 +54,8 @@ void setPreset(Settings& settings, std::string_view name, std::string_view sourc
     if (found == presets().end()) {
         std::vector<std::string_view> names;
         for (const Preset& preset : presets()) names.push_back(preset.name);
-        throw Error{Error::Kind::Usage,
-                    fmt::format("{}: expected one of {}, found '{}'", source, fmt::join(names, ", "), name)};
+        throw Error{Error::Kind::Usage, fmt::format("{}: expected one of {}, found '{}'{}", source,
+                                                    fmt::join(names, ", "), name, base::suggestion(name, names))};
     }
     for (const auto& [setting, text] : found->values) set(settings, setting, text, fmt::format("preset {}", name));
 }

@@ -104,4 +104,7 @@ inline std::vector<SettingDescription> inGroup(std::string_view group, std::vect
 [[nodiscard]] std::vector<SettingDescription> detectorRows();
 [[nodiscard]] std::vector<SettingDescription> backendRows();
 
+/// "; is it line-width?" for a name that is no setting's; empty: none is like it.
+[[nodiscard]] std::string suggestSetting(std::string_view name);
+
 }  // namespace inkedge::settings

@@ -11,6 +11,8 @@
 #include <inkedge/error.h>
 #include <inkedge/settings.h>
 
+#include "base/nearest_name.h"
+
 namespace inkedge {
 namespace {
 
@@ -195,7 +197,8 @@ const FunctionDescription& functionDescription(std::string_view name) {
     if (row != table.end()) return *row;
     std::vector<std::string_view> names;
     for (const FunctionDescription& each : table) names.push_back(each.name);
-    throw Error{Error::Kind::Usage, fmt::format("expected one of {}, found '{}'", fmt::join(names, ", "), name)};
+    throw Error{Error::Kind::Usage, fmt::format("expected one of {}, found '{}'{}", fmt::join(names, ", "), name,
+                                                base::suggestion(name, names))};
 }
 
 FunctionSettings surfaceFunction(std::string_view text) {

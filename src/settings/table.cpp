@@ -8,6 +8,7 @@
 #include <inkedge/error.h>
 
 #include "base/message.h"
+#include "base/nearest_name.h"
 #include "settings/constraints.h"
 #include "settings/rows.h"
 
@@ -65,7 +66,8 @@ void SettingDescription::set(Settings& settings, std::string_view text) const {
     try {
         field.set(constraint, settings, text);
     } catch (const settings::Expected& expected) {
-        throw Error{Error::Kind::Usage, fmt::format("expected {}, found {}", expected.what, base::quote(text))};
+        throw Error{Error::Kind::Usage,
+                    fmt::format("expected {}, found {}{}", expected.what, base::quote(text), expected.remedy)};
     }
 }
 
@@ -85,6 +87,13 @@ std::span<const SettingDescription> settingTable() {
     return table;
 }
 
+std::string settings::suggestSetting(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const SettingDescription& row : settingTable()) names.insert(names.end(), {row.name, row.shortName});
+    std::erase(names, "");
+    return base::suggestion(name, names);
+}
+
 const SettingDescription* findSetting(std::string_view name) {
     const auto row = std::ranges::find_if(settingTable(), [&](const SettingDescription& each) {
         return each.name == name || (!name.empty() && each.shortName == name);
@@ -95,7 +104,8 @@ const SettingDescription* findSetting(std::string_view name) {
 void set(Settings& settings, std::string_view name, std::string_view text, std::string_view source) {
     const SettingDescription* const row = findSetting(name);
     if (row == nullptr)
-        throw Error{Error::Kind::Usage, fmt::format("{}: there is no setting named '{}'", source, name)};
+        throw Error{Error::Kind::Usage,
+                    fmt::format("{}: there is no setting named '{}'{}", source, name, settings::suggestSetting(name))};
     named(source, [&] { row->set(settings, text); });
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/nearest_name.h"
 #include "settings/constraints.h"
 #include "settings/names.h"
 
@@ -109,7 +110,7 @@ std::uint64_t parseCount(const Count& count, std::string_view text) {
 
 int parseChoice(std::span<const std::string_view> names, std::string_view text) {
     const auto found = std::ranges::find(names, text);
-    if (found == names.end()) throw Expected{expectation(names)};
+    if (found == names.end()) throw Expected{expectation(names), base::suggestion(text, names)};
     return static_cast<int>(found - names.begin());
 }
 

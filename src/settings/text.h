@@ -18,6 +18,7 @@ namespace inkedge::settings {
 /// Thrown for a text that has no value: what was expected.
 struct Expected {
     std::string what;
+    std::string remedy = {};  ///< added to the message
 };
 
 /// The width of a line's pen in output pixels.

@@ -7,6 +7,7 @@
 #include <inkedge/error.h>
 #include <inkedge/sheet.h>
 
+#include "base/nearest_name.h"
 #include "settings/names.h"
 #include "settings/text.h"
 #include "sheet/page.h"
@@ -26,7 +27,8 @@ void parsed(std::string_view name, std::string_view text, Parse parse) {
     try {
         parse();
     } catch (const Expected& expected) {
-        throw Error{Error::Kind::Usage, fmt::format("--{}: expected {}, found '{}'", name, expected.what, text)};
+        throw Error{Error::Kind::Usage,
+                    fmt::format("--{}: expected {}, found '{}'{}", name, expected.what, text, expected.remedy)};
     }
 }
 
@@ -35,7 +37,8 @@ std::vector<NamedView> viewsOf(std::string_view text) {
     for (const std::string_view name : settings::split(text, ',')) {
         const auto* const found = std::ranges::find(settings::namedViewNames, name);
         if (found == settings::namedViewNames.end())
-            throw Expected{fmt::format("{}, with commas between them", fmt::join(settings::namedViewNames, ", "))};
+            throw Expected{fmt::format("{}, with commas between them", fmt::join(settings::namedViewNames, ", ")),
+                           base::suggestion(name, settings::namedViewNames)};
         const auto view = static_cast<NamedView>(found - settings::namedViewNames.begin());
         if (std::ranges::find(views, view) != views.end()) throw Expected{"each view once"};
         views.push_back(view);

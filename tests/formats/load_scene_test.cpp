@@ -273,7 +273,8 @@ TEST_F(LoadScene, bytesWithoutANameAreKnownByTheirStart) {
     EXPECT_EQ(fromMemory(textStl, "").source().format, "STL");
     EXPECT_EQ(fromMemory(gltf_files::triangle().glb(), "").source().format, "glTF 2.0");
     EXPECT_EQ(refusalOf(obj, ""),
-              "model in memory: expected a model by its extension, " + allExtensions + ", found other text with none");
+              "model in memory: expected a model by its extension, " + allExtensions +
+                  ", found other text with none; say which it is: --format, or a name in the library");
 }
 
 TEST_F(LoadScene, aWrongNameIsRefusedByTheReaderThatItNames) {

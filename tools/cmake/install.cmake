@@ -7,6 +7,24 @@ target_compile_features(inkedge PUBLIC cxx_std_20)  # the public headers need it
 install(TARGETS inkedge EXPORT inkedgeTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS inkedge_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY src/inkedge DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.h)
+# The manual page and the completions are what the command itself prints.
+if(NOT CMAKE_CROSSCOMPILING)
+  set(texts ${PROJECT_BINARY_DIR}/texts)
+  file(MAKE_DIRECTORY ${texts})
+  foreach(text IN ITEMS "manual>inkedge.1" "completion bash>inkedge" "completion zsh>_inkedge"
+                        "completion fish>inkedge.fish")
+    string(REGEX MATCH "^(.*)>(.*)$" matched ${text})
+    separate_arguments(arguments UNIX_COMMAND ${CMAKE_MATCH_1})
+    add_custom_command(OUTPUT ${texts}/${CMAKE_MATCH_2} VERBATIM DEPENDS inkedge_command
+                       COMMAND $<TARGET_FILE:inkedge_command> ${arguments} > ${texts}/${CMAKE_MATCH_2})
+    list(APPEND text_files ${texts}/${CMAKE_MATCH_2})
+  endforeach()
+  add_custom_target(inkedge_texts ALL DEPENDS ${text_files})
+  install(FILES ${texts}/inkedge.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES ${texts}/inkedge DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${texts}/_inkedge DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+  install(FILES ${texts}/inkedge.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(EXPORT inkedgeTargets NAMESPACE inkedge:: DESTINATION ${package_folder})
