@@ -32,7 +32,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 std::string nearestName(std::string_view text, std::span<const std::string_view> names) {
     constexpr std::size_t longest = 100;
-    if (text.size() > longest) return {};
+    if (text.size() < 2 || text.size() > longest) return {};
     std::string nearest;
     std::size_t smallest = std::max<std::size_t>(text.size() / 4, 1);
     for (const std::string_view name : names) {

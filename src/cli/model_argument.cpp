@@ -42,7 +42,8 @@ void ModelArgument::addFormatTo(CLI::App& verb) {
 }
 
 void ModelArgument::addTo(CLI::App& verb) {
-    verb.add_option("MODEL", names_, formats())->required()->expected(1);
+    const auto take = [this](const std::string& name) { names_ = {name}; };
+    verb.add_option_function<std::string>("MODEL", take, formats())->required();
     addFormatTo(verb);
 }
 

@@ -19,7 +19,7 @@ namespace inkedge {
 /// When a Renderer makes its context.
 enum class ContextTime {
     AtOnce,     ///< in its constructor
-    Meanwhile,  ///< in a thread of its own, while the caller loads a scene, say; the call that needs it waits for it
+    Meanwhile,  ///< in a thread of its own, while the caller loads a scene, say; as WhenNeeded where memory is limited
     /// In the first call that draws with it. Lines from object space, and pictures of them alone, without maps and
     /// functions, need no OpenGL on the machine.
     WhenNeeded

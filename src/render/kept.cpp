@@ -1,10 +1,27 @@
 #include "render/kept.h"
 
+#include <sys/resource.h>
+
+#include <thread>
 #include <utility>
 
+#include "base/thread_trial.h"
 #include "gl/stage_clock.h"
 
 namespace inkedge::render {
+namespace {
+
+// Whether a context can be made beside other work. Where memory or threads are short the two would take them from each
+// other: the driver waits for ever for threads that it does not get, and writes lines of its own about memory.
+bool hasRoomForBoth() {
+    constexpr std::size_t othersThreads = 32;
+    rlimit memory{};
+    if (::getrlimit(RLIMIT_AS, &memory) != 0 || memory.rlim_cur != RLIM_INFINITY) return false;
+    const std::size_t wanted = othersThreads + std::thread::hardware_concurrency();
+    return base::startableThreads(wanted) == wanted;
+}
+
+}  // namespace
 
 Graphics::Graphics(const BackendSettings& settings) : context_{gl::createContext(settings)} {
     const gl::Current current{*context_};
@@ -29,7 +46,9 @@ passes::Frame Graphics::frame(const Scene& scene, const Camera& camera, const Pi
 }
 
 void Kept::startGraphics() {
-    coming_.emplace([settings = settings_] { return std::make_unique<Graphics>(settings); }, base::elementsWorthAThread);
+    if (!hasRoomForBoth()) return;
+    coming_.emplace([settings = settings_] { return std::make_unique<Graphics>(settings); },
+                    base::elementsWorthAThread);
 }
 
 Graphics& Kept::graphics(std::vector<StageTime>& times) {

@@ -189,7 +189,7 @@ TEST(Set, keepsTheOrderOfMapsAndDropsRepeats) {
 
 TEST(Set, refusesAnUnknownName) {
     Settings settings;
-    expectError(Error::Kind::Usage, StrEq("inkedge.toml: linecolor: there is no setting named 'linecolor'"),
+    expectError(Error::Kind::Usage, StrEq("inkedge.toml: linecolor: there is no setting named 'linecolor'; is it line-color?"),
                 [&] { set(settings, "linecolor", "red", "inkedge.toml: linecolor"); });
     expectError(Error::Kind::Usage, StrEq("--x: there is no setting named ''"),
                 [&] { set(settings, "", "red", "--x"); });
@@ -296,9 +296,9 @@ TEST(Set, refusesWhatIsNoColor) {
 
 TEST(Set, refusesUnknownMaps) {
     const auto row = std::ranges::find(settingTable(), "maps", &SettingDescription::name);
-    for (const std::string text : {"", "depth,", "depth,curvature", "Depth"}) {
+    for (const std::string text : {"", "depth,", "depth,curvature"})
         expectRefusal("maps", text, "--flag: expected one of " + row->range() + ", found '" + text + "'");
-    }
+    expectRefusal("maps", "Depth", "--flag: expected one of " + row->range() + ", found 'Depth'; is it depth?");
 }
 
 TEST(Set, leavesTheSettingsAloneWhenItRefuses) {

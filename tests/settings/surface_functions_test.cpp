@@ -74,7 +74,7 @@ TEST(SurfaceFunctions, areTakenModuloWhatTheyRepeatAfter) {
 TEST(SurfaceFunctions, sayWhatIsAllowed) {
     EXPECT_EQ(refusalOf("heights"),
               "expected one of depth, normal, texture, base-color, environment, volume, curvature, uv, height, custom, "
-              "found 'heights'");
+              "found 'heights'; is it height?");
     EXPECT_EQ(refusalOf("depth:map=log"),
               "depth: expected map=linear|window, kernel=sobel|farid, threshold=0.., found 'map=log'");
     EXPECT_THAT(refusalOf("uv:step=0"), HasSubstr("step=0.0001..1"));
