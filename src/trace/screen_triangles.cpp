@@ -8,12 +8,14 @@
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 
+#include "base/parallel.h"
 #include "mesh/topology.h"
 #include "scene/prepared.h"
 
 namespace inkedge::trace {
 namespace {
 
+constexpr std::size_t maxProjected = std::size_t{1} << 20U;  // 24 MiB; of more only few are walked over
 constexpr double edgeOn = 1e-4;  // pixels: faces of less height in the picture are seen edge-on
 constexpr int longestWalk = 64;  // triangles: more are far below a pixel, so that their ends cannot be seen
 
@@ -79,6 +81,7 @@ ScreenTriangles::ScreenTriangles(const Scene& scene, const std::vector<std::uint
             toW_.push_back(glm::transpose(camera.view * (instance.transform * fromOrigin))[2]);
         }
     }
+    projectAll();
     collectLayerBorders();
 }
 
@@ -144,12 +147,29 @@ scene::SceneFace ScreenTriangles::locate(std::uint32_t number) const {
     return {instance, number - firstTriangles_[instance]};
 }
 
-glm::dvec3 ScreenTriangles::projected(std::uint32_t instance, std::uint32_t position) const {
+glm::dvec3 ScreenTriangles::project(std::uint32_t instance, std::uint32_t position) const {
     const Mesh& mesh = scene_.meshes()[scene_.instances()[instance].mesh];
     return toPixels_[instance] * glm::dvec4{glm::dvec3{mesh.positions[position]}, 1.0};
 }
 
 // Every position is asked for several times.
+void ScreenTriangles::projectAll() {
+    std::size_t count = 0;
+    for (const Instance& instance : scene_.instances()) {
+        firstProjected_.push_back(count);
+        count += scene_.meshes()[instance.mesh].positions.size();
+    }
+    if (count > maxProjected) return;
+    std::vector<glm::dvec3> all(count);
+    for (std::uint32_t i = 0; i < scene_.instances().size(); ++i) {
+        const std::size_t positions = scene_.meshes()[scene_.instances()[i].mesh].positions.size();
+        base::inRanges(positions, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t p = begin; p < end; ++p)
+                all[firstProjected_[i] + p] = project(i, static_cast<std::uint32_t>(p));
+        });
+    }
+    projected_ = std::move(all);
+}
 
 glm::dvec3 ScreenTriangles::planeFunction(scene::SceneFace t) const {
     const glm::dvec3 a = corner(t.instance, 3 * t.triangle);

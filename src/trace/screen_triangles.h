@@ -36,7 +36,9 @@ public:
     [[nodiscard]] scene::SceneFace locate(std::uint32_t number) const;
 
     /// A position of an instance's mesh as homogeneous pixels: (x w, y w, w).
-    [[nodiscard]] glm::dvec3 projected(std::uint32_t instance, std::uint32_t position) const;
+    [[nodiscard]] glm::dvec3 projected(std::uint32_t instance, std::uint32_t position) const {
+        return projected_.empty() ? project(instance, position) : projected_[firstProjected_[instance] + position];
+    }
 
     /// What ends a surface on a walk across it.
     enum class End {
@@ -112,12 +114,16 @@ private:
     [[nodiscard]] glm::dvec3 corner(std::uint32_t instance, std::uint32_t c) const {
         return projected(instance, scene_.meshes()[scene_.instances()[instance].mesh].indices[c]);
     }
+    [[nodiscard]] glm::dvec3 project(std::uint32_t instance, std::uint32_t position) const;
+    void projectAll();
 
     const Scene& scene_;
     scene::SeamCreases seamCreases_;
     const std::vector<std::uint32_t>& firstTriangles_;
     std::vector<glm::dmat4x3> toPixels_;  // one per instance: mesh positions less their origin -> homogeneous pixels
-    std::vector<glm::dvec4> toW_;         // one per instance in an orthographic view: mesh positions -> w
+    std::vector<glm::dvec3> projected_;   // all positions of all instances; none: they are too many to keep
+    std::vector<std::size_t> firstProjected_;  // one per instance: where its positions begin there
+    std::vector<glm::dvec4> toW_;              // one per instance in an orthographic view: mesh positions -> w
     std::unordered_map<std::uint32_t, std::vector<BorderEdge>> layerBorders_;  // by patch number
 };
 
