@@ -288,19 +288,31 @@ TEST(RendererContext, isMadeAtOnceOrWhenACallNeedsIt) {
     const BackendSettings none{Backend::Egl, 4096};  // no machine has this device
     const auto message = HasSubstr("expected an EGL device that");
     expectError(Error::Kind::Usage, message, [&] { const Renderer renderer{none}; });
-    Renderer renderer{none, ContextTime::WhenNeeded};
-    EXPECT_EQ(renderer.backend().backend, "");
+    for (const ContextTime when : {ContextTime::WhenNeeded, ContextTime::Meanwhile}) {
+        Renderer renderer{none, when};
+        EXPECT_EQ(renderer.backend().backend, "");
+        const Scene scene = scenes::sceneOf(scenes::cube());
+        const Lines found = linesOf(renderer, scene, settingsOf(LinesFrom::Object));
+        EXPECT_EQ(found.lines.empty(), false);
+        EXPECT_EQ(found.backend.backend, "");
+        const Camera camera = frameCamera(scene, {}, size);
+        const Maps maps = renderer.render(scene, camera, settingsOf(LinesFrom::Object));
+        EXPECT_EQ(maps.picture.size(), size);
+        EXPECT_EQ(maps.backend.backend, "");
+        expectError(Error::Kind::Usage, message, [&] { (void)linesOf(renderer, scene, settingsOf(LinesFrom::Image)); });
+        expectError(Error::Kind::Usage, message,
+                    [&] { (void)renderer.render(scene, camera, settingsOf(LinesFrom::Image)); });
+    }
+}
+
+TEST_P(RendererLines, areTheSameWithAContextMadeMeanwhile) {
     const Scene scene = scenes::sceneOf(scenes::cube());
-    const Lines found = linesOf(renderer, scene, settingsOf(LinesFrom::Object));
-    EXPECT_EQ(found.lines.empty(), false);
-    EXPECT_EQ(found.backend.backend, "");
-    const Camera camera = frameCamera(scene, {}, size);
-    const Maps maps = renderer.render(scene, camera, settingsOf(LinesFrom::Object));
-    EXPECT_EQ(maps.picture.size(), size);
-    EXPECT_EQ(maps.backend.backend, "");
-    expectError(Error::Kind::Usage, message, [&] { (void)linesOf(renderer, scene, settingsOf(LinesFrom::Image)); });
-    expectError(Error::Kind::Usage, message,
-                [&] { (void)renderer.render(scene, camera, settingsOf(LinesFrom::Image)); });
+    const Settings settings = settingsOf(LinesFrom::Image);
+    Renderer meanwhile{BackendSettings{GetParam(), {}}, ContextTime::Meanwhile};
+    expectSame(linesOf(meanwhile, scene, settings), linesOf(renderer(), scene, settings));
+    EXPECT_EQ(meanwhile.backend().backend, gl_test::backendName(GetParam()));
+    const Renderer unused{BackendSettings{GetParam(), {}}, ContextTime::Meanwhile};
+    EXPECT_EQ(unused.backend().backend, "");
 }
 
 TEST_P(RendererLines, pictureIsTheSameWithoutAContext) {
