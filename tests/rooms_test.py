@@ -15,7 +15,7 @@ OWNERS = {  # of the other public headers
     "base": ["write_file"],
     "images": ["encode_png"],
     "settings": ["setting_table", "settings", "surface_functions"],
-    "mesh": ["face_surfaces", "mesh", "mesh_arrays", "scalar_field"],
+    "mesh": ["face_surfaces", "mesh", "mesh_arrays"],
     "formats": ["inspect_model", "load_scene"],
     "scene": ["scene", "scene_names"],
     "camera": ["camera", "views"],

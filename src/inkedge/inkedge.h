@@ -21,7 +21,6 @@
 #include <inkedge/mesh_arrays.h>
 #include <inkedge/read_lines.h>
 #include <inkedge/renderer.h>
-#include <inkedge/scalar_field.h>
 #include <inkedge/scene.h>
 #include <inkedge/scene_names.h>
 #include <inkedge/setting_table.h>

@@ -11,7 +11,6 @@
 
 #include <inkedge/edge_kinds.h>
 #include <inkedge/face_surfaces.h>
-#include <inkedge/scalar_field.h>
 
 namespace inkedge {
 
@@ -49,13 +48,15 @@ struct Mesh {
     /// Lines that the file has besides triangles, as straight pieces of two positions each: mesh space, less origin.
     /// Pieces that end at one position go on into each other. They are drawn as LineType::Marked.
     std::vector<glm::vec3> lines;
-    /// What the triangles stand for: the surface of each of the faces that Mesh::faces numbers. Normals, windings and
-    /// kinds of edges are then taken as they are. None: there is nothing but triangles.
+    /// The smooth surfaces that the triangles stand for. Normals are then taken as they are. None: there is nothing but
+    /// triangles.
     std::shared_ptr<const FaceSurfaces> surfaces;
-    /// One per position, with surfaces: its parameters on the surface of its face. Else empty.
+    /// One per position, of a CAD file's faces: u and v on the surface of its face. One that is NaN says nothing: at a
+    /// pole all values of it are one point. Else empty.
     std::vector<glm::dvec2> parameters;
-    /// What the triangles stand for: the surface where it is 0. None: there is nothing but triangles.
-    std::shared_ptr<const ScalarField> field;
+    /// One per triangle, of a subdivided mesh: its number among those that its control mesh was divided into. Else
+    /// empty.
+    std::vector<std::uint32_t> limitTriangles;
 };
 
 }  // namespace inkedge

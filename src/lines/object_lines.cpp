@@ -229,11 +229,16 @@ struct ObjectLines::Prepared {
         return {begin, end};
     }
 
-    const mesh::ControlMesh& controlOf(std::uint32_t mesh) const {
+    /// Those of the last levels asked for are kept.
+    std::shared_ptr<const mesh::LimitSurfaces> limitOf(std::uint32_t mesh, int levels) const {
         const std::unique_lock lock = base::lockUnlessStopped(mutex_);
-        controls_.resize(scene.meshes().size());
-        if (!controls_[mesh]) controls_[mesh] = mesh::controlMesh(scene.meshes()[mesh], scene::topologyOf(scene, mesh));
-        return *controls_[mesh];
+        limits_.resize(scene.meshes().size());
+        if (!limits_[mesh] || limits_[mesh]->levels() != levels) {
+            const Mesh& of = scene.meshes()[mesh];
+            limits_[mesh] = std::make_shared<const mesh::LimitSurfaces>(
+                mesh::controlMesh(of, scene::topologyOf(scene, mesh)), levels, of.origin);
+        }
+        return limits_[mesh];
     }
 
     // Found when they are first asked for: no other line needs the search.
@@ -299,8 +304,9 @@ struct ObjectLines::Prepared {
             base::stopIfAsked();
             const std::uint32_t mesh = scene.instances()[i].mesh;
             if (scene.meshes()[mesh].indices.empty()) continue;
-            choice.refinement = scene.meshes()[mesh].surfaces || scene.meshes()[mesh].field ? 0 : levels;
-            if (choice.refinement > 0) choice.control = &controlOf(mesh);
+            choice.refinement = scene.meshes()[mesh].surfaces ? 0 : levels;
+            const auto limit = choice.refinement > 0 ? limitOf(mesh, levels) : nullptr;
+            choice.limit = limit.get();
             ContourMemory memory = memories.recall(i, choice.finder);
             collectInstanceCurves(scene, i, {*searches[mesh], bordersOf(i), (*isolinesOfMeshes)[mesh]}, memory, screen,
                                   choice, segments);
@@ -337,7 +343,7 @@ private:
     mutable std::timed_mutex mutex_;  // of what is made on first use
     mutable std::optional<std::vector<IntersectionSegment>> intersections_;
     mutable std::optional<SurfaceComponents> components_;
-    mutable std::vector<std::optional<mesh::ControlMesh>> controls_;
+    mutable std::vector<std::shared_ptr<const mesh::LimitSurfaces>> limits_;
     mutable std::shared_ptr<const std::vector<std::vector<IsolineSegment>>> isolines_;
     mutable Isolines isolineSteps_;
     mutable std::shared_ptr<const std::vector<mesh::SurfaceForm>> forms_;

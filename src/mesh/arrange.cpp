@@ -56,7 +56,7 @@ void arrangeVertices(Mesh& mesh) {
 
 void arrangeTriangles(Mesh& mesh) {
     const std::size_t count = mesh.indices.size() / 3;
-    if (count < minArranged || !mesh.edges.empty() || !mesh.faces.empty() || mesh.surfaces) return;
+    if (count < minArranged || !mesh.edges.empty() || !mesh.faces.empty()) return;
     glm::vec3 low = mesh.positions.front();
     glm::vec3 high = low;
     for (const glm::vec3 p : mesh.positions) low = glm::min(low, p), high = glm::max(high, p);
@@ -75,6 +75,7 @@ void arrangeTriangles(Mesh& mesh) {
     std::ranges::transform(keys, order.begin(), [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
     reorder(mesh.indices, order, 3);
     reorder(mesh.materials, order);
+    reorder(mesh.limitTriangles, order);
 }
 
 void bringForward(Mesh& mesh, const std::vector<bool>& first) {
@@ -86,6 +87,7 @@ void bringForward(Mesh& mesh, const std::vector<bool>& first) {
     reorder(mesh.edges, order, 3);
     reorder(mesh.materials, order);
     reorder(mesh.faces, order);
+    reorder(mesh.limitTriangles, order);
 }
 
 }  // namespace inkedge::mesh

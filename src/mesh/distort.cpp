@@ -35,8 +35,8 @@ bool keepsAngles(const glm::dmat3& m) {
 Mesh distorted(const Mesh& mesh, const glm::dmat3& m) {
     Mesh result = mesh;
     result.surfaces = nullptr;  // they are not distorted
-    result.field = nullptr;
     result.parameters.clear();
+    result.limitTriangles.clear();
     result.origin = m * mesh.origin;
     for (glm::vec3& p : result.positions) p = glm::vec3{m * glm::dvec3{p}};
     for (glm::vec3& p : result.lines) p = glm::vec3{m * glm::dvec3{p}};

@@ -13,6 +13,7 @@
 
 #include "base/message.h"
 #include "mesh/connect.h"
+#include "mesh/limit_surfaces.h"
 #include "mesh/subdivision.h"
 #include "mesh/topology.h"
 
@@ -107,7 +108,7 @@ ControlMesh controlMeshOf(Mesh& mesh, const LoadSettings& settings) {
     return controlMesh(mesh, topology);
 }
 
-Mesh subdivided(const Mesh& mesh, const ControlMesh& control, int levels) {
+Mesh subdivided(const Mesh& mesh, ControlMesh control, int levels) {
     const RefinedFaces faces = refine(control, mesh.name, levels);
     Mesh result = trianglesOf(faces, control.scheme);
     result.name = mesh.name;
@@ -121,6 +122,9 @@ Mesh subdivided(const Mesh& mesh, const ControlMesh& control, int levels) {
     };
     ofTriangles(mesh.materials, result.materials);
     ofTriangles(mesh.faces, result.faces);
+    result.limitTriangles.resize(result.indices.size() / 3);
+    std::iota(result.limitTriangles.begin(), result.limitTriangles.end(), 0U);
+    result.surfaces = std::make_shared<const LimitSurfaces>(std::move(control), levels, mesh.origin);
     return result;
 }
 
@@ -189,8 +193,8 @@ private:
 void subdivideMeshes(std::vector<Mesh>& meshes, const LoadSettings& settings) {
     double elements = 0.0;
     for (Mesh& mesh : meshes) {
-        if (mesh.surfaces || mesh.field) continue;  // it is smooth already
-        const ControlMesh control = controlMeshOf(mesh, settings);
+        if (mesh.surfaces) continue;  // it is smooth already
+        ControlMesh control = controlMeshOf(mesh, settings);
         if (control.faceSizes.empty()) continue;
         elements += refinedElements(control, settings.subdivide);
         // OpenSubdiv counts with 32 bits and a sign.
@@ -201,7 +205,7 @@ void subdivideMeshes(std::vector<Mesh>& meshes, const LoadSettings& settings) {
                 fmt::format("mesh {}: expected at most {:.0f} vertices and indices once subdivided {} times, "
                             "found {:.3g}; lower subdivide or raise max-vertices",
                             base::quote(mesh.name), maxElements, settings.subdivide, elements));
-        mesh = subdivided(mesh, control, settings.subdivide);
+        mesh = subdivided(mesh, std::move(control), settings.subdivide);
     }
 }
 
@@ -220,6 +224,8 @@ RefinedContourMesh refineNear(const Mesh& mesh, const ControlMesh& control, cons
 
     RefinedFaces faces = refine(subsetOf(control, part), mesh.name, levels);
     const std::size_t size = cornersOf(control.scheme);
+    const std::vector<std::uint32_t> divisions = trianglesOfFaces(control, levels);
+    std::uint32_t number = 0;
     std::vector<std::uint32_t> renumbered(faces.positions.size(), noFace);
     for (std::size_t f = 0; f < faces.parents.size(); ++f) {
         const std::uint32_t parent = part[faces.parents[f]];
@@ -234,6 +240,8 @@ RefinedContourMesh refineNear(const Mesh& mesh, const ControlMesh& control, cons
             result.indices.push_back(renumbered[vertex]);
         }
         result.controlTriangles.insert(result.controlTriangles.end(), size - 2, control.firstTriangles[parent]);
+        if (f == 0 || faces.parents[f] != faces.parents[f - 1]) number = divisions[parent];
+        for (std::size_t i = 0; i < size - 2; ++i) result.limitTriangles.push_back(number++);
     }
     return result;
 }

@@ -32,6 +32,8 @@ struct RefinedContourMesh {
     std::vector<std::uint32_t> indices;  ///< three per triangle
     /// One per triangle: the first triangle of the mesh's face that the triangle lies on.
     std::vector<std::uint32_t> controlTriangles;
+    /// One per triangle: its number in LimitSurfaces of so many levels.
+    std::vector<std::uint32_t> limitTriangles;
 };
 
 /// Refines the faces of a mesh that may hold a contour: those with a sign change in their control mesh, which is the

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "mesh/control_mesh.h"
+#include "mesh/surface_point.h"
 #include "modules/open_module.h"
 
 // The interface between the library and the subdivision module. OpenSubdiv brings OpenMP along; a module keeps both
@@ -31,16 +33,31 @@ struct RefinedFaces {
     std::string failure;
 };
 
+/// The smooth surface itself. Safe to ask from several threads.
+class LimitSurface {
+public:
+    virtual ~LimitSurface() = default;
+
+    /// Beyond the face it goes on as a parabola does.
+    /// @param quad  under Catmull-Clark, of a face that is no quad: the corner whose quad u and v are of; else 0
+    [[nodiscard]] virtual SurfaceDerivatives at(std::uint32_t face, std::uint32_t quad, glm::dvec2 uv) const = 0;
+};
+struct MadeLimitSurface {
+    std::shared_ptr<const LimitSurface> surface;
+    std::string failure;
+};
+
 /// The module's functions; safe to call from several threads.
 struct Subdivision {
     /// @param levels  1 to 6: each makes four faces of one; the first one of Catmull-Clark n faces of one with n
     ///                corners
     RefinedFaces (*refine)(const ControlMesh&, int levels);
+    MadeLimitSurface (*limit)(const ControlMesh&);
 };
 
 inline constexpr modules::ModuleOf<Subdivision> subdivisionModule{{.purpose = "subdivision",
                                                                    .file = "inkedge_subdivision.so",
-                                                                   .symbol = "inkedge_subdivision_4",
+                                                                   .symbol = "inkedge_subdivision_5",
                                                                    .library = "OpenSubdiv",
                                                                    .option = "INKEDGE_OPENSUBDIV",
                                                                    .remedy = "leave subdivision out"}};

@@ -5,20 +5,18 @@
 #include <cmath>
 #include <functional>
 #include <memory>
-#include <numeric>
 #include <span>
-#include <stdexcept>
 #include <utility>
 
 #include <opensubdiv/far/primvarRefiner.h>
-#include <opensubdiv/far/topologyDescriptor.h>
-#include <opensubdiv/far/topologyRefinerFactory.h>
 #include <opensubdiv/sdc/catmarkScheme.h>
 #include <opensubdiv/sdc/loopScheme.h>
 #include <glm/geometric.hpp>
 
 #include <inkedge/export.h>
 
+#include "mesh/opensubdiv_limit.h"
+#include "mesh/opensubdiv_refiner.h"
 #include "modules/failure.h"
 
 namespace inkedge::mesh {
@@ -26,8 +24,6 @@ namespace {
 
 namespace Far = OpenSubdiv::Far;
 namespace Sdc = OpenSubdiv::Sdc;
-
-using Refiner = std::unique_ptr<Far::TopologyRefiner>;
 
 // A value of which OpenSubdiv computes weighted sums.
 template <class Vector>
@@ -37,43 +33,6 @@ struct Mixed {
     void AddWithWeight(const Mixed& from, double weight) { v += weight * from.v; }
 };
 using Point = Mixed<glm::dvec3>;
-
-// How many corners have values of their own; 0: there are only positions.
-std::size_t cornersWithValues(const ControlMesh& control) {
-    return std::max(control.coordinates.size(), control.paint.size());
-}
-
-Refiner makeRefiner(const ControlMesh& control) {
-    const std::vector<float> sharpEdges(control.sharpEdges.size() / 2, Sdc::Crease::SHARPNESS_INFINITE);
-    const std::vector<float> sharpVertices(control.sharpVertices.size(), Sdc::Crease::SHARPNESS_INFINITE);
-    Far::TopologyDescriptor descriptor;
-    descriptor.numVertices = static_cast<int>(control.positions.size());
-    descriptor.numFaces = static_cast<int>(control.faceSizes.size());
-    descriptor.numVertsPerFace = control.faceSizes.data();
-    descriptor.vertIndicesPerFace = control.corners.data();
-    descriptor.numCreases = static_cast<int>(sharpEdges.size());
-    descriptor.creaseVertexIndexPairs = control.sharpEdges.data();
-    descriptor.creaseWeights = sharpEdges.data();
-    descriptor.numCorners = static_cast<int>(sharpVertices.size());
-    descriptor.cornerVertexIndices = control.sharpVertices.data();
-    descriptor.cornerWeights = sharpVertices.data();
-
-    // The index of each corner's values. An edge is no seam if both its ends have the same values in both its faces.
-    std::vector<int> ofCorners(cornersWithValues(control));
-    std::iota(ofCorners.begin(), ofCorners.end(), 0);
-    Far::TopologyDescriptor::FVarChannel channel;
-    channel.numValues = static_cast<int>(ofCorners.size());
-    channel.valueIndices = ofCorners.data();
-    descriptor.numFVarChannels = ofCorners.empty() ? 0 : 1;
-    descriptor.fvarChannels = &channel;
-
-    const bool loop = control.scheme == SubdivisionScheme::Loop;
-    Sdc::Options options;
-    options.SetFVarLinearInterpolation(Sdc::Options::FVAR_LINEAR_ALL);
-    options.SetVtxBoundaryInterpolation(Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);  // corners are given
-    using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-    return Refiner{Factory::Create(descriptor, {loop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK, options})};
-}
 
 std::vector<Point> positionsOfLastLevel(const Far::TopologyRefiner& refiner, const ControlMesh& control) {
     const Far::PrimvarRefinerReal<double> primvars{refiner};
@@ -353,7 +312,6 @@ std::vector<std::uint32_t> controlFaces(const Far::TopologyRefiner& refiner) {
 
 RefinedFaces refine(const ControlMesh& control, int levels) {
     const Refiner refiner = makeRefiner(control);
-    if (!refiner) throw std::runtime_error{"OpenSubdiv refuses the faces"};
     Far::TopologyRefiner::UniformOptions options{levels};
     options.fullTopologyInLastLevel = true;
     refiner->RefineUniform(options);
@@ -367,10 +325,14 @@ RefinedFaces refine(const ControlMesh& control, int levels) {
 
 }  // namespace
 
-extern "C" INKEDGE_API const Subdivision* inkedge_subdivision_4() noexcept {
-    static constexpr Subdivision functions{[](const ControlMesh& control, int levels) {
-        return modules::guarded([&] { return refine(control, levels); });
-    }};
+extern "C" INKEDGE_API const Subdivision* inkedge_subdivision_5() noexcept {
+    static constexpr Subdivision functions{
+        [](const ControlMesh& control, int levels) {
+            return modules::guarded([&] { return refine(control, levels); });
+        },
+        [](const ControlMesh& control) {
+            return modules::guarded([&] { return MadeLimitSurface{limitSurface(control), {}}; });
+        }};
     return &functions;
 }
 

@@ -30,6 +30,7 @@ void checkSizes(const Mesh& mesh, const std::string& who) {
     expect(mesh.paint.size(), positions, "paints", "a position");
     expect(mesh.parameters.size(), positions, "parameters", "a position");
     expect(mesh.materials.size(), triangles, "materials", "a triangle");
+    expect(mesh.limitTriangles.size(), triangles, "numbers of limit triangles", "a triangle");
 }
 
 void checkValues(const Mesh& mesh, const std::string& who) {

@@ -94,7 +94,7 @@ CurvePoint nurbsAt(const CurveData& curve, double t) {
     return {x, first, second};
 }
 
-SurfacePoint nurbsAt(const SurfaceData& surface, glm::dvec2 uv) {
+mesh::SurfaceDerivatives nurbsAt(const SurfaceData& surface, glm::dvec2 uv) {
     Basis u;
     Basis v;
     setBasis(u, uv.x, surface.knotsU, surface.degreeU, surface.periodU);
@@ -113,7 +113,7 @@ SurfacePoint nurbsAt(const SurfaceData& surface, glm::dvec2 uv) {
         auv += u.values[1][i] * row[1];
         avv += u.values[0][i] * row[2];
     }
-    SurfacePoint p;
+    mesh::SurfaceDerivatives p;
     p.position = quotient(a);
     p.du = (glm::dvec3{au} - au.w * p.position) / a.w;
     p.dv = (glm::dvec3{av} - av.w * p.position) / a.w;

@@ -6,9 +6,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include <inkedge/face_surfaces.h>
-
 #include "formats/cad/surface_data.h"
+#include "mesh/surface_point.h"
 
 namespace inkedge::cad {
 
@@ -17,6 +16,6 @@ using CurvePoint = std::array<glm::dvec3, 3>;
 
 /// Beyond its knots the curve goes on as its last piece does, a periodic one as it is at the other end. O(degree^2).
 [[nodiscard]] CurvePoint nurbsAt(const CurveData&, double t);
-[[nodiscard]] SurfacePoint nurbsAt(const SurfaceData&, glm::dvec2 uv);
+[[nodiscard]] mesh::SurfaceDerivatives nurbsAt(const SurfaceData&, glm::dvec2 uv);
 
 }  // namespace inkedge::cad

@@ -27,7 +27,6 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
-#include <gp_Trsf.hxx>
 
 #include <algorithm>
 #include <array>
@@ -44,16 +43,10 @@
 
 #include "formats/cad/occt_mapped_items.h"
 #include "formats/cad/occt_sew.h"
+#include "formats/cad/occt_vectors.h"
 
 namespace inkedge::cad {
 namespace {
-
-glm::dmat4 matrixOf(const gp_Trsf& trsf) {
-    glm::dmat4 matrix{1.0};
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 4; ++column) matrix[column][row] = trsf.Value(row + 1, column + 1);
-    return matrix;
-}
 
 std::string utf8(const TCollection_ExtendedString& text) {
     std::string result(static_cast<std::size_t>(text.LengthOfCString()) + 1, '\0');

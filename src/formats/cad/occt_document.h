@@ -20,6 +20,7 @@ struct DocumentPart {
     std::uint32_t material = 0;                 ///< of faces that have none of their own: 1 + its number; 0: none
     std::vector<std::uint32_t> materials = {};  ///< one per face, in the order of TopExp::MapShapes
     std::vector<bool> invisible = {};           ///< one per face
+    double scale = 1.0;                         ///< of the shape: 1 / scale of its lengths is a millimetre
 };
 
 /// A CAD file, read.

@@ -75,10 +75,13 @@ void addNormals(const Poly_Triangulation& triangles, MeshedFace& mesh) {
         mesh.normals[i] = vectorOf(triangles.Normal(static_cast<int>(i) + 1).XYZ());
 }
 
-// From the space of the surface to that of the part.
-void move(const gp_Trsf& trsf, MeshedFace& mesh) {
+void movePositions(const gp_Trsf& trsf, MeshedFace& mesh) {
     if (trsf.Form() == gp_Identity) return;
     for (glm::dvec3& p : mesh.positions) p = vectorOf(gp_Pnt{p.x, p.y, p.z}.Transformed(trsf).XYZ());
+}
+
+void turnNormals(const gp_Trsf& trsf, MeshedFace& mesh) {
+    if (trsf.Form() == gp_Identity) return;
     for (glm::dvec3& n : mesh.normals) {
         if (n == glm::dvec3{0.0}) continue;
         const glm::dvec3 moved = vectorOf(gp_Vec{n.x, n.y, n.z}.Transformed(trsf).XYZ());
@@ -107,12 +110,14 @@ std::optional<MeshedFace> MeshedFace::of(const TopoDS_Face& face) {
     }
     TopLoc_Location ofSurface;
     const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, ofSurface);
-    if (!surface.IsNull() && source->HasUVNodes())
+    const bool isKnown = !surface.IsNull() && source->HasUVNodes();
+    if (isKnown)
         addNormals(*surface, mesh);
     else
         addNormals(*source, mesh);
-    const gp_Trsf& trsf = location.Transformation();
-    move(trsf, mesh);
+    const gp_Trsf& trsf = (isKnown ? ofSurface : location).Transformation();
+    movePositions(location.Transformation(), mesh);
+    turnNormals(trsf, mesh);
     // Triangles are wound by the surface's own normal. Where a mirrored location turns that normal over against the
     // mirrored triangles, the mirrored normals point out still.
     const bool reversed = face.Orientation() == TopAbs_REVERSED;

@@ -1,21 +1,26 @@
 #include "formats/cad/occt_mesh.h"
 
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <IMeshTools_Parameters.hxx>
 #include <Poly_Triangulation.hxx>
+#include <Precision.hxx>
+#include <ShapeFix_ShapeTolerance.hxx>
 #include <TopExp.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <gp_Pnt.hxx>
+#include <gp_Trsf.hxx>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include <glm/common.hpp>
@@ -61,7 +66,8 @@ public:
         });
         const EdgeTable edges{faces};
         for (std::size_t i = 0; i < faces.size(); ++i) {
-            faces[i].refine(deflection_, [&](std::uint32_t a, std::uint32_t b) { return edges.isBorder(i, a, b); });
+            faces[i].refine(part_.scale * deflection_,
+                            [&](std::uint32_t a, std::uint32_t b) { return edges.isBorder(i, a, b); });
             add(faces[i], i, edges);
         }
         return std::move(mesh_);
@@ -81,12 +87,14 @@ private:
     void add(const MeshedFace& face, std::size_t index, const EdgeTable& edges) {
         const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
         for (std::size_t i = 0; i < face.positions.size(); ++i) {
-            mesh_.positions.emplace_back(face.positions[i] - mesh_.origin);
+            mesh_.positions.emplace_back(face.positions[i] / part_.scale - mesh_.origin);
             mesh_.normals.emplace_back(face.normals[i]);
             mesh_.parameters.push_back(face.parameters[i]);
+            if (!face.poles.empty()) takePole(face.poles[i], mesh_.parameters.back());
         }
         const auto number = static_cast<std::uint32_t>(mesh_.surfaces.size());
         mesh_.surfaces.push_back(surfaceOf(face.face));
+        mesh_.surfaces.back().location /= part_.scale;
         const std::uint32_t own = part_.materials.empty() ? 0 : part_.materials[face.number];
         for (const std::array<std::uint32_t, 3>& triangle : face.triangles) {
             if (isCollapsed(face, triangle)) continue;
@@ -97,6 +105,12 @@ private:
             mesh_.faces.push_back(number);
             mesh_.materials.push_back(own != 0 ? own : part_.material);
         }
+    }
+
+    static void takePole(Pole pole, glm::dvec2& parameters) {
+        constexpr double any = std::numeric_limits<double>::quiet_NaN();
+        if (pole == Pole::OfU) parameters.x = any;
+        if (pole == Pole::OfV) parameters.y = any;
     }
 
     // At a pole several nodes are one point.
@@ -115,10 +129,26 @@ private:
 void tessellate(const DocumentPart& part, double deflection) {
     BRepTools::Clean(part.shape);
     IMeshTools_Parameters parameters;
-    parameters.Deflection = deflection;
+    parameters.Deflection = part.scale * deflection;
     parameters.Angle = angularDeflection;
     parameters.InParallel = true;
     const BRepMesh_IncrementalMesh mesher{part.shape, parameters};
+}
+
+void bringToUsualSize(DocumentPart& part) {
+    constexpr double smallest = 1.0;  // millimetres
+    constexpr double largest = 1e4;
+    constexpr double usual = 100.0;
+    constexpr double ofAccuracy = 100.0;  // of OpenCASCADE: tolerances are scaled, too
+    const std::vector<glm::dvec3> corners = boxOf(part);
+    if (corners.empty()) return;
+    const double size = glm::distance(corners.front(), corners.back());
+    if (!(size > 0.0) || !(size < 1e30) || (size >= smallest && size <= largest)) return;
+    part.scale = std::exp2(std::round(std::log2(usual / size)));
+    gp_Trsf trsf;
+    trsf.SetScale(gp_Pnt{}, part.scale);
+    part.shape = BRepBuilderAPI_Transform{part.shape, trsf, true}.Shape();
+    ShapeFix_ShapeTolerance{}.LimitTolerance(part.shape, Precision::Confusion(), ofAccuracy * Precision::Confusion());
 }
 
 Part meshOf(const DocumentPart& part, double deflection) { return Collector{part, deflection}.collect(); }
@@ -130,7 +160,7 @@ std::vector<glm::dvec3> pointsOf(const DocumentPart& part) {
         const Handle(Poly_Triangulation) triangles = BRep_Tool::Triangulation(face, location);
         if (triangles.IsNull()) return;
         for (int i = 1; i <= triangles->NbNodes(); ++i)
-            points.push_back(vectorOf(triangles->Node(i).Transformed(location.Transformation()).XYZ()));
+            points.push_back(vectorOf(triangles->Node(i).Transformed(location.Transformation()).XYZ()) / part.scale);
     });
     return points;
 }
@@ -140,8 +170,8 @@ std::vector<glm::dvec3> boxOf(const DocumentPart& part) {
     forEachFace(part, [&](const TopoDS_Face& face, std::size_t) { BRepBndLib::Add(face, box, false); });
     std::vector<glm::dvec3> corners;
     if (box.IsVoid()) return corners;
-    const glm::dvec3 low = vectorOf(box.CornerMin().XYZ());
-    const glm::dvec3 high = vectorOf(box.CornerMax().XYZ());
+    const glm::dvec3 low = vectorOf(box.CornerMin().XYZ()) / part.scale;
+    const glm::dvec3 high = vectorOf(box.CornerMax().XYZ()) / part.scale;
     for (int i = 0; i < 8; ++i)
         corners.emplace_back((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
                              (i & 4) != 0 ? high.z : low.z);

@@ -17,6 +17,10 @@ void tessellate(const DocumentPart&, double deflection);
 /// The corners of the triangles of a part that was tessellated.
 [[nodiscard]] std::vector<glm::dvec3> pointsOf(const DocumentPart&);
 
+/// Scales the shape of a part that is tiny or huge: BRepMesh of OpenCASCADE 7.6 never ends on tori of 0.02 mm or 200 m,
+/// and refuses deflections under 1e-7 mm.
+void bringToUsualSize(DocumentPart&);
+
 /// The corners of a box around a part; it may be too large. Empty: the part has no faces.
 [[nodiscard]] std::vector<glm::dvec3> boxOf(const DocumentPart&);
 

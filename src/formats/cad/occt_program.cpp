@@ -30,6 +30,7 @@ public:
         : document_{std::move(document)}, maxVertices_{maxVertices}, deflections_(document_.parts.size(), 0.0) {}
 
     void run() {
+        for (DocumentPart& part : document_.parts) bringToUsualSize(part);
         std::vector<std::vector<glm::dvec3>> boxes;
         for (const DocumentPart& part : document_.parts) boxes.push_back(boxOf(part));
         makeFine(std::move(boxes), ofBoxes);

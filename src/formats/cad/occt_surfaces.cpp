@@ -14,6 +14,7 @@
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Ellipse.hxx>
 #include <Geom_Line.hxx>
+#include <Geom_OffsetSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
@@ -142,23 +143,37 @@ SurfaceData swept(const Handle(Geom_SweptSurface) & surface) {
     return data;
 }
 
-}  // namespace
-
-SurfaceData surfaceOf(const TopoDS_Face& face) {
-    TopLoc_Location location;
-    Handle(Geom_Surface) surface = BRep_Tool::Surface(face, location);
-    if (surface.IsNull()) return {};
-    if (!location.IsIdentity())  // parameters change where it scales
-        surface = Handle(Geom_Surface)::DownCast(surface->Transformed(location.Transformation()));
+Handle(Geom_Surface) untrimmed(Handle(Geom_Surface) surface) {
     while (surface->IsKind(STANDARD_TYPE(Geom_RectangularTrimmedSurface)))
         surface = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface)->BasisSurface();
-    if (std::abs(std::abs(location.Transformation().ScaleFactor()) - 1.0) > 1e-12) return {};
+    return surface;
+}
+
+SurfaceData ofKind(const Handle(Geom_Surface) & surface) {
     if (const auto found = Handle(Geom_ElementarySurface)::DownCast(surface); !found.IsNull()) return elementary(found);
     if (const auto found = Handle(Geom_BSplineSurface)::DownCast(surface); !found.IsNull()) return dataOf(found);
     if (const auto found = Handle(Geom_BezierSurface)::DownCast(surface); !found.IsNull())
         return dataOf(GeomConvert::SurfaceToBSplineSurface(found));
     if (const auto found = Handle(Geom_SweptSurface)::DownCast(surface); !found.IsNull()) return swept(found);
     return {};
+}
+
+}  // namespace
+
+SurfaceData surfaceOf(const TopoDS_Face& face) {
+    TopLoc_Location location;
+    Handle(Geom_Surface) surface = BRep_Tool::Surface(face, location);
+    if (surface.IsNull()) return {};
+    surface = untrimmed(surface);
+    double offset = 0.0;
+    if (const auto found = Handle(Geom_OffsetSurface)::DownCast(surface); !found.IsNull()) {
+        offset = found->Offset();
+        surface = untrimmed(found->BasisSurface());
+    }
+    SurfaceData data = ofKind(surface);
+    data.offset = offset;
+    data.location = glm::dmat4x3{matrixOf(location.Transformation())};
+    return data;
 }
 
 }  // namespace inkedge::cad

@@ -25,7 +25,8 @@ struct CurveData {
 
 enum class SurfaceKind : std::uint8_t { None, Plane, Cylinder, Cone, Sphere, Torus, Extrusion, Revolution, Nurbs };
 
-/// A surface x(u, v) by its numbers, with the parameters of ISO 10303-42.
+/// A surface x(u, v) by its numbers, with the parameters of ISO 10303-42: what its kind says, then offset, then moved
+/// to where the face is.
 struct SurfaceData {
     SurfaceKind kind = SurfaceKind::None;
     glm::dmat4x3 frame{1.0};  ///< columns x, y, z and origin
@@ -39,6 +40,8 @@ struct SurfaceData {
     std::vector<glm::dvec4> poles;  ///< v runs first
     double periodU = 0.0;
     double periodV = 0.0;
+    double offset = 0.0;         ///< along x_u x x_v
+    glm::dmat4x3 location{1.0};  ///< columns x, y, z and origin: a movement, which may mirror and scale
 };
 
 template <class Archive>
@@ -48,7 +51,7 @@ void members(Archive& archive, CurveData& c) {
 template <class Archive>
 void members(Archive& archive, SurfaceData& s) {
     archive(s.kind, s.frame, s.major, s.minor, s.curve, s.degreeU, s.degreeV, s.knotsU, s.knotsV, s.poles, s.periodU,
-            s.periodV);
+            s.periodV, s.offset, s.location);
 }
 
 }  // namespace inkedge::cad

@@ -2,9 +2,13 @@
 
 #include <cmath>
 
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include <inkedge/mesh.h>
+
 #include "formats/cad/nurbs.h"
+#include "mesh/surface_point.h"
 
 namespace inkedge::cad {
 namespace {
@@ -38,7 +42,7 @@ struct Profile {
     glm::dvec2 second;
 };
 
-SurfacePoint turned(const Profile& profile, double u) {
+mesh::SurfaceDerivatives turned(const Profile& profile, double u) {
     const double c = std::cos(u);
     const double s = std::sin(u);
     const auto out = [&](glm::dvec2 p) { return glm::dvec3{c * p.x, s * p.x, p.y}; };
@@ -74,7 +78,7 @@ Profile profileOf(const SurfaceData& surface, double v) {
 }
 
 // A curve anywhere, turned about the frame's z axis.
-SurfacePoint revolved(const SurfaceData& surface, glm::dvec2 uv) {
+mesh::SurfaceDerivatives revolved(const SurfaceData& surface, glm::dvec2 uv) {
     const glm::dmat3 axes{surface.frame[0], surface.frame[1], surface.frame[2]};
     const CurvePoint curve = curveAt(surface.curve, uv.y);
     const double c = std::cos(uv.x);
@@ -94,9 +98,9 @@ SurfacePoint revolved(const SurfaceData& surface, glm::dvec2 uv) {
             .dvv = axes * turn(dd)};
 }
 
-SurfacePoint extruded(const SurfaceData& surface, glm::dvec2 uv) {
+mesh::SurfaceDerivatives extruded(const SurfaceData& surface, glm::dvec2 uv) {
     const CurvePoint curve = curveAt(surface.curve, uv.x);
-    SurfacePoint point;
+    mesh::SurfaceDerivatives point;
     point.position = curve[0] + uv.y * surface.frame[2];
     point.du = curve[1];
     point.dv = surface.frame[2];
@@ -104,25 +108,56 @@ SurfacePoint extruded(const SurfaceData& surface, glm::dvec2 uv) {
     return point;
 }
 
-}  // namespace
-
-SurfacePoint CadSurfaces::at(std::uint32_t face, glm::dvec2 parameters) const {
-    const SurfaceData& surface = surfaces_[face];
-    if (surface.kind == SurfaceKind::Nurbs) return nurbsAt(surface, parameters);
-    if (surface.kind == SurfaceKind::Revolution) return revolved(surface, parameters);
-    if (surface.kind == SurfaceKind::Extrusion) return extruded(surface, parameters);
-    SurfacePoint point;
+// As its kind says.
+mesh::SurfaceDerivatives derivativesAt(const SurfaceData& surface, glm::dvec2 uv) {
+    if (surface.kind == SurfaceKind::Nurbs) return nurbsAt(surface, uv);
+    if (surface.kind == SurfaceKind::Revolution) return revolved(surface, uv);
+    if (surface.kind == SurfaceKind::Extrusion) return extruded(surface, uv);
+    mesh::SurfaceDerivatives point;
     if (surface.kind == SurfaceKind::Plane) {
-        point.position = {parameters, 0.0};
+        point.position = {uv, 0.0};
         point.du = {1.0, 0.0, 0.0};
         point.dv = {0.0, 1.0, 0.0};
     } else {
-        point = turned(profileOf(surface, parameters.y), parameters.x);
+        point = turned(profileOf(surface, uv.y), uv.x);
     }
     const glm::dmat3 axes{surface.frame[0], surface.frame[1], surface.frame[2]};
     for (glm::dvec3* const vector : {&point.du, &point.dv, &point.duu, &point.duv, &point.dvv})
         *vector = axes * *vector;
     point.position = surface.frame[3] + axes * point.position;
+    return point;
+}
+
+// x + d n has the normal n: (x + d n)_u = x_u + d n_u, where the unit n changes as the normal does, across itself.
+void moveAlongNormal(SurfacePoint& point, double distance) {
+    const double length = glm::length(point.normal);
+    if (distance == 0.0 || !(length > 0.0)) return;
+    const glm::dvec3 n = point.normal / length;
+    const auto across = [&](glm::dvec3 change) { return (change - glm::dot(change, n) * n) / length; };
+    point.position += distance * n;
+    point.du += distance * across(point.normalDu);
+    point.dv += distance * across(point.normalDv);
+}
+
+}  // namespace
+
+std::optional<SurfaceTriangle> CadSurfaces::under(const Mesh& mesh, std::uint32_t triangle) const {
+    if (mesh.faces.empty() || mesh.parameters.empty()) return {};
+    SurfaceTriangle part{mesh.faces[triangle]};
+    if (part.face >= surfaces_.size() || surfaces_[part.face].kind == SurfaceKind::None) return {};
+    for (std::size_t k = 0; k < 3; ++k)
+        part.corners[k] = {mesh.parameters[mesh.indices[3 * std::size_t{triangle} + k]], 0.0};
+    return part;
+}
+
+SurfacePoint CadSurfaces::at(std::uint32_t face, glm::dvec3 parameters) const {
+    const SurfaceData& surface = surfaces_[face];
+    SurfacePoint point = mesh::surfacePoint(derivativesAt(surface, glm::dvec2{parameters}));
+    moveAlongNormal(point, surface.offset);
+    const glm::dmat3 axes{surface.location[0], surface.location[1], surface.location[2]};
+    for (glm::dvec3* const vector : {&point.du, &point.dv, &point.normal, &point.normalDu, &point.normalDv})
+        *vector = axes * *vector;  // it keeps angles
+    point.position = surface.location[3] + axes * point.position;
     return point;
 }
 

@@ -13,10 +13,8 @@ class CadSurfaces : public FaceSurfaces {
 public:
     explicit CadSurfaces(std::vector<SurfaceData> surfaces) : surfaces_{std::move(surfaces)} {}
 
-    [[nodiscard]] bool knows(std::uint32_t face) const noexcept override {
-        return face < surfaces_.size() && surfaces_[face].kind != SurfaceKind::None;
-    }
-    [[nodiscard]] SurfacePoint at(std::uint32_t face, glm::dvec2 parameters) const override;
+    [[nodiscard]] std::optional<SurfaceTriangle> under(const Mesh&, std::uint32_t triangle) const override;
+    [[nodiscard]] SurfacePoint at(std::uint32_t face, glm::dvec3 parameters) const override;
 
 private:
     std::vector<SurfaceData> surfaces_;

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include <inkedge/scalar_field.h>
+#include "formats/implicit/scalar_field.h"
 
 #include "modules/failure.h"
 #include "modules/open_module.h"

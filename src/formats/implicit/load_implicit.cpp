@@ -18,6 +18,7 @@
 #include "base/message.h"
 #include "formats/cad/fineness.h"
 #include "formats/implicit/field.h"
+#include "formats/implicit/field_surface.h"
 #include "formats/implicit/polygonise.h"
 #include "formats/text.h"
 
@@ -145,6 +146,12 @@ double deflectionIn(const Box& box, const LoadSettings& settings) {
     return cad::finenessFor(outline, settings.up.value_or(zUp), settings).deflections.front();
 }
 
+// Far less than what polygonise() sees.
+double differenceIn(const Box& box) {
+    const glm::dvec3 size = box.max - box.min;
+    return 2e-5 * std::max({size.x, size.y, size.z});
+}
+
 }  // namespace
 
 Scene::Data loadImplicit(const formats::ModelInput& input, const LoadSettings& settings) {
@@ -158,7 +165,7 @@ Scene::Data loadImplicit(const formats::ModelInput& input, const LoadSettings& s
         data.source.unit = surface.unit;
         data.meshes.push_back(polygonise(TimedField{*field, settings.limits.readingTime}, grain));
         data.meshes.back().name = input.name.stem().string();
-        data.meshes.back().field = field;
+        data.meshes.back().surfaces = std::make_shared<const FieldSurface>(field, differenceIn(*surface.bounds));
         data.instances.emplace_back().name = data.meshes.back().name;
         return data;
     });

@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include <inkedge/mesh.h>
-#include <inkedge/scalar_field.h>
 #include <inkedge/views.h>
+#include "formats/implicit/scalar_field.h"
 
 namespace inkedge::implicit {
 

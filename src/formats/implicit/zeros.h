@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include <inkedge/scalar_field.h>
+#include "formats/implicit/scalar_field.h"
 
 namespace inkedge::implicit {
 

@@ -2,18 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <unordered_map>
 #include <unordered_set>
 
 #include <glm/geometric.hpp>
 
-#include "base/parallel.h"
 #include "lines/find/beside_edge.h"
-#include "lines/find/facet.h"
 #include "lines/find/instance_view.h"
-#include "lines/find/surface_contours.h"
-#include "mesh/subdivide.h"
+#include "lines/find/smooth_contours.h"
 #include "scene/prepared.h"
 
 namespace inkedge::lines {
@@ -35,22 +30,21 @@ public:
           isolines_{edges.isolines},
           to_{to},
           view_{scene, instance, screen},
-          eye_{view_.eye} {
-        if ((mesh_.surfaces || mesh_.field) && choice.contour != Contour::Mesh) exact_.emplace(mesh_, view_, screen_);
-    }
+          eye_{view_.eye} {}
 
     void collect(ContourMemory& memory) {
         if (view_.scale == 0.0) return;
         contours_ = search_.find(eye_, choice_.finder, memory);
         for (const std::uint32_t e : contours_.edges) isSmooth_.push_back(!isSplit(mesh_, topology_, edges_, e));
         chooseSmoothPatches();
-        if (choice_.contour == Contour::Auto && choice_.refinement == 0 && !exact_) findLargeFaces();
+        if (choice_.contour == Contour::Auto && surfacesOf(mesh_, choice_) == nullptr) findLargeFaces();
         addContourEdges();
         addCreases();
         addBorders();
         addMany();
         addIsolines();
-        if (std::ranges::find(smooth_, true) != smooth_.end()) addSmoothContours();
+        if (std::ranges::find(smooth_, true) != smooth_.end())
+            addSmoothContours({instance_, mesh_, topology_, edges_, screen_, choice_, view_, smooth_, large_}, to_);
     }
 
 private:
@@ -66,7 +60,7 @@ private:
     [[nodiscard]] bool keepsHidden() const { return choice_.hidden != HiddenLines::None; }
 
     void chooseSmoothPatches() {
-        const bool refined = exact_ || (choice_.refinement > 0 && choice_.contour != Contour::Mesh);
+        const bool refined = surfacesOf(mesh_, choice_) != nullptr && choice_.contour != Contour::Mesh;
         smooth_.assign(topology_.patchCount(), refined || choice_.contour == Contour::Smooth);
         if (refined || choice_.contour != Contour::Auto) return;
         struct Mean {
@@ -124,7 +118,7 @@ private:
     [[nodiscard]] bool isLarge(std::uint32_t t) const {
         const glm::dvec3 corner = toWorld(position(3 * t));
         return screen_.depth(corner) > screen_.near() &&
-               longestEdge(t) * view_.scale > largeEdge * screen_.footprint(corner);
+               longestEdge(mesh_, t) * view_.scale > largeEdge * screen_.footprint(corner);
     }
 
     // A smooth contour, which may cross a face anywhere, leaves out parts of large ones: mesh contours are drawn there.
@@ -333,126 +327,6 @@ private:
         return noFace;
     }
 
-    // Equation 2 at each vertex: n . (x - C). Exactly 0 where only rounding says that it is not.
-    void computeViewDots() {
-        viewDots_.resize(mesh_.positions.size());
-        base::inRanges(viewDots_.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                const glm::dvec3 toEye = view(glm::dvec3{mesh_.positions[i]});
-                const double dot = glm::dot(glm::dvec3{mesh_.normals[i]}, toEye);
-                const double sine = double{edges_.normalSines[i]};
-                viewDots_[i] = dot * dot <= sine * sine * glm::dot(toEye, toEye) ? 0.0 : dot;
-            }
-        });
-    }
-
-    void addRefinedContours() {
-        const auto projection = screen_.orthographic() ? mesh::Projection::Orthographic : mesh::Projection::Perspective;
-        const glm::dvec3 eye = eye_.orthographic ? eye_.direction : eye_.position + mesh_.origin;
-        const mesh::RefinedContourMesh refined =
-            mesh::refineNear(mesh_, *choice_.control, eye, projection, choice_.refinement);
-        std::unordered_map<std::uint64_t, std::uint32_t> edges;
-        for (std::size_t t = 0; t < refined.controlTriangles.size(); ++t) {
-            Facet facet{refined.controlTriangles[t], longestEdge(refined.controlTriangles[t])};
-            glm::dvec3 normals{0.0};
-            const std::uint32_t* const corners = &refined.indices[3 * t];
-            for (std::size_t k = 0; k < 3; ++k) {
-                facet.corners[k] = refined.positions[corners[k]];
-                facet.viewDots[k] = glm::dot(refined.normals[corners[k]], view(facet.corners[k]));
-                normals += glm::dvec3{refined.normals[corners[k]]};
-                const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
-                const auto next = static_cast<std::uint32_t>(edges.size());
-                facet.edges[k] =
-                    refinedKey(instance_, edges.try_emplace((std::uint64_t{low} << 32U) | high, next).first->second);
-            }
-            addSmoothContour(facet, facet.planeViewDot(normals, view(facet.corners[0])));
-        }
-    }
-
-    [[nodiscard]] double longestEdge(std::uint32_t t) const {
-        double longest = 0.0;
-        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
-            longest = std::max(longest, glm::length(position(mesh::nextHalfEdge(h)) - position(h)));
-        return longest;
-    }
-
-    // The least width of a triangle: those of a cylinder are as long as it is.
-    [[nodiscard]] double heightOf(std::uint32_t t) const {
-        const glm::dvec3 a = position(3 * t);
-        const double twiceArea = glm::length(glm::cross(position(3 * t + 1) - a, position(3 * t + 2) - a));
-        const double longest = longestEdge(t);
-        return longest > 0.0 ? twiceArea / longest : 0.0;
-    }
-
-    void addSmoothContours() {
-        if (choice_.refinement > 0) return addRefinedContours();
-        computeViewDots();
-        for (std::uint32_t t = 0; t < topology_.patches.size(); ++t) {
-            const std::uint32_t* const corners = &mesh_.indices[3 * std::size_t{t}];
-            const auto lowHigh = std::minmax({viewDots_[corners[0]], viewDots_[corners[1]], viewDots_[corners[2]]});
-            if (lowHigh.first > 0.0 || lowHigh.second < 0.0 || lowHigh.first == lowHigh.second) continue;
-            if (!smooth_[topology_.surfaceOf(t)] || topology_.originals[t] != t || large_.contains(t)) continue;
-            Facet facet{t, exact_ ? 2.0 * heightOf(t) : longestEdge(t)};
-            glm::dvec3 normals{0.0};
-            for (std::uint32_t k = 0; k < 3; ++k) {
-                const std::uint32_t h = 3 * t + k;
-                const std::uint32_t twin = topology_.twins[h];
-                facet.corners[k] = position(h);
-                facet.viewDots[k] = viewDots_[corners[k]];
-                normals += glm::dvec3{mesh_.normals[corners[k]]};
-                facet.edges[k] = edgeKey(instance_, mesh::isHalfEdge(twin) ? std::min(h, twin) : h);
-            }
-            addSmoothContour(facet, facet.planeViewDot(normals, view(facet.corners[0])));
-        }
-    }
-
-    void addSmoothContour(const Facet& facet, double planeViewDot) {
-        const auto& [face, size, corners, viewDots, edges] = facet;
-        const glm::dvec3 seen = view(corners[0]);
-        const int zero = hidesItsBack(face) ? int{edges_.closed[face]} : facet.signOfZero(seen);
-        const auto isPlus = [&](double dot) { return dot > 0.0 || (dot == 0.0 && zero > 0); };
-        const std::array<bool, 3> plus{isPlus(viewDots[0]), isPlus(viewDots[1]), isPlus(viewDots[2])};
-        if (plus[0] == plus[1] && plus[1] == plus[2]) return;
-        // The surface, followed away from the eye, turns its front to the eye: the surface then hides the contour.
-        const bool hidden = hidesItsBack(face) && facet.growthAlong(seen) * edges_.closed[face] < 0.0;
-        if (hidden && !keepsHidden()) return;
-        Segment segment;
-        segment.hidden = hidden;
-        segment.occludes = false;  // the mesh contour of the faces does
-        segment.faces = {scene::SceneFace{instance_, face}, noFace};
-        std::array<SurfaceContours::Point, 2> crossings{};
-        std::size_t found = 0;
-        std::uint32_t inner = 0;
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint32_t next = (k + 1) % 3;
-            // In the picture the surface lies to the side where n . (x - C) has the sign of the triangle's plane.
-            if (viewDots[k] * planeViewDot > viewDots[inner] * planeViewDot) inner = k;
-            if (plus[k] == plus[next]) continue;
-            const double a = std::abs(viewDots[k]);
-            const double b = std::abs(viewDots[next]);
-            const glm::dvec3 linear = (b * corners[k] + a * corners[next]) / (a + b);  // equation 4
-            if (exact_)
-                crossings[found] = exact_->crossing(
-                    face, {mesh_.indices[3 * std::size_t{face} + k], mesh_.indices[3 * std::size_t{face} + next]},
-                    linear);
-            segment.ends[found] = toWorld(linear);
-            segment.keys[found++] = edges[k];
-        }
-        segment.inner = toWorld(corners[inner]);
-        segment.slack = size * view_.scale;
-        exact_ ? addPieces(segment, exact_->between(face, crossings[0], crossings[1])) : to_.push_back(segment);
-    }
-
-    // Adds a contour that bends within its triangle.
-    void addPieces(const Segment& whole, const std::vector<glm::dvec3>& points) {
-        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-            Segment& piece = to_.emplace_back(whole);
-            piece.ends = {toWorld(points[i]), toWorld(points[i + 1])};
-            if (i > 0) piece.keys[0] = refinedKey(instance_, joints_ - 1);
-            if (i + 2 < points.size()) piece.keys[1] = refinedKey(instance_, joints_++);
-        }
-    }
-
     std::uint32_t instance_;
     const Mesh& mesh_;
     const mesh::MeshTopology& topology_;
@@ -465,12 +339,9 @@ private:
     std::vector<Segment>& to_;
     InstanceView view_;
     const MeshEye& eye_;
-    std::optional<SurfaceContours> exact_;  // where the faces have surfaces
-    std::uint32_t joints_ = 0;              // within triangles, of exact contours
     FoundContours contours_;
     std::vector<bool> isSmooth_;               // one per contour edge: whether its faces are one smooth surface
     std::vector<bool> smooth_;                 // one per patch
-    std::vector<double> viewDots_;             // one per position: n . (x - C)
     std::unordered_set<std::uint32_t> large_;  // faces at contour edges
     std::unordered_set<std::uint32_t> largePoints_;
 };

@@ -12,7 +12,7 @@
 #include "lines/find/isolines.h"
 #include "lines/screen.h"
 #include "lines/segment.h"
-#include "mesh/control_mesh.h"
+#include "mesh/limit_surfaces.h"
 
 namespace inkedge::lines {
 
@@ -24,7 +24,7 @@ struct CurveChoice {
     Contour contour = Contour::Auto;
     ContourFinder finder = ContourFinder::Every;
     int refinement = 0;                          ///< levels of subdivision near smooth contours
-    const mesh::ControlMesh* control = nullptr;  ///< of the mesh; with a refinement
+    const mesh::LimitSurfaces* limit = nullptr;  ///< of the mesh; with a refinement
     /// None: lines that a closed component itself hides are not found.
     HiddenLines hidden = HiddenLines::None;
     bool eyeOutside = true;  ///< the eye and the near plane are outside the scene: closed components hide their backs

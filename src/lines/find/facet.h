@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+
+#include <inkedge/face_surfaces.h>
 
 #include "lines/segment.h"
 
@@ -16,8 +19,9 @@ struct Facet {
     std::uint32_t face;  ///< of the mesh, that the triangle is or lies on
     double size;         ///< how far off the mesh the triangle may lie
     std::array<glm::dvec3, 3> corners{};
-    std::array<double, 3> viewDots{};  ///< n . (x - C) at the corners
-    std::array<Key, 3> edges{};        ///< the names of the edges from each corner to the next
+    std::array<double, 3> viewDots{};          ///< n . (x - C) at the corners
+    std::array<Key, 3> edges{};                ///< the names of the edges from each corner to the next
+    std::optional<SurfaceTriangle> surface{};  ///< that it stands for
 
     [[nodiscard]] glm::dvec3 normal() const {
         return glm::cross(corners[1] - corners[0], corners[2] - corners[0]);  // of any length

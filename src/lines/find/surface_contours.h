@@ -2,51 +2,58 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
-#include <inkedge/mesh.h>
+#include <inkedge/face_surfaces.h>
 
-#include "lines/find/contour_finders.h"
 #include "lines/find/instance_view.h"
 #include "lines/screen.h"
 
 namespace inkedge::lines {
 
-/// Smooth contours of meshes whose faces have surfaces, or that are where a field is 0: n . (x - C) = 0 on the surfaces
-/// themselves, not on the triangles that stand for them.
+/// Smooth contours of meshes whose triangles stand for smooth surfaces: n . (x - C) = 0 on the surfaces themselves.
+/// Positions are of mesh space, less Mesh::origin.
 class SurfaceContours {
 public:
-    /// @param mesh  with surfaces or a field; all three must outlive this
-    SurfaceContours(const Mesh& mesh, const InstanceView& view, const Screen& screen)
-        : mesh_{mesh}, view_{view}, screen_{screen} {}
+    /// @param origin  Mesh::origin; the other three must outlive this
+    SurfaceContours(const FaceSurfaces& surfaces, glm::dvec3 origin, const InstanceView& view, const Screen& screen)
+        : surfaces_{surfaces}, origin_{origin}, view_{view}, screen_{screen} {}
 
     /// A point of a contour.
     struct Point {
-        glm::dvec3 position;    ///< mesh space, less origin
-        glm::dvec2 parameters;  ///< on the surface of its face
-        bool exact = false;     ///< false: it lies on the triangle, for the surface is not known or has no normal there
+        glm::dvec3 position;
+        glm::dvec3 parameters;
+        bool exact = false;  ///< false: it lies on the triangle, for the surface is somewhere else or has no normal
     };
 
-    /// Where the contour crosses an edge of a triangle.
-    /// @param ends    vertices, at which n . (x - C) has different signs
-    /// @param linear  where the triangle's normals have it
-    [[nodiscard]] Point crossing(std::uint32_t triangle, std::array<std::uint32_t, 2> ends, glm::dvec3 linear) const;
+    /// Where the contour crosses the edge from a corner of a triangle to the next, at whose ends n . (x - C) has
+    /// different signs.
+    /// @param corners  of the triangle
+    /// @param linear   where the triangle's normals have it
+    [[nodiscard]] Point crossing(const SurfaceTriangle&, std::uint32_t corner, const std::array<glm::dvec3, 3>& corners,
+                                 glm::dvec3 linear) const;
 
     /// The contour from one crossing of a triangle to the other, so that straight pieces stray from it by at most
     /// maxStray pixels.
-    /// @return  both ends and points between them; mesh space, less origin
-    [[nodiscard]] std::vector<glm::dvec3> between(std::uint32_t triangle, const Point& from, const Point& to) const;
+    /// @param face  of the triangle's surface
+    /// @return      both ends and points between them
+    [[nodiscard]] std::vector<glm::dvec3> between(std::uint32_t face, const Point& from, const Point& to) const;
 
     static constexpr double maxStray = 0.02;  ///< pixels
 
 private:
-    [[nodiscard]] double viewDot(std::uint32_t face, glm::dvec2 parameters, glm::dvec3& position) const;
-    [[nodiscard]] Point moved(std::uint32_t face, glm::dvec2 parameters, double reach) const;
-    [[nodiscard]] Point movedInField(glm::dvec3 start, double reach) const;
+    struct Edge;
+    struct Sample;
+    [[nodiscard]] Sample sample(const Edge&, double share) const;
+    void narrow(const Edge&, Sample low, Sample high, Point& point) const;
+    [[nodiscard]] Point moved(std::uint32_t face, glm::dvec3 parameters, double reach) const;
+    [[nodiscard]] double stray(const Point& from, const Point& to, const Point& middle) const;
     void divide(std::uint32_t face, const Point& from, const Point& to, int depth,
                 std::vector<glm::dvec3>& points) const;
 
-    const Mesh& mesh_;
+    const FaceSurfaces& surfaces_;
+    glm::dvec3 origin_;
     const InstanceView& view_;
     const Screen& screen_;
 };

@@ -18,7 +18,11 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
+#include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_OffsetSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
@@ -83,6 +87,22 @@ TopoDS_Shape halves() {
 }
 
 TopoDS_Shape asSplines(const TopoDS_Shape& shape) { return BRepBuilderAPI_NurbsConvert(shape).Shape(); }
+
+TopoDS_Shape offsetTorus() {
+    const Handle(Geom_Surface) tube = new Geom_ToroidalSurface{gp_Ax3{}, 8.0, 2.0};
+    const Handle(Geom_Surface) spline = GeomConvert::SurfaceToBSplineSurface(tube);
+    return BRepBuilderAPI_MakeFace(new Geom_OffsetSurface{spline, 1.0}, 1e-6).Shape();
+}
+
+TopoDS_Shape scaledTorus() {
+    gp_Trsf mirror;
+    mirror.SetMirror(gp_Ax2{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}});
+    gp_Trsf twice;
+    twice.SetScale(gp_Pnt{}, 2.0);
+    TopoDS_Shape torus = BRepPrimAPI_MakeTorus(4.0, 1.5).Shape();
+    torus.Location(TopLoc_Location{mirror * twice}, false);
+    return torus;
+}
 
 TopoDS_Edge curve() {
     TColgp_Array1OfPnt points{1, 5};
@@ -151,6 +171,12 @@ TopoDS_Shape make(Shape shape) {
             return rounded();
         case Shape::SplineTorus:
             return asSplines(BRepPrimAPI_MakeTorus(8.0, 3.0).Shape());
+        case Shape::SplineCone:
+            return asSplines(BRepPrimAPI_MakeCone(6.0, 0.0, 8.0).Shape());
+        case Shape::OffsetTorus:
+            return offsetTorus();
+        case Shape::ScaledTorus:
+            return scaledTorus();
         case Shape::SplineHalves:
             return asSplines(halves());
         case Shape::Extruded:
@@ -180,17 +206,27 @@ std::string written(Write write) {
     return contents(file);
 }
 
-}  // namespace
-
-std::string step(Shape shape, const std::string& schema, const std::string& unit) {
+std::string stepOf(const TopoDS_Shape& shape, const std::string& schema, const std::string& unit) {
     return written([&](const char* file) {
         STEPControl_Writer writer;
         Interface_Static::SetCVal("write.step.schema", schema.c_str());
         Interface_Static::SetCVal("write.step.unit", unit.c_str());
-        writer.Transfer(make(shape), STEPControl_AsIs);
+        writer.Transfer(shape, STEPControl_AsIs);
         writer.Write(file);
         Interface_Static::SetCVal("write.step.unit", "MM");
     });
+}
+
+}  // namespace
+
+std::string step(Shape shape, const std::string& schema, const std::string& unit) {
+    return stepOf(make(shape), schema, unit);
+}
+
+std::string scaledStep(Shape shape, double scale) {
+    gp_Trsf trsf;
+    trsf.SetScale(gp_Pnt{}, scale);
+    return stepOf(BRepBuilderAPI_Transform{make(shape), trsf, true}.Shape(), "AP214IS", "MM");
 }
 
 std::string iges(Shape shape) {

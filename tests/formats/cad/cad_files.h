@@ -15,6 +15,9 @@ enum class Shape {
     Torus,          ///< radii 8 and 3
     Rounded,        ///< the box, its four edges along z rounded by 2
     SplineTorus,    ///< the torus as B-spline surfaces
+    SplineCone,     ///< the cone as B-spline surfaces
+    OffsetTorus,    ///< the torus as an offset of a B-spline surface; BREP alone has that
+    ScaledTorus,    ///< the torus as one of half its size, mirrored and scaled where it stands; likewise
     SplineHalves,   ///< the halves as B-spline surfaces
     Extruded,       ///< a B-spline curve moved by 5 along z
     Revolved,       ///< a B-spline curve turned about z
@@ -29,6 +32,9 @@ enum class Shape {
 [[nodiscard]] std::string step(Shape, const std::string& schema = "AP214IS", const std::string& unit = "MM");
 [[nodiscard]] std::string iges(Shape);
 [[nodiscard]] std::string brep(Shape);
+
+/// A STEP file of a shape times a scale about the origin.
+[[nodiscard]] std::string scaledStep(Shape, double scale);
 
 /// A STEP file of an assembly: "table" holds two of the red "leg", a box of 2 x 2 x 10 at x = 0 and x = 20, and a blue
 /// "plate" over them, with a green top.

