@@ -73,6 +73,12 @@ private:
         }
     }
 
+    // How far a contour may lie off a triangle: as far as it is large; one that strays from its surface by less than a
+    // pixel as it is wide, for those of a cylinder are as long as it is.
+    [[nodiscard]] double slackOf(std::uint32_t t) const {
+        return exact_ && of_.mesh.limitTriangles.empty() ? 2.0 * heightOf(t) : longestEdge(of_.mesh, t);
+    }
+
     // The least width of a triangle: those of a cylinder are as long as it is.
     [[nodiscard]] double heightOf(std::uint32_t t) const {
         const glm::dvec3 a = position(3 * t);
@@ -89,7 +95,7 @@ private:
             if (lowHigh.first > 0.0 || lowHigh.second < 0.0 || lowHigh.first == lowHigh.second) continue;
             if (!of_.smooth[of_.topology.surfaceOf(t)] || of_.topology.originals[t] != t || of_.large.contains(t))
                 continue;
-            Facet facet{t, exact_ ? 2.0 * heightOf(t) : longestEdge(of_.mesh, t)};
+            Facet facet{t, slackOf(t)};
             if (exact_) facet.surface = of_.mesh.surfaces->under(of_.mesh, t);
             glm::dvec3 normals{0.0};
             for (std::uint32_t k = 0; k < 3; ++k) {
