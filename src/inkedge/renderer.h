@@ -38,6 +38,9 @@ enum class ContextTime {
 /// A call may be stopped from another thread by its token, which is looked at between tiles, stages and pieces of what
 /// works without OpenGL. The call then throws Error (Kind::Stopped), and the renderer is as usable as before. What
 /// OpenGL draws of one tile is waited for: a smaller PictureSettings::tileSize stops sooner.
+///
+/// A fork of a process that has drawn cannot: the driver's threads do not live on in it. What draws throws Error
+/// (Kind::Runtime) there. A process may fork before it draws, and start programs at any time.
 class INKEDGE_API Renderer {
 public:
     /// @throws Error  (Kind::Context) if no context can be had; the message says why for each backend tried;

@@ -3,6 +3,7 @@
 #include <inkedge/renderer.h>
 #include <inkedge/setting_table.h>
 
+#include "base/forks.h"
 #include "base/stop.h"
 #include "render/expect_usable.h"
 #include "render/kept.h"
@@ -18,17 +19,22 @@ struct Renderer::State : render::Kept {
 Renderer::Renderer(const BackendSettings& settings, ContextTime when) : state_{std::make_unique<State>(settings)} {
     validate(settings);
     std::vector<StageTime> ignored;
+    if (when == ContextTime::WhenNeeded) return;
+    base::expectNoFork();
     if (when == ContextTime::AtOnce) (void)state_->graphics(ignored);
     if (when == ContextTime::Meanwhile) state_->startGraphics();
 }
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
-Renderer::~Renderer() = default;
+Renderer::~Renderer() {
+    if (base::isFork()) static_cast<void>(state_.release());  // the driver would wait for threads that are not there
+}
 
 const BackendInfo& Renderer::backend() const noexcept { return state_->backend(); }
 
 Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSettings& settings,
                       const std::stop_token& stop) {
+    base::expectNoFork();
     const base::StopScope scope{[&] { return stop.stop_requested(); }};
     validate(settings);
     render::expectLoaded(scene, settings, {.json = true});
@@ -45,6 +51,7 @@ Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSett
 
 Maps Renderer::render(const Scene& scene, const Camera& camera, const RenderSettings& settings,
                       const std::stop_token& stop) {
+    base::expectNoFork();
     const base::StopScope scope{[&] { return stop.stop_requested(); }};
     validate(settings);
     render::expectLoaded(scene, settings, {.pictures = true});
