@@ -34,4 +34,19 @@ glm::dvec2 Camera::centre(Size size) const noexcept {
 
 double Camera::focalLength(Size size) const noexcept { return 0.5 * size.height * projection(size)[1][1]; }
 
+glm::dmat4 Camera::worldToCamera() const noexcept {
+    glm::dmat4 turned{1.0};
+    turned[1][1] = turned[2][2] = -1.0;
+    return turned * view;
+}
+
+glm::dmat3 Camera::intrinsics(Size size) const noexcept {
+    const glm::dvec2 middle = centre(size);
+    glm::dmat3 k{1.0};
+    k[0][0] = k[1][1] = focalLength(size);
+    k[2][0] = middle.x - 0.5;
+    k[2][1] = middle.y - 0.5;
+    return k;
+}
+
 }  // namespace inkedge

@@ -207,6 +207,11 @@ void fitNearAndFar(Camera& camera, const Sphere& bounds) {
 
 }  // namespace camera
 
+Camera withPlanes(Camera camera, const Scene& scene) noexcept {
+    if (camera.far == 0.0) camera::fitNearAndFar(camera, scene.bounds());
+    return camera;
+}
+
 Camera frameCamera(const Scene& scene, const CameraSettings& settings, Size size) {
     validate(settings);
     checkForContradictions(settings);

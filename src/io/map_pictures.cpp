@@ -8,7 +8,6 @@
 
 #include "base/staged_files.h"
 #include "images/image_formats.h"
-#include "io/camera_matrices.h"
 #include "io/picture.h"
 
 namespace inkedge::io {

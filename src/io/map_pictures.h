@@ -5,11 +5,15 @@
 #include <optional>
 #include <vector>
 
+#include <inkedge/camera.h>
 #include <inkedge/maps.h>
 
 #include "io/map_layers.h"
 
 namespace inkedge::io {
+
+/// Depth that a step of the grey levels of a depth map in a PNG stands for; the first level is Camera::near.
+[[nodiscard]] inline double depthScale(const Camera& camera) noexcept { return (camera.far - camera.near) / 65535.0; }
 
 /// A layer as a PNG: depth as 16 bits of grey from near (0) to far (65535), types and ids as 16 bits of grey, normals
 /// as (n + 1) / 2 of 8 bits, edges black on white, the shade as it is; the file tells Maps::dpi.

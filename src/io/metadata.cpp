@@ -10,7 +10,7 @@
 #include <inkedge/setting_table.h>
 #include <inkedge/write.h>
 
-#include "io/camera_matrices.h"
+#include "io/map_pictures.h"
 #include "io/names_json.h"
 
 namespace inkedge {
@@ -34,9 +34,9 @@ Json timesJson(const std::vector<StageTime>& times) {
 
 // Camera matrices as OpenCV has them: x right, y down, z into the scene; (0, 0) the middle of the first pixel.
 void addOpenCv(Json& json, const Camera& camera, Size size) {
-    json["world_to_camera"] = io::matrixJson(io::worldToCamera(camera));
+    json["world_to_camera"] = io::matrixJson(camera.worldToCamera());
     Json rows = Json::array();
-    const glm::dmat3 k = io::intrinsics(camera, size);
+    const glm::dmat3 k = camera.intrinsics(size);
     for (int row = 0; row < 3; ++row) rows.push_back({k[0][row], k[1][row], k[2][row]});
     json["K"] = std::move(rows);
 }

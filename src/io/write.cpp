@@ -11,7 +11,6 @@
 
 #include "base/staged_files.h"
 #include "images/encode_exr.h"
-#include "io/camera_matrices.h"
 #include "io/map_layers.h"
 #include "io/map_pictures.h"
 #include "io/npz.h"
@@ -113,8 +112,8 @@ void addMatrix(io::NpzWriter& arrays, std::string_view name, const Matrix& matri
 void addCamera(io::NpzWriter& arrays, const Camera& camera, Size size) {
     addMatrix(arrays, "view", camera.view);
     addMatrix(arrays, "projection", camera.projection(size));
-    addMatrix(arrays, "world_to_camera", io::worldToCamera(camera));
-    addMatrix(arrays, "K", io::intrinsics(camera, size));
+    addMatrix(arrays, "world_to_camera", camera.worldToCamera());
+    addMatrix(arrays, "K", camera.intrinsics(size));
     arrays.add<double>("near", {}, std::span{&camera.near, 1});
     arrays.add<double>("far", {}, std::span{&camera.far, 1});
     arrays.add<double>("orthographic_height", {}, std::span{&camera.orthographicHeight, 1});  // as in the metadata

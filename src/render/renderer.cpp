@@ -32,12 +32,13 @@ Renderer::~Renderer() {
 
 const BackendInfo& Renderer::backend() const noexcept { return state_->backend(); }
 
-Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSettings& settings,
+Lines Renderer::lines(const Scene& scene, const Camera& wanted, const RenderSettings& settings,
                       const std::stop_token& stop) {
     base::expectNoFork();
     const base::StopScope scope{[&] { return stop.stop_requested(); }};
     validate(settings);
     render::expectLoaded(scene, settings, {.json = true});
+    const Camera camera = withPlanes(wanted, scene);
     render::expectUsable(camera, scene);
     base::stopIfAsked();
     Lines lines = settings.lines.from == LinesFrom::Image ? render::imageLines(scene, camera, settings, *state_)
@@ -49,12 +50,13 @@ Lines Renderer::lines(const Scene& scene, const Camera& camera, const RenderSett
     return lines;
 }
 
-Maps Renderer::render(const Scene& scene, const Camera& camera, const RenderSettings& settings,
+Maps Renderer::render(const Scene& scene, const Camera& wanted, const RenderSettings& settings,
                       const std::stop_token& stop) {
     base::expectNoFork();
     const base::StopScope scope{[&] { return stop.stop_requested(); }};
     validate(settings);
     render::expectLoaded(scene, settings, {.pictures = true});
+    const Camera camera = withPlanes(wanted, scene);
     render::expectUsable(camera, scene);
     render::expectMemory(settings);
     base::stopIfAsked();

@@ -40,6 +40,23 @@ TEST_P(Rendering, saysWhatDrewThePicture) {
     EXPECT_THAT(stages, testing::IsSupersetOf({"upload", "surface", "edges", "composite", "read-back"}));
 }
 
+TEST_P(Rendering, fitsTheNearAndFarPlanesOfACameraThatHasNone) {
+    const Scene scene = scenes::sceneOf(scenes::cube());
+    RenderSettings settings;
+    settings.picture.size = {64, 48};
+    settings.maps = {Map::Depth};
+    const Camera framed = frameCamera(scene, {}, settings.picture.size);
+    Camera without = framed;
+    without.near = without.far = 0.0;
+    const Maps maps = renderer().render(scene, without, settings);
+    EXPECT_EQ(maps.camera.near, framed.near);
+    EXPECT_EQ(maps.camera.far, framed.far);
+    EXPECT_EQ(maps.depth, renderer().render(scene, framed, settings).depth);
+    without.near = 1.0;
+    without.far = 0.5;
+    EXPECT_THROW((void)renderer().render(scene, without, settings), Error);
+}
+
 TEST_P(Rendering, betweenPixelsNeedsNoNormalsOfVertices) {
     LoadSettings load;
     load.completeNormals = false;
