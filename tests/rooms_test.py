@@ -17,7 +17,7 @@ OWNERS = {  # of the other public headers
     "settings": ["setting_table", "settings", "surface_functions"],
     "mesh": ["face_surfaces", "mesh", "mesh_arrays"],
     "formats": ["inspect_model", "load_scene"],
-    "scene": ["scene", "scene_names"],
+    "scene": ["scene", "scene_arrays", "scene_names"],
     "camera": ["camera", "views"],
     "gl": ["backends"],
     "render": ["renderer"],

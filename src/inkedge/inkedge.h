@@ -22,6 +22,7 @@
 #include <inkedge/read_lines.h>
 #include <inkedge/renderer.h>
 #include <inkedge/scene.h>
+#include <inkedge/scene_arrays.h>
 #include <inkedge/scene_names.h>
 #include <inkedge/setting_table.h>
 #include <inkedge/settings.h>

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include <inkedge/inkedge.h>
@@ -38,13 +37,10 @@ void drawFromMemory(const char* model, inkedge::Renderer& renderer, const inkedg
 
     const std::vector<float> corners{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
     const std::vector<std::uint16_t> triangles{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
-    inkedge::MeshArrays arrays;
-    arrays.positions = {corners.data(), inkedge::NumberType::Float32, 4, 3};
-    arrays.indices = {triangles.data(), inkedge::NumberType::UInt16, 4, 3};
-    inkedge::Scene::Data data;
-    data.meshes.push_back(inkedge::makeMesh(arrays));
-    data.instances.push_back({"tetrahedron", 0});
-    const inkedge::Scene tetrahedron{std::move(data), inkedge::loadSettings(settings)};
+    inkedge::InstancedArrays arrays;
+    arrays.mesh.positions = {corners.data(), inkedge::NumberType::Float32, 4, 3};
+    arrays.mesh.indices = {triangles.data(), inkedge::NumberType::UInt16, 4, 3};
+    const inkedge::Scene tetrahedron = inkedge::makeScene({&arrays, 1}, inkedge::loadSettings(settings));
     const inkedge::Maps maps = renderer.render(
         tetrahedron, inkedge::frameCamera(tetrahedron, settings.camera, settings.picture.size), settings);
     if (!hasLines(maps.picture) || !maps.warnings.empty())
