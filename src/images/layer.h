@@ -6,16 +6,13 @@
 #include <vector>
 
 #include <inkedge/image.h>
+#include <inkedge/maps.h>
 
 namespace inkedge::images {
 
-/// An image of any type of values, not held.
-using AnyImage = std::variant<const Image<std::uint8_t>*, const Image<float>*, const Image<std::uint16_t>*,
-                              const Image<std::uint32_t>*>;
-
 /// Channels of a file that come from one image.
 struct Layer {
-    AnyImage image;
+    AnyImagePointer image;
     std::vector<std::string> channels;  ///< a name for each that is written
     int first = 0;                      ///< of the image's channels: the first that is written
 

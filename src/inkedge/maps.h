@@ -3,12 +3,15 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <inkedge/backends.h>
 #include <inkedge/camera.h>
+#include <inkedge/export.h>
 #include <inkedge/image.h>
 #include <inkedge/scene_names.h>
+#include <inkedge/settings.h>
 #include <inkedge/stage_time.h>
 
 namespace inkedge {
@@ -45,5 +48,17 @@ struct Maps {
     /// One line each: what the settings ask for and the scene has nothing for, as renderWarnings() gives it.
     std::vector<std::string> warnings;
 };
+
+/// An image of whatever type of values a map has.
+using AnyImage = std::variant<Image<std::uint8_t>, Image<std::uint16_t>, Image<std::uint32_t>, Image<float>>;
+/// The same, held by another.
+using AnyImagePointer = std::variant<const Image<std::uint8_t>*, const Image<std::uint16_t>*,
+                                     const Image<std::uint32_t>*, const Image<float>*>;
+
+/// The image of a map; empty if the map was not asked for.
+[[nodiscard]] INKEDGE_API AnyImagePointer imageOf(const Maps&, Map) noexcept;
+
+/// The same, moved out of Maps: it is empty there then.
+[[nodiscard]] INKEDGE_API AnyImage takeImage(Maps&, Map) noexcept;
 
 }  // namespace inkedge

@@ -1,6 +1,7 @@
 #include "io/map_layers.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -9,38 +10,55 @@
 namespace inkedge::io {
 namespace {
 
-// The names of channels end in one letter: Blender drops other layers.
-images::Layer valuesOf(const Maps& maps, Map map) {
+// Calls a function with the image of a map, which Maps or const Maps hold.
+template <class MapsType, class Function>
+auto onImage(MapsType& maps, Map map, Function function) {
     switch (map) {
         case Map::Depth:
-            return {&maps.depth, {"depth.Z"}};
+            return function(maps.depth);
         case Map::Normal:
-            return {&maps.normal, {"normal.X", "normal.Y", "normal.Z"}};
+            return function(maps.normal);
         case Map::DepthEdges:
-            return {&maps.depthEdges, {"depth-edges.Y"}};
+            return function(maps.depthEdges);
         case Map::NormalEdges:
-            return {&maps.normalEdges, {"normal-edges.Y"}};
+            return function(maps.normalEdges);
         case Map::Types:
-            return {&maps.types, {"types.V"}};
+            return function(maps.types);
         case Map::Ids:
-            return {&maps.ids, {}};
+            return function(maps.ids);
         case Map::Shade:
-            return {&maps.shade, {"shade.R", "shade.G", "shade.B", "shade.A"}};
+            return function(maps.shade);
         case Map::Edges:
             break;
     }
-    return {&maps.edges, {"edges.Y"}};
+    return function(maps.edges);
+}
+
+// They end in one letter: Blender drops other layers.
+std::vector<std::string> channelsOf(Map map) {
+    switch (map) {
+        case Map::Depth:
+            return {"depth.Z"};
+        case Map::Normal:
+            return {"normal.X", "normal.Y", "normal.Z"};
+        case Map::Types:
+            return {"types.V"};
+        case Map::Shade:
+            return {"shade.R", "shade.G", "shade.B", "shade.A"};
+        default:
+            return {fmt::format("{}.Y", name(map))};
+    }
 }
 
 }  // namespace
 
 std::vector<MapLayer> layersOf(const Maps& maps, Map map) {
     const std::vector<std::string> files = layerFiles(map);
-    const images::Layer values = valuesOf(maps, map);
-    if (map != Map::Ids) return {{map, files.front(), values}};
+    const AnyImagePointer image = imageOf(maps, map);
+    if (map != Map::Ids) return {{map, files.front(), {image, channelsOf(map)}}};
     std::vector<MapLayer> layers;
     for (std::size_t c = 0; c < idNames.size(); ++c)
-        layers.push_back({map, files[c], {values.image, {fmt::format("{}.V", idNames[c])}, static_cast<int>(c)}});
+        layers.push_back({map, files[c], {image, {fmt::format("{}.V", idNames[c])}, static_cast<int>(c)}});
     return layers;
 }
 
@@ -73,3 +91,15 @@ void expectIdsUpTo(std::uint32_t max, std::string_view because, const MapLayer& 
 }
 
 }  // namespace inkedge::io
+
+namespace inkedge {
+
+AnyImagePointer imageOf(const Maps& maps, Map map) noexcept {
+    return io::onImage(maps, map, [](const auto& image) -> AnyImagePointer { return &image; });
+}
+
+AnyImage takeImage(Maps& maps, Map map) noexcept {
+    return io::onImage(maps, map, [](auto& image) -> AnyImage { return std::move(image); });
+}
+
+}  // namespace inkedge

@@ -133,8 +133,7 @@ Bytes npzOf(const Maps& maps, std::span<const Map> wanted) {
     io::NpzWriter arrays;
     arrays.add("picture", maps.picture);
     for (const Map map : wanted) {
-        const images::AnyImage image = io::layersOf(maps, map).front().values.image;
-        std::visit([&](const auto* each) { arrays.add(io::arrayName(map), *each); }, image);
+        std::visit([&](const auto* each) { arrays.add(io::arrayName(map), *each); }, imageOf(maps, map));
     }
     addCamera(arrays, maps.camera, maps.picture.size());
     if (std::ranges::find(wanted, Map::Ids) != wanted.end()) addNames(arrays, maps.names);

@@ -338,6 +338,20 @@ TEST(WriteMaps, roundsAPictureInAnExrToWhatSixteenBitsHold) {
     EXPECT_NEAR(file.channel("R")[1], 1.0 / 255.0 / 12.92 / 255.0, 0x1p-25);
 }
 
+TEST(TakeImage, leavesMapsWithoutTheMap) {
+    Maps maps = smallMaps();
+    const Image<float> depth = maps.depth;
+    EXPECT_EQ(std::get<const Image<float>*>(imageOf(maps, Map::Depth)), &maps.depth);
+    EXPECT_EQ(std::get<Image<float>>(takeImage(maps, Map::Depth)), depth);
+    EXPECT_TRUE(maps.depth.empty());
+    for (int i = 0; i < mapCount; ++i) {
+        const auto size = [](const auto* image) { return image->size(); };
+        const bool empty = std::visit(size, imageOf(maps, static_cast<Map>(i))) == Size{};
+        EXPECT_EQ(std::visit([](const auto& image) { return image.empty(); }, takeImage(maps, static_cast<Map>(i))),
+                  empty);
+    }
+}
+
 TEST(WriteMaps, putsOnlyTheMapsAskedForIntoAnExr) {
     const TemporaryFolder folder;
     writeMaps(smallMaps(), std::array{Map::Edges, Map::Edges}, folder / "a.exr");
