@@ -50,6 +50,7 @@ struct List {
 struct Custom {
     std::string_view form;   ///< "WIDTHxHEIGHT"
     std::string (*range)();  ///< what is allowed, in words
+    char separator = ',';    ///< of the texts that one is made of: SettingDescription::joined()
 };
 
 using Constraint = std::variant<Number, Count, Choice, List, Custom>;
@@ -89,6 +90,8 @@ struct SettingDescription {
     /// Sets the value from text.
     /// @throws Error  (Kind::Usage) if the setting cannot take the text: what was expected and what was found
     INKEDGE_API void set(Settings&, std::string_view text) const;
+    /// Several texts as one, as set() takes them: "640x480", "1,2,3", "depth,types", "arm;leg".
+    [[nodiscard]] INKEDGE_API std::string joined(std::span<const std::string> texts) const;
     /// The value as text that set() takes; empty where no value is given.
     [[nodiscard]] INKEDGE_API std::string get(const Settings&) const;
     /// @throws Error  (Kind::Usage) if the settings hold a value that set() would not take, with the same words

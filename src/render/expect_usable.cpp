@@ -92,15 +92,16 @@ void expectLoaded(const Scene& scene, const RenderSettings& settings, const Outp
     if (scene.source().format.empty()) {  // its coordinates and colours are those that it was given
         if (!needed.curvature || loaded.curvature) return;
         throw Error{Error::Kind::Usage,
-                    "scene: expected one made with its curvature, which functions read, found one made without; make "
-                    "it with Scene{data, loadSettings(settings)}"};
+                    "scene: expected one made with its curvature, which functions read, found one made without; give "
+                    "the settings that draw it to what makes it, too: in C++ loadSettings(settings)"};
     }
     const auto expect = [](bool isNeeded, bool isLoaded, std::string_view what) {
         if (!isNeeded || isLoaded) return;
         throw Error{
             Error::Kind::Usage,
-            fmt::format("scene: expected one loaded with {}, which functions or isolines read, found one loaded "
-                        "without; load it with loadScene(file, loadSettings(settings))",
+            fmt::format("scene: expected one loaded with {}, which shades, functions or isolines read, found one "
+                        "loaded without; give the settings that draw it to what loads it, too: in C++ "
+                        "loadSettings(settings)",
                         what)};
     };
     expect(needed.textureCoordinates, loaded.textureCoordinates, "its texture coordinates");

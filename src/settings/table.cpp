@@ -4,6 +4,7 @@
 #include <array>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <inkedge/error.h>
 
@@ -69,6 +70,12 @@ void SettingDescription::set(Settings& settings, std::string_view text) const {
         throw Error{Error::Kind::Usage,
                     fmt::format("expected {}, found {}{}", expected.what, base::quote(text), expected.remedy)};
     }
+}
+
+std::string SettingDescription::joined(std::span<const std::string> texts) const {
+    const auto* const custom = std::get_if<Custom>(&constraint);
+    const char separator = joinedBy != '\0' ? joinedBy : custom != nullptr ? custom->separator : ',';
+    return fmt::format("{}", fmt::join(texts, std::string_view{&separator, 1}));
 }
 
 std::string SettingDescription::get(const Settings& settings) const { return field.get(constraint, settings); }

@@ -306,7 +306,7 @@ TEST_P(Functions, areRefusedWithoutTheCurvatureThatTheyRead) {
             EXPECT_EQ(error.kind(), Error::Kind::Usage);
             EXPECT_STREQ(error.what(),
                          "scene: expected one made with its curvature, which functions read, found one made without; "
-                         "make it with Scene{data, loadSettings(settings)}");
+                         "give the settings that draw it to what makes it, too: in C++ loadSettings(settings)");
         }
     }
     EXPECT_NO_THROW((void)edgesOf(renderer(), without, camera, "height"));

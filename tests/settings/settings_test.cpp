@@ -107,6 +107,21 @@ TEST(SettingTable, statesTheDefaultsInForce) {
     }
 }
 
+TEST(SettingTable, joinsTextsAsItTakesThem) {
+    const auto joined = [](std::string_view name, const std::vector<std::string>& texts) {
+        return findSetting(name)->joined(texts);
+    };
+    EXPECT_EQ(joined("size", {"640", "480"}), "640x480");
+    EXPECT_EQ(joined("page-size", {"90mm", "60mm"}), "90mmx60mm");
+    EXPECT_EQ(joined("scale", {"1", "2"}), "1:2");
+    EXPECT_EQ(joined("eye", {"1", "2", "3"}), "1,2,3");
+    EXPECT_EQ(joined("light", {"30", "35"}), "30,35");
+    EXPECT_EQ(joined("maps", {"depth", "types"}), "depth,types");
+    EXPECT_EQ(joined("only", {"arm", "leg"}), "arm;leg");
+    EXPECT_EQ(joined("line-style", {"outline:width=2", "crease:width=1"}), "outline:width=2;crease:width=1");
+    EXPECT_EQ(joined("lines", {}), "");
+}
+
 TEST(SettingTable, refusesWhatIsNoChoiceAndListsTheChoices) {
     for (const SettingDescription& row : settingTable()) {
         if (!isChoice(row) || isCount(row)) continue;

@@ -136,7 +136,7 @@ std::vector<SettingDescription> pictureRows() {
         {described(
              {.name = "size",
               .help = "size of the picture, in pixels or on paper; at --scale what is drawn takes unless it is given"},
-             Custom{"WIDTH[xHEIGHT]", sizes}, size()),
+             Custom{"WIDTH[xHEIGHT]", sizes, 'x'}, size()),
          row<parseMargin>(
              {.name = "crop",
               .help = "cut the picture to what is drawn and this margin, in pixels or mm; a --size is filled between "
@@ -146,7 +146,7 @@ std::vector<SettingDescription> pictureRows() {
          described({.name = "scale",
                     .help = "orthographic, PAPER lengths at --dpi for MODEL lengths; glTF is in metres, STL and other "
                             "files without a unit count as millimetres"},
-                   Custom{"PAPER:MODEL", [] { return std::string{"1:2, 5:1, ..."}; }}, scale()),
+                   Custom{"PAPER:MODEL", [] { return std::string{"1:2, 5:1, ..."}; }, ':'}, scale()),
          row<parseColor>(
              {.name = "line-color", .help = "colour of the lines", .defaultInWords = "black", .idle = idleLineColor},
              {"COLOR", [] { return std::string{"#RGB, #RRGGBB or a name"}; }},
@@ -179,7 +179,8 @@ std::vector<SettingDescription> pictureRows() {
                   return std::string{
                       "210mmx297mm, cm or in; A0 to A6, Letter, Legal, Tabloid; "
                       "A4-landscape"};
-              }},
+              },
+              'x'},
              [](auto& s) -> auto& { return s.picture.page; }),
          row(
              {.name = "supersampling",
@@ -196,12 +197,13 @@ std::vector<SettingDescription> pictureRows() {
                     .rangeNote = "or standard, which is all but the four lines of form; all; none",
                     .idle = idleTypes},
                    List{lineTypeNames, "TYPE"}, lineTypes()),
-         described({.name = "line-style",
-                    .help = "width and colour of single types of lines, as in crease:width=1,color=#555, and of hidden "
-                            "ones, as in hidden:width=0.25mm,dash=3mm:1.5mm; planes detector",
-                    .idle = idleLineStyle},
-                   Custom{"TYPE:width=W,color=C;...", [] { return std::string{"types as for --lines, and hidden"}; }},
-                   lineStyle())});
+         described(
+             {.name = "line-style",
+              .help = "width and colour of single types of lines, as in crease:width=1,color=#555, and of hidden "
+                      "ones, as in hidden:width=0.25mm,dash=3mm:1.5mm; planes detector",
+              .idle = idleLineStyle},
+             Custom{"TYPE:width=W,color=C;...", [] { return std::string{"types as for --lines, and hidden"}; }, ';'},
+             lineStyle())});
 }
 
 }  // namespace inkedge::settings
