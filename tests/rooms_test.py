@@ -150,7 +150,8 @@ def main(source):
     source = pathlib.Path(source)
     folders = sorted(path.parent for path in source.glob("*/CMakeLists.txt"))
     rooms = {folder.name: declared(folder) for folder in folders}
-    checked = [folder for folder in folders if folder.name != "cli"]  # a program: it sees the library's public headers
+    users = ("cli", "python")  # of the library: they see its public headers
+    checked = [folder for folder in folders if folder.name not in users]
     faults = []
     for folder in checked:
         faults += faults_of(folder, rooms, rooms.keys())

@@ -1,5 +1,6 @@
 # Installs a build into a folder of its own, builds the project beside this file against it and runs both it and the
 # installed command. cmake -DBUILD=... -DWORK=... -DMODEL=... -DCXX_COMPILER=... -DCXX_FLAGS=... -P test.cmake
+# With -DPYTHON=... -DPYTHON_FOLDER=... the installed Python module draws, too.
 cmake_minimum_required(VERSION 3.24)
 
 function(run)
@@ -55,6 +56,11 @@ expect_start(${WORK}/drawn.svg ${xml})
 
 run(${WORK}/prefix/bin/inkedge render ${MODEL} --detector classic --size 64x64 --output ${WORK}/commanded.exr)
 expect_start(${WORK}/commanded.exr ${exr})
+
+if(PYTHON)
+  run(${CMAKE_COMMAND} -E env PYTHONPATH=${WORK}/prefix/${PYTHON_FOLDER} PYTHONDONTWRITEBYTECODE=1
+      ${PYTHON} ${CMAKE_CURRENT_LIST_DIR}/draw.py ${MODEL} ${WORK}/prefix)
+endif()
 
 # Without its modules it still draws plain models, and says in one line what it lacks for the rest.
 file(GLOB_RECURSE modules ${WORK}/prefix/*/inkedge_*.so)

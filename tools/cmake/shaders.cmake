@@ -4,7 +4,6 @@
 # offers the header gl/embedded_programs.h with one enumerator a program and its text.
 # FUNCTIONS names the stages around each file of shaders/functions.
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
-find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 function(inkedge_shaders target)
   cmake_parse_arguments(shaders "" "FUNCTIONS" "" ${ARGN})
