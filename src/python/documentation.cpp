@@ -198,7 +198,7 @@ scene's up. fov (degrees, vertical) or camera_orthographic (height) and others a
 std::string render() {
     return R"(render(scene, camera, *, writable=False, **settings)
 
-Draws one view: Maps with "picture" and the maps that are named. Python's lock is released meanwhile.
+Draws one view: Maps with "picture" and the maps that are named. The GIL is released meanwhile.
 
 size=(width, height): pixels
 maps=("types", "depth", "normal", "ids"): what is drawn beside the picture; of these
@@ -211,7 +211,7 @@ std::string renderLines() {
     return R"(lines(scene, camera, **settings)
 
 The lines of one view as polylines: Lines. Exact ones of the mesh, visible, and hidden ones with hidden="solid", unless
-lines_from="image". Python's lock is released meanwhile.)" +
+lines_from="image". The GIL is released meanwhile.)" +
            settingsOf(lining);
 }
 

@@ -20,7 +20,7 @@ class OpenRenderer {
 public:
     OpenRenderer(const BackendSettings& settings, ContextTime when) { renderer_.emplace(settings, when); }
 
-    /// Calls a function with the renderer, while Python's lock is released.
+    /// Calls a function with the renderer, while the GIL is released.
     template <class Function>
     auto with(Function function) {
         const py::gil_scoped_release released;

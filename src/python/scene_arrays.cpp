@@ -41,7 +41,7 @@ bool repeats(const py::array& array) {  // as np.broadcast_to() does
     return false;
 }
 
-// Numpy arrays, kept for as long as C++ reads them without Python's lock.
+// Numpy arrays, kept for as long as C++ reads them without the GIL.
 class KeptArrays {
 public:
     /// Whole numbers become real ones.

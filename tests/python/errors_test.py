@@ -1,5 +1,9 @@
 """Failures are classes by kind, with the command's texts."""
+import os
+import pathlib
+import shutil
 import subprocess
+import sys
 
 import pytest
 
@@ -54,3 +58,14 @@ def test_a_file_that_cannot_be_written_is_said(renderer, gear, view, tmp_path):
         lines.write(tmp_path / "no_folder" / "x.svg")
     with pytest.raises(inkedge.UsageError):
         lines.write(tmp_path / "x.docx")
+
+
+def test_another_python_is_refused_in_one_line(tmp_path):
+    package = pathlib.Path(inkedge.__file__).parent
+    shutil.copytree(package, tmp_path / "inkedge", ignore=shutil.ignore_patterns("*.so"))
+    (tmp_path / "inkedge" / "_inkedge.cpython-399-x86_64-linux-gnu.so").touch()
+    done = subprocess.run([sys.executable, "-c", "import inkedge"], capture_output=True, text=True,
+                          env={**os.environ, "PYTHONPATH": str(tmp_path)})
+    said = done.stderr.splitlines()[-1]
+    assert said.startswith("ImportError: inkedge: expected a Python for _inkedge.cpython-399-x86_64-linux-gnu.so, "
+                           f"found {sys.executable}, ")

@@ -47,3 +47,4 @@ def test_the_readmes_python_runs(tmp_path, monkeypatch):
             if "torch" in block and importlib.util.find_spec("torch") is None:
                 continue
             exec(block, values)  # pylint: disable=exec-used  # it is ours
+    assert values["maps"]["ids"][values["y"], values["x"], 2] == 2, "as the README says of OpenCV's point"

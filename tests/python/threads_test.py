@@ -53,7 +53,7 @@ def test_other_threads_go_on_while_one_loads_and_draws(renderer, gear, view):
 
     def counts():
         nonlocal count
-        while not done.wait(0.0005):  # gives Python's lock away
+        while not done.wait(0.0005):  # gives the GIL away
             count += 1
 
     def goes_on_during(action):
@@ -69,7 +69,7 @@ def test_other_threads_go_on_while_one_loads_and_draws(renderer, gear, view):
         assert goes_on_during(inkedge.Renderer)
         assert goes_on_during(lambda: renderer.render(gear, view, size=SIZE))
         assert goes_on_during(lambda: len(renderer.lines(gear, view, size=SIZE)))
-        assert not goes_on_during(lambda: [0] * 100_000), "of what keeps the lock"
+        assert not goes_on_during(lambda: [0] * 100_000), "of what keeps the GIL"
     finally:
         done.set()
         sys.setswitchinterval(interval)

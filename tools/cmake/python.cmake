@@ -22,7 +22,9 @@ list(JOIN inkedge_python_missing ", " inkedge_python_missing)
 
 if(INKEDGE_PYTHON STREQUAL AUTO)
   set(inkedge_python ON)
-  if(inkedge_python_missing)
+  if(INKEDGE_SANITIZE OR NOT PROJECT_IS_TOP_LEVEL)
+    set(inkedge_python OFF)  # the interpreter has no sanitizer to go with
+  elseif(inkedge_python_missing)
     set(inkedge_python OFF)
     message(STATUS "The Python module is left out: ${Python3_EXECUTABLE} lacks ${inkedge_python_missing}")
   endif()

@@ -20,7 +20,7 @@ def main(model, folder, views="8"):
         for i in range(int(views)):
             camera = inkedge.Camera.frame(scene, azimuth=360 * i / int(views), elevation=20)
             maps = renderer.render(scene, camera, size=(640, 480))
-            cv2.imwrite(f"{folder}/{i:03}_lines.png", (maps["types"] > 0) * 255)  # white on black
+            cv2.imwrite(f"{folder}/{i:03}_lines.png", (maps["types"] > 0).astype("uint8") * 255)  # white on black
             cv2.imwrite(f"{folder}/{i:03}_depth.tiff", maps["depth"])  # float32, units of the scene
             cv2.imwrite(f"{folder}/{i:03}_normal.png", (maps["normal"][..., ::-1] + 1) * 127.5)  # OpenCV has BGR
             cv2.imwrite(f"{folder}/{i:03}_ids.png", maps["ids"][..., 2].astype("uint16"))  # 0: background
