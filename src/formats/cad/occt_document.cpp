@@ -250,31 +250,35 @@ std::uint64_t failuresOf(const XSControl_WorkSession& session) {
     return count;
 }
 
-Document readStep(const char* file, const Request& limits) {
+Document readStep(const char* file, Healing healing, const Request& limits) {
     STEPCAFControl_Reader reader;
     reader.SetColorMode(true);
     reader.SetNameMode(true);
     reader.SetLayerMode(true);
     if (reader.ReadFile(file) != IFSelect_RetDone)
         throw std::runtime_error{"expected STEP as ISO 10303-21 has it, found text that is not"};
+    const bool mendedLess = setHealing(healing, reader.Reader().Model());
     Handle(TDocStd_Document) document = newDocument();
     reader.Transfer(document);
     Document read = Walk{document, mappedShapes(reader.Reader()), limits}.walk();
     read.unreadable = failuresOf(*reader.Reader().WS());
+    read.mendedLess = mendedLess;
     return read;
 }
 
-Document readIges(const char* file, const Request& limits) {
+Document readIges(const char* file, Healing healing, const Request& limits) {
     IGESCAFControl_Reader reader;
     reader.SetColorMode(true);
     reader.SetNameMode(true);
     reader.SetLayerMode(true);
     if (reader.ReadFile(file) != IFSelect_RetDone)
         throw std::runtime_error{"expected IGES as its standard has it, found text that is not"};
+    const bool mendedLess = setHealing(healing, reader.Model());
     Handle(TDocStd_Document) document = newDocument();
     reader.Transfer(document);
     Document read = Walk{document, {}, limits}.walk();
     read.unreadable = failuresOf(*reader.WS());
+    read.mendedLess = mendedLess;
     return read;
 }
 
@@ -304,9 +308,9 @@ void countLoose(const TopoDS_Shape& shape, Document& document) {
 
 }  // namespace
 
-Document readDocument(const char* file, CadFormat format, const Request& limits) {
-    Document document = format == CadFormat::Step   ? readStep(file, limits)
-                        : format == CadFormat::Iges ? readIges(file, limits)
+Document readDocument(const char* file, CadFormat format, Healing healing, const Request& limits) {
+    Document document = format == CadFormat::Step   ? readStep(file, healing, limits)
+                        : format == CadFormat::Iges ? readIges(file, healing, limits)
                                                     : readBrep(file);
     for (DocumentPart& part : document.parts) {
         countLoose(part.shape, document);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "formats/cad/model.h"
+#include "formats/cad/occt_healing.h"
 #include "formats/cad/request.h"
 
 namespace inkedge::cad {
@@ -31,10 +32,11 @@ struct Document {
     std::uint64_t points = 0;      ///< that are no ends of curves
     std::uint64_t invisible = 0;   ///< items that the file hides
     std::uint64_t unreadable = 0;  ///< items that OpenCASCADE could not make shapes of
+    bool mendedLess = false;       ///< than in full
 };
 
 /// Reads a file whose first and last lines are right, within the limits of instances and nodes.
 /// @throws std::runtime_error  with what was expected and what was found instead; Standard_Failure as OpenCASCADE
-[[nodiscard]] Document readDocument(const char* file, CadFormat, const Request&);
+[[nodiscard]] Document readDocument(const char* file, CadFormat, Healing, const Request&);
 
 }  // namespace inkedge::cad

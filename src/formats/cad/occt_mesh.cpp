@@ -2,7 +2,11 @@
 
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepMesh_Context.hxx>
+#include <BRepMesh_DelabellaMeshAlgoFactory.hxx>
+#include <BRepMesh_FaceDiscret.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
+#include <BRepMesh_MeshAlgoFactory.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
@@ -37,6 +41,20 @@ namespace {
 // Radians between the normals of neighbouring triangles: under the usual crease angle, so that no pixels of a fillet
 // bend as those of a crease do.
 constexpr double angularDeflection = 0.45;
+
+// The Delabella algorithm is quicker, by far where a plane has many holes; but on curved faces it makes other triangles.
+class MeshAlgorithms final : public IMeshTools_MeshAlgoFactory {
+public:
+    [[nodiscard]] Handle(IMeshTools_MeshAlgo)
+        GetAlgo(GeomAbs_SurfaceType surface, const IMeshTools_Parameters& parameters) const override {
+        return surface == GeomAbs_Plane ? ofPlanes_->GetAlgo(surface, parameters)
+                                        : ofOthers_->GetAlgo(surface, parameters);
+    }
+
+private:
+    Handle(IMeshTools_MeshAlgoFactory) ofPlanes_ = new BRepMesh_DelabellaMeshAlgoFactory;
+    Handle(IMeshTools_MeshAlgoFactory) ofOthers_ = new BRepMesh_MeshAlgoFactory;
+};
 
 template <class Visit>
 void forEachFace(const DocumentPart& part, Visit&& visit) {
@@ -132,7 +150,22 @@ void tessellate(const DocumentPart& part, double deflection) {
     parameters.Deflection = part.scale * deflection;
     parameters.Angle = angularDeflection;
     parameters.InParallel = true;
-    const BRepMesh_IncrementalMesh mesher{part.shape, parameters};
+    const Handle(IMeshTools_Context) context = new BRepMesh_Context;
+    context->SetFaceDiscret(new BRepMesh_FaceDiscret{new MeshAlgorithms});
+    BRepMesh_IncrementalMesh mesher;
+    mesher.SetShape(part.shape);
+    mesher.ChangeParameters() = parameters;
+    mesher.Perform(context);
+    if (lacksTriangles(part)) const BRepMesh_IncrementalMesh byDefault{part.shape, parameters};
+}
+
+bool lacksTriangles(const DocumentPart& part) {
+    bool lacks = false;
+    forEachFace(part, [&](const TopoDS_Face& face, std::size_t) {
+        TopLoc_Location location;
+        lacks = lacks || BRep_Tool::Triangulation(face, location).IsNull();
+    });
+    return lacks;
 }
 
 void bringToUsualSize(DocumentPart& part) {

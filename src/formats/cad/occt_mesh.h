@@ -10,6 +10,9 @@ namespace inkedge::cad {
 /// @param deflection  how far they may stray from the surface
 void tessellate(const DocumentPart&, double deflection);
 
+/// Whether a face of a part that was tessellated has no triangles.
+[[nodiscard]] bool lacksTriangles(const DocumentPart&);
+
 /// The triangles of a part that was tessellated, with what is known of the surfaces that they stand for. Those that
 /// stray from them by more than the deflection, as BRepMesh leaves some, are divided.
 [[nodiscard]] Part meshOf(const DocumentPart&, double deflection);

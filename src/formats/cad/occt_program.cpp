@@ -3,6 +3,7 @@
 #include <Message_Messenger.hxx>
 #include <Standard_Failure.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -24,16 +25,17 @@ constexpr double goodEnough = 1.25;
 // What is guessed from a box is guessed too large.
 constexpr double ofBoxes = 0.7;
 
+CadFormat formatOf(std::string_view name) {
+    return name == "STEP" ? CadFormat::Step : name == "IGES" ? CadFormat::Iges : CadFormat::Brep;
+}
+
 class Reading {
 public:
-    Reading(Document document, std::uint64_t maxVertices)
-        : document_{std::move(document)}, maxVertices_{maxVertices}, deflections_(document_.parts.size(), 0.0) {}
+    explicit Reading(const Request& request) : request_{request} {}
 
     void run() {
-        for (DocumentPart& part : document_.parts) bringToUsualSize(part);
-        std::vector<std::vector<glm::dvec3>> boxes;
-        for (const DocumentPart& part : document_.parts) boxes.push_back(boxOf(part));
-        makeFine(std::move(boxes), ofBoxes);
+        read(Healing::Quick);
+        if (document_.mendedLess && std::ranges::any_of(document_.parts, lacksTriangles)) read(Healing::Full);
         std::vector<std::vector<glm::dvec3>> points;
         for (const DocumentPart& part : document_.parts) points.push_back(pointsOf(part));
         makeFine(std::move(points), 1.0);
@@ -41,6 +43,16 @@ public:
     }
 
 private:
+    void read(Healing healing) {
+        const std::string file = fmt::format("/proc/self/fd/{}", modelDescriptor);
+        document_ = readDocument(file.c_str(), formatOf(request_.format), healing, request_);
+        deflections_.assign(document_.parts.size(), 0.0);
+        for (DocumentPart& part : document_.parts) bringToUsualSize(part);
+        std::vector<std::vector<glm::dvec3>> boxes;
+        for (const DocumentPart& part : document_.parts) boxes.push_back(boxOf(part));
+        makeFine(std::move(boxes), ofBoxes);
+    }
+
     // Asks how fine the parts are to be, and makes those anew that are not.
     void makeFine(std::vector<std::vector<glm::dvec3>> points, double share) {
         Outline outline;
@@ -63,10 +75,10 @@ private:
         for (std::size_t i = 0; i < document_.parts.size(); ++i) {
             model.parts.push_back(meshOf(document_.parts[i], deflections_[i]));
             vertices += model.parts.back().positions.size() + model.parts.back().indices.size();
-            if (vertices > maxVertices_)
+            if (vertices > request_.maxVertices)
                 throw std::runtime_error{
                     fmt::format("expected at most {} vertices and indices, found more; raise max-vertices or tolerance",
-                                maxVertices_)};
+                                request_.maxVertices)};
         }
         addLoose(model);
         return model;
@@ -84,20 +96,15 @@ private:
             model.undrawn.push_back(formats::counted(document_.unreadable, "item") + " that OpenCASCADE cannot read");
     }
 
+    const Request& request_;
     Document document_;
-    std::uint64_t maxVertices_;
     std::vector<double> deflections_;  // one per part: as it is tessellated; 0: not yet
 };
 
-CadFormat formatOf(std::string_view name) {
-    return name == "STEP" ? CadFormat::Step : name == "IGES" ? CadFormat::Iges : CadFormat::Brep;
-}
-
 std::string run(const Request& request) {
-    const std::string file = fmt::format("/proc/self/fd/{}", modelDescriptor);
     try {
         Message::DefaultMessenger()->ChangePrinters().Clear();
-        Reading{readDocument(file.c_str(), formatOf(request.format), request), request.maxVertices}.run();
+        Reading{request}.run();
     } catch (const Standard_Failure& failure) {
         const char* const message = failure.GetMessageString();
         return modules::oneLine(fmt::format("expected a model that OpenCASCADE reads, found {} in it{}{}",
