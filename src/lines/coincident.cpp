@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <queue>
 #include <tuple>
 
 #include <glm/geometric.hpp>
 
-#include "base/stop.h"
+#include "base/parallel.h"
+#include "lines/coincident_pieces.h"
 #include "lines/coincident_runs.h"
-#include "lines/picture_grid.h"
 #include "settings/pens.h"
 
 namespace inkedge::lines {
@@ -19,33 +21,11 @@ namespace {
 constexpr double asNear = 0.1;       // pixel footprints of depth: no line is nearer than the other
 constexpr double shortest = 1e-3;    // pixels: shorter pieces have no direction, and shorter overlaps are none
 constexpr double roundAnEnd = 10.0;  // times as far along a line as it may be off: what is as near only bends
-constexpr std::uint32_t piecesBetweenLooks = 256;
+// Pieces that are compared with others at once, and those of them by one thread.
+constexpr std::size_t piecesAtOnce = 2048;
+constexpr std::size_t piecesOfThread = 128;
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
-
-// A straight piece of a line.
-struct Piece {
-    std::uint32_t line;
-    std::uint32_t number;  // in the line
-    glm::dvec2 a;
-    glm::dvec2 b;
-    double start;  // pixels along the line to a
-    double length;
-    glm::dvec2 along;  // unit
-};
-
-// Two pieces along each other. Positions along a line count pieces, as those of a Part do.
-struct Overlap {
-    bool isBeside;  // not as near to each other as lines that are one, but not much further
-    struct Side {
-        std::uint32_t line;
-        double from;
-        double to;  // may be less than from
-        double depth;
-    };
-    Side stays;
-    Side goes;
-};
 
 // How near another line a line is when it falls on it, and for how long at least; pixels.
 struct Reach {
@@ -69,17 +49,20 @@ public:
             reaches_.push_back(reachOf(lines_[i], pens));
             if (picture.lines.contains(lines_[i].type)) addPieces(i);
         }
+        std::ranges::sort(pieces_, {}, [](const Piece& piece) { return std::pair{piece.rank, piece.index}; });
+        compared_.resize(pieces_.size(), 0);
+        gone_.resize(pieces_.size(), 0);
+        for (const Line& line : lines_) pieceAt_.emplace_back(line.points.size(), noPiece);
+        for (std::uint32_t p = 0; p < pieces_.size(); ++p) pieceAt_[pieces_[p].line][pieces_[p].number] = p;
     }
 
     std::vector<Line> merge() {
-        std::vector<Overlap> overlaps = findOverlaps();
-        if (overlaps.empty()) return std::move(lines_);
-        // The nearest first: what has gone makes no other line go.
-        std::vector<std::pair<Rank, std::uint32_t>> order;
-        order.reserve(overlaps.size());
-        for (std::uint32_t i = 0; i < overlaps.size(); ++i) order.emplace_back(rank(overlaps[i].stays), i);
-        std::ranges::stable_sort(order);
-        for (const auto& each : order) settle(overlaps[each.second]);
+        double reach = 0.0;
+        for (const Piece& piece : pieces_) reach = std::max(reach, farthest(piece, piece));
+        const Neighbours near{screen_.size(), cellSize(), pieces_, reach};
+        settleAll(near);
+        for (std::uint32_t i = 0; i < lines_.size(); ++i)
+            if (runs_[i] && !lines_[i].visible) addBeside(i, near);
         std::vector<Line> merged;
         for (std::uint32_t i = 0; i < lines_.size(); ++i) {
             if (!runs_[i]) {
@@ -95,15 +78,28 @@ private:
     void addPieces(std::uint32_t i) {
         const Line& line = lines_[i];
         const std::size_t count = line.points.size() - (line.closed ? 0 : 1);
+        std::size_t first = pieces_.size();
         double start = 0.0;
         for (std::uint32_t k = 0; k < count; ++k) {
             const glm::dvec2 a = line.points[k].pixel;
             const glm::dvec2 b = line.points[(k + 1) % line.points.size()].pixel;
             const double length = glm::distance(a, b);
-            if (length > shortest) pieces_.push_back({i, k, a, b, start, length, (b - a) / length});
+            if (length > shortest)
+                pieces_.push_back({i,
+                                   k,
+                                   a,
+                                   b,
+                                   start,
+                                   length,
+                                   (b - a) / length,
+                                   reaches_[i].within,
+                                   line.visible,
+                                   static_cast<std::uint32_t>(pieces_.size()),
+                                   {}});
             start += length;
         }
         lengths_[i] = start;
+        for (; first < pieces_.size(); ++first) pieces_[first].rank = firstRank(pieces_[first]);
     }
 
     // Whether a hidden line is too short to be cut, or to cut a longer one.
@@ -112,57 +108,86 @@ private:
     }
 
     // How near two lines are when they are one.
-    [[nodiscard]] double within(std::uint32_t a, std::uint32_t b) const {
-        return std::max(reaches_[a].within, reaches_[b].within);
-    }
+    [[nodiscard]] static double within(const Piece& p, const Piece& q) { return std::max(p.within, q.within); }
 
     // Of hidden lines, those beside others are found, too.
-    [[nodiscard]] double farthest(std::uint32_t a, std::uint32_t b) const {
-        return lines_[a].visible && lines_[b].visible ? within(a, b) : 2.0 * within(a, b);
+    [[nodiscard]] static double farthest(const Piece& p, const Piece& q) {
+        return p.visible && q.visible ? within(p, q) : 2.0 * within(p, q);
     }
 
-    [[nodiscard]] std::vector<Overlap> findOverlaps() const {
-        double reach = 0.0;
-        for (std::uint32_t i = 0; i < lines_.size(); ++i) reach = std::max(reach, farthest(i, i));
-        const PictureGrid grid{screen_.size()};
-        const CellLists listed{grid, pieces_.size(), [&](std::uint32_t p, auto&& visit) {
-                                   grid.forEachCell(pieces_[p].a, pieces_[p].b, reach, visit);
-                               }};
-        std::vector<Overlap> overlaps;
-        std::vector<std::uint32_t> lookedAtFor(pieces_.size(), ~0U);
-        for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
-            if (p % piecesBetweenLooks == 0) base::stopIfAsked();
-            grid.forEachCell(pieces_[p].a, pieces_[p].b, 0.0, [&](std::size_t cell) {
-                for (const std::uint32_t other : listed.in(cell)) {
-                    if (other >= p) break;
-                    if (lookedAtFor[other] == p) continue;
-                    lookedAtFor[other] = p;
-                    addOverlaps(pieces_[p], pieces_[other], overlaps);
-                }
+    // The nearest first: what has gone makes no other line go. A piece that has gone by its turn need not be compared
+    // with those behind it, so of many lines along each other all are compared with the first ones only.
+    void settleAll(const Neighbours& near) {
+        for (std::size_t begin = 0; begin < pieces_.size(); begin += piecesAtOnce) {
+            settleBefore({pieces_[begin].rank, std::uint64_t{pieces_[begin].index} << 32U, 0});
+            const std::size_t end = std::min(pieces_.size(), begin + piecesAtOnce);
+            for (std::size_t p = begin; p < end; ++p) compared_[p] = gone_[p] == 0 ? 1 : 0;
+            std::vector<std::vector<Overlap>> parts((end - begin + piecesOfThread - 1) / piecesOfThread);
+            base::onEach(parts.size(), [&](std::size_t part) {
+                const std::size_t first = begin + part * piecesOfThread;
+                for (std::size_t p = first; p < std::min(end, first + piecesOfThread); ++p)
+                    if (compared_[p] != 0) compare(static_cast<std::uint32_t>(p), near, parts[part]);
             });
+            for (const std::vector<Overlap>& part : parts)
+                for (const Overlap& overlap : part) wait(overlap);
         }
-        return overlaps;
+        settleBefore({{~std::uint64_t{0}, ~0U}, 0, 0});
     }
 
-    void addOverlaps(const Piece& p, const Piece& q, std::vector<Overlap>& overlaps) const {
-        const double far = farthest(p.line, q.line);
+    // Adds the overlaps of a piece with those that were not compared with it before.
+    void compare(std::uint32_t p, const Neighbours& near, std::vector<Overlap>& to) const {
+        const auto isOpen = [&](std::uint32_t other) {
+            if (other == p || (other < p && compared_[other] != 0)) return false;
+            return gone_[other] == 0 || givesType(other, p);
+        };
+        for (const std::uint32_t other : near.of(p, isOpen))
+            if (const auto overlap = overlapOf(p, other, within(pieces_[p], pieces_[other]))) to.push_back(*overlap);
+    }
+
+    // Finds the lines beside runs of a hidden one that are too short to stay otherwise.
+    void addBeside(std::uint32_t line, const Neighbours& near) {
+        for (const Run& run : runs_[line]->doubtful()) {
+            const auto count = static_cast<std::uint32_t>(pieceAt_[line].size());
+            for (auto k = static_cast<std::uint32_t>(run.begin); k < run.end; ++k) {
+                const std::uint32_t p = pieceAt_[line][k % count];
+                if (p != noPiece) addBesidePiece(p, near);
+            }
+        }
+    }
+
+    void addBesidePiece(std::uint32_t p, const Neighbours& near) {
+        for (const std::uint32_t other : near.of(p, [&](std::uint32_t i) { return i != p && gone_[i] == 0; })) {
+            const auto overlap = overlapOf(p, other, farthest(pieces_[p], pieces_[other]));
+            if (!overlap || overlap->goes.piece != p || hasGone(overlap->stays)) continue;
+            runs_[pieces_[p].line]->addBeside(overlap->goes.from, overlap->goes.to);
+        }
+    }
+
+    void wait(const Overlap& overlap) {
+        const std::uint64_t stays = pieces_[overlap.stays.piece].index;
+        waiting_.push({overlap.rank, stays << 32U | pieces_[overlap.goes.piece].index, overlaps_.size()});
+        overlaps_.push_back(overlap);
+    }
+
+    void settleBefore(const Waiting& end) {
+        for (; !waiting_.empty() && waiting_.top() < end; waiting_.pop()) settle(overlaps_[waiting_.top().index]);
+    }
+
+    // As many cells as pieces, at most: pixels.
+    [[nodiscard]] double cellSize() const {
+        const double pixels = static_cast<double>(screen_.size().width) * screen_.size().height;
+        return std::clamp(std::sqrt(pixels / static_cast<double>(pieces_.size() + 1)), 1.0, 6.0);
+    }
+
+    // The stretch of one piece along which another runs.
+    [[nodiscard]] std::optional<Overlap> overlapOf(std::uint32_t i, std::uint32_t j, double within) const {
+        if (pieces_[i].index < pieces_[j].index) std::swap(i, j);
+        const Piece& p = pieces_[i];
+        const Piece& q = pieces_[j];
         const double apart[2]{cross(p.along, q.a - p.a), cross(p.along, q.b - p.a)};
-        if (std::min(apart[0], apart[1]) > far || std::max(apart[0], apart[1]) < -far) return;
-        const double one = within(p.line, q.line);
-        if (const auto overlap = overlapOf(p, q, apart, one)) overlaps.push_back(*overlap);
-        if (far == one) return;
-        if (auto overlap = overlapOf(p, q, apart, far)) {
-            overlap->isBeside = true;
-            overlaps.push_back(*overlap);
-        }
-    }
-
-    // The stretch of p along which q runs.
-    // @param apart  how far q's ends are from p
-    [[nodiscard]] std::optional<Overlap> overlapOf(const Piece& p, const Piece& q, const double (&apart)[2],
-                                                   double within) const {
         if (std::min(apart[0], apart[1]) > within || std::max(apart[0], apart[1]) < -within) return {};
         const double at[2]{glm::dot(p.along, q.a - p.a), glm::dot(p.along, q.b - p.a)};
+        if (std::min(at[0], at[1]) >= p.length || std::max(at[0], at[1]) <= 0.0) return {};
         const double whole = at[1] - at[0];
         if (std::abs(whole) <= shortest) return {};
         // Shares of q: first where it lies beside p, then where it is near enough.
@@ -182,58 +207,92 @@ private:
         const double overlap = (to - from) * std::abs(whole);
         if (overlap <= shortest) return {};
         // Pieces that only cross part on either side. Many such in a row are no line that falls on another.
-        const bool seen = lines_[p.line].visible && lines_[q.line].visible;
-        if (seen && from > begin && to < end && overlap < minCoincident) return {};
+        if (p.visible && q.visible && from > begin && to < end && overlap < minCoincident) return {};
         const auto shareOfP = [&](double share) { return std::clamp((at[0] + share * whole) / p.length, 0.0, 1.0); };
         if (p.line == q.line && bends(p, shareOfP(0.5 * (from + to)), q, 0.5 * (from + to))) return {};
-        return decided(sideOf(p, shareOfP(from), shareOfP(to)), sideOf(q, from, to));
+        return decided(sideOf(i, shareOfP(from), shareOfP(to)), sideOf(j, from, to));
     }
 
     // Whether two points of one line are near each other because it has not gone on far from one to the other.
     [[nodiscard]] bool bends(const Piece& p, double atP, const Piece& q, double atQ) const {
         const double between = std::abs(p.start + atP * p.length - q.start - atQ * q.length);
         const double round = lines_[p.line].closed ? lengths_[p.line] - between : between;
-        return std::min(between, round) < roundAnEnd * farthest(p.line, p.line);
+        return std::min(between, round) < roundAnEnd * farthest(p, p);
     }
 
-    [[nodiscard]] Overlap::Side sideOf(const Piece& piece, double from, double to) const {
-        const double middle = piece.number + 0.5 * (from + to);
-        const glm::dvec3 point = atPosition(lines_[piece.line], middle).position - origin_;
-        const double depth = screen_.depth(point);
-        const double footprint = screen_.footprint(point);
-        // In footprints: in perspective these grow with the depth.
-        const double steps = screen_.orthographic() ? depth / footprint : std::log(depth) * depth / footprint;
-        return {piece.line, piece.number + from, piece.number + to, steps};
+    [[nodiscard]] Overlap::Side sideOf(std::uint32_t p, double from, double to) const {
+        return {p, pieces_[p].number + from, pieces_[p].number + to};
+    }
+
+    // In the middle of a side.
+    [[nodiscard]] double stepsTo(const Overlap::Side& side) const {
+        return stepsTo(atPosition(lines_[pieces_[side.piece].line], 0.5 * (side.from + side.to)).position);
+    }
+
+    // The depth of a point in footprints: in perspective these grow with the depth.
+    [[nodiscard]] double stepsTo(glm::dvec3 position) const {
+        const double depth = screen_.depth(position - origin_);
+        const double footprint = screen_.footprint(position - origin_);
+        return screen_.orthographic() ? depth / footprint : std::log(depth) * depth / footprint;
     }
 
     [[nodiscard]] Overlap decided(const Overlap::Side& p, const Overlap::Side& q) const {
-        const auto order = [&](const Overlap::Side& side) {
-            return std::tuple{lines_[side.line].type, side.line, side.from};
-        };
-        const bool seenAlike = lines_[p.line].visible == lines_[q.line].visible;
-        bool pStays = lines_[p.line].visible;
-        if (seenAlike && isScrap(p.line) != isScrap(q.line)) {
-            pStays = isScrap(q.line);
+        const std::uint32_t lineOfP = pieces_[p.piece].line;
+        const std::uint32_t lineOfQ = pieces_[q.piece].line;
+        const bool seenAlike = lines_[lineOfP].visible == lines_[lineOfQ].visible;
+        bool pStays = lines_[lineOfP].visible;
+        if (seenAlike && isScrap(lineOfP) != isScrap(lineOfQ)) {
+            pStays = isScrap(lineOfQ);
         } else if (seenAlike) {
-            pStays = std::abs(p.depth - q.depth) > asNear ? p.depth < q.depth : order(p) < order(q);
+            const double behind = stepsTo(p) - stepsTo(q);
+            const auto order = [&](std::uint32_t line, double from) {
+                return std::tuple{lines_[line].type, line, from};
+            };
+            pStays = std::abs(behind) > asNear ? behind < 0.0 : order(lineOfP, p.from) < order(lineOfQ, q.from);
         }
-        return pStays ? Overlap{false, p, q} : Overlap{false, q, p};
+        return pStays ? Overlap{rank(lineOfP, stepsTo(p)), p, q} : Overlap{rank(lineOfQ, stepsTo(q)), q, p};
     }
 
-    using Rank = std::tuple<bool, bool, double, LineType, std::uint32_t>;
-    [[nodiscard]] Rank rank(const Overlap::Side& side) const {
-        const Line& line = lines_[side.line];
-        return {!line.visible, isScrap(side.line), std::floor(side.depth / asNear), line.type, side.line};
+    [[nodiscard]] Rank rank(std::uint32_t line, double depth) const {
+        constexpr int typeBits = 5;
+        constexpr int depthBits = 57;
+        static_assert(lineTypeCount <= 1 << typeBits);
+        constexpr double limit = std::uint64_t{1} << (depthBits - 1);
+        const double step = std::fmax(-limit, std::fmin(std::floor(depth / asNear), limit - 16.0));
+        const auto steps =
+            static_cast<std::uint64_t>(static_cast<std::int64_t>(step) + static_cast<std::int64_t>(limit));
+        const std::uint64_t kind = (lines_[line].visible ? 0U : 2U) | (isScrap(line) ? 1U : 0U);
+        return {((kind << depthBits | steps) << typeBits) | static_cast<std::uint64_t>(lines_[line].type), line};
+    }
+    [[nodiscard]] Rank firstRank(const Piece& piece) const {
+        const auto& points = lines_[piece.line].points;
+        const std::size_t next = (piece.number + 1) % points.size();
+        return rank(piece.line, std::min(stepsTo(points[piece.number].position), stepsTo(points[next].position)));
     }
 
     void settle(const Overlap& overlap) {
-        const Line& stays = lines_[overlap.stays.line];
-        const Line& goes = lines_[overlap.goes.line];
-        if (runsOf(overlap.stays.line).hasGone(0.5 * (overlap.stays.from + overlap.stays.to))) return;
-        if (overlap.isBeside) return runsOf(overlap.goes.line).addBeside(overlap.goes.from, overlap.goes.to);
-        if (stays.visible && goes.visible && goes.type < stays.type)
-            runsOf(overlap.stays.line).add(overlap.stays.from, overlap.stays.to, goes.type);
-        runsOf(overlap.goes.line).add(overlap.goes.from, overlap.goes.to, {});
+        if (gone_[overlap.goes.piece] != 0 && !givesType(overlap.goes.piece, overlap.stays.piece)) return;
+        const std::uint32_t lineOfStays = pieces_[overlap.stays.piece].line;
+        const Piece& goes = pieces_[overlap.goes.piece];
+        if (hasGone(overlap.stays)) return;
+        CoincidentRuns& runs = runsOf(goes.line);
+        if (givesType(overlap.goes.piece, overlap.stays.piece))
+            runsOf(lineOfStays).add(overlap.stays.from, overlap.stays.to, lines_[goes.line].type);
+        runs.add(overlap.goes.from, overlap.goes.to, {});
+        if (runs.hasGone(goes.number, goes.number + 1.0, shortest / goes.length)) gone_[overlap.goes.piece] = 1;
+    }
+
+    // Whether a piece that stays becomes of the type of one that goes.
+    [[nodiscard]] bool givesType(std::uint32_t goes, std::uint32_t stays) const {
+        const Line& from = lines_[pieces_[goes].line];
+        const Line& to = lines_[pieces_[stays].line];
+        return from.visible && to.visible && from.type < to.type;
+    }
+
+    // In the middle of it.
+    [[nodiscard]] bool hasGone(const Overlap::Side& side) const {
+        const auto& runs = runs_[pieces_[side.piece].line];
+        return runs && runs->hasGone(0.5 * (side.from + side.to));
     }
 
     CoincidentRuns& runsOf(std::uint32_t line) {
@@ -289,7 +348,13 @@ private:
     const Screen& screen_;
     glm::dvec3 origin_;
     std::vector<Reach> reaches_;  // one per line
-    std::vector<Piece> pieces_;
+    std::vector<Piece> pieces_;   // in the order of their ranks
+    static constexpr std::uint32_t noPiece = ~0U;
+    std::vector<std::vector<std::uint32_t>> pieceAt_;  // by line and number
+    std::vector<std::uint8_t> compared_;               // one per piece: whether it was compared with all others
+    std::vector<std::uint8_t> gone_;                   // one per piece: whether all of it has
+    std::vector<Overlap> overlaps_;
+    std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting_;
     std::vector<double> lengths_;                      // of lines, pixels
     std::vector<std::optional<CoincidentRuns>> runs_;  // one per line; none: it stays as it is
 };

@@ -43,6 +43,17 @@ bool Stretches::hold(double position) const {
     return next != stretches_.begin() && std::prev(next)->second >= position;
 }
 
+bool Stretches::hold(double from, double to, double longestGap) const {
+    auto next = stretches_.upper_bound(from + longestGap);
+    if (next == stretches_.begin()) return false;
+    double reached = std::prev(next)->second;
+    for (; reached < to - longestGap; ++next) {
+        if (next == stretches_.end() || next->first > reached + longestGap) return false;
+        reached = next->second;
+    }
+    return true;
+}
+
 CoincidentRuns::CoincidentRuns(const Line& line, double within, double shortest)
     : own_{line.type}, closed_{line.closed}, within_{within}, shortest_{shortest}, lengths_{0.0} {
     const std::size_t count = line.points.size();
@@ -128,6 +139,14 @@ void CoincidentRuns::absorbBeside(std::vector<Run>& runs) const {
         if (runs.size() > 1 && goes) runs[i].type = {};
     }
     joinAlike(runs);
+}
+
+std::vector<Run> CoincidentRuns::doubtful() const {
+    std::vector<Run> runs = parted();
+    absorb(runs, 2.0 * within_);
+    if (runs.size() == 1) return {};
+    std::erase_if(runs, [&](const Run& run) { return !run.type || length(run) >= shortest_; });
+    return runs;
 }
 
 std::vector<Run> CoincidentRuns::cleaned() const {

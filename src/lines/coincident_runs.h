@@ -20,6 +20,8 @@ class Stretches {
 public:
     void add(double from, double to);
     [[nodiscard]] bool hold(double position) const;
+    /// Whether they hold all of a stretch but for gaps no longer than longestGap.
+    [[nodiscard]] bool hold(double from, double to, double longestGap) const;
     [[nodiscard]] auto begin() const { return stretches_.begin(); }
     [[nodiscard]] auto end() const { return stretches_.end(); }
 
@@ -41,6 +43,12 @@ public:
     void addBeside(double from, double to) { beside_.add(from, to); }
 
     [[nodiscard]] bool hasGone(double position) const { return gone_.hold(position); }
+    [[nodiscard]] bool hasGone(double from, double to, double longestGap) const {
+        return gone_.hold(from, to, longestGap);
+    }
+
+    /// What is left, but so short that it does not stay if it is beside another line.
+    [[nodiscard]] std::vector<Run> doubtful() const;
 
     /// What is left, without stretches too short to be meant.
     [[nodiscard]] std::vector<Run> cleaned() const;

@@ -16,17 +16,21 @@ namespace inkedge::lines {
 /// Square cells over a picture. What lies beyond its edges belongs to the cells there.
 class PictureGrid {
 public:
-    explicit PictureGrid(Size size)
-        : columns_{static_cast<int>(std::ceil(size.width / cellSize))},
+    /// @param cellSize  pixels
+    explicit PictureGrid(Size size, double cellSize = usualCell)
+        : cellSize_{cellSize},
+          columns_{static_cast<int>(std::ceil(size.width / cellSize))},
           rows_{static_cast<int>(std::ceil(size.height / cellSize))} {}
+
+    static constexpr double usualCell = 8.0;
 
     /// Calls visit(cell) for each cell that a straight piece touches, and perhaps for a few cells beside it.
     /// @param reach  pixels: cells that are as near to the piece as that count, too
     template <class Visit>
     void forEachCell(glm::dvec2 from, glm::dvec2 to, double reach, Visit&& visit) const {
-        const glm::dvec2 a = from / cellSize;
-        const glm::dvec2 b = to / cellSize;
-        const double wider = reach / cellSize;
+        const glm::dvec2 a = from / cellSize_;
+        const glm::dvec2 b = to / cellSize_;
+        const double wider = reach / cellSize_;
         const int firstRow = clampTo(rows_, std::min(a.y, b.y) - wider);
         const int lastRow = clampTo(rows_, std::max(a.y, b.y) + wider);
         for (int row = firstRow; row <= lastRow; ++row) {
@@ -47,14 +51,12 @@ public:
     }
 
     [[nodiscard]] std::size_t cellOf(glm::dvec2 pixel) const {
-        return cellAt(clampTo(columns_, pixel.x / cellSize), clampTo(rows_, pixel.y / cellSize));
+        return cellAt(clampTo(columns_, pixel.x / cellSize_), clampTo(rows_, pixel.y / cellSize_));
     }
 
     [[nodiscard]] std::size_t cells() const { return cellAt(0, rows_); }
 
 private:
-    static constexpr double cellSize = 8.0;  // pixels
-
     [[nodiscard]] static int clampTo(int count, double at) {
         return std::clamp(static_cast<int>(std::clamp(std::floor(at), -1.0, 1e9)), 0, count - 1);
     }
@@ -62,6 +64,7 @@ private:
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
     }
 
+    double cellSize_;
     int columns_;
     int rows_;
 };

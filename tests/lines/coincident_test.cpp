@@ -14,6 +14,7 @@ namespace {
 using namespace scenes;
 using namespace views;
 using testing::IsEmpty;
+using testing::Not;
 using testing::SizeIs;
 
 constexpr double exact = 1e-6;  // pixels: doubles, from corners that floats hold
@@ -70,6 +71,27 @@ TEST(Coincident, LinesAreOneOfTheNearestSeenOne) {
         ASSERT_THAT(merged, SizeIs(1));
         EXPECT_EQ(merged[0].object, 2U);
     }
+}
+
+// More pieces than are compared at once: what has gone before its turn is left out of later comparisons.
+TEST(Coincident, OfManyLinesOfManyPiecesTheNearestStays) {
+    constexpr int lineCount = 12;
+    std::vector<Line> lines;
+    for (int i = 0; i < lineCount; ++i) {
+        std::vector<glm::dvec2> pixels;
+        for (int k = 0; k <= 300; ++k) pixels.emplace_back(20.0 + k + 0.01 * i, 40.0 + 5.0 * std::sin(0.02 * k));
+        const bool isSeen = i % 2 == 0;
+        const auto line = Plane::line(LineType::Crease, pixels, 50.0 - i);
+        lines.push_back(isSeen ? line : Plane::hidden(line));
+    }
+    const auto merged = Plane{}.merged(lines);
+    ASSERT_THAT(merged, Not(IsEmpty()));
+    double ofNearest = 0.0;
+    double ofOthers = 0.0;
+    for (const Line& line : merged)
+        (line.visible && line.points[0].position.z == -(50.0 - (lineCount - 2)) ? ofNearest : ofOthers) += length(line);
+    EXPECT_NEAR(ofNearest, length(lines[lineCount - 2]), exact);
+    EXPECT_EQ(ofOthers, 0.0);
 }
 
 TEST(Coincident, LinesTakeTheTypeThatComesFirstWhereTheyRun) {
