@@ -36,6 +36,8 @@
 namespace inkedge::lines {
 namespace {
 
+// A tree of triangles takes as long a triangle as simple work on so many elements.
+constexpr std::size_t workOfTree = 20;
 constexpr double outside = 0.5;  // pixels beyond a contour: a surface that is met there lies behind the contour
 
 // The segments of one view, and how they are seen.
@@ -218,7 +220,7 @@ private:
 struct ObjectLines::Prepared {
     explicit Prepared(const Scene& whole) : scene{whole} {
         base::Later<std::unique_ptr<const RayCaster>> raysToCome{
-            [&] { return std::make_unique<const RayCaster>(scene); }, preparedOf(scene)->triangleCount};
+            [&] { return std::make_unique<const RayCaster>(scene); }, workOfTree * preparedOf(scene)->triangleCount};
         findEdgesOfMeshes();
         rays = raysToCome.take();
     }
@@ -243,9 +245,16 @@ struct ObjectLines::Prepared {
 
     // Found when they are first asked for: no other line needs the search.
     const std::vector<IntersectionSegment>& intersections() const {
-        const std::unique_lock lock = base::lockUnlessStopped(mutex_);
+        const std::unique_lock lock = base::lockUnlessStopped(intersectionsMutex_);
         if (!intersections_) intersections_ = findIntersections(scene, edges);
         return *intersections_;
+    }
+
+    // Finds them beside what goes on, the first time.
+    [[nodiscard]] base::Later<const std::vector<IntersectionSegment>*> intersectionsToCome() const {
+        const std::unique_lock lock = base::lockUnlessStopped(intersectionsMutex_);
+        const std::size_t work = intersections_ ? 0 : workOfTree * preparedOf(scene)->triangleCount;
+        return {[this] { return &intersections(); }, work};
     }
 
     // Null: the scene's surface is one.
@@ -340,8 +349,9 @@ private:
         }
     }
 
-    mutable std::timed_mutex mutex_;  // of what is made on first use
+    mutable std::timed_mutex intersectionsMutex_;
     mutable std::optional<std::vector<IntersectionSegment>> intersections_;
+    mutable std::timed_mutex mutex_;  // of what else is made on first use
     mutable std::optional<SurfaceComponents> components_;
     mutable std::vector<std::shared_ptr<const mesh::LimitSurfaces>> limits_;
     mutable std::shared_ptr<const std::vector<std::vector<IsolineSegment>>> isolines_;
@@ -378,6 +388,9 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings, Ma
     base::StageClock clock{result.times};
 
     const Screen screen{camera, scene.bounds().centre, settings.picture.size};
+    std::optional<base::Later<const std::vector<IntersectionSegment>*>> intersections;
+    if (settings.picture.lines.contains(LineType::Intersection))
+        intersections.emplace(prepared_->intersectionsToCome());
     std::vector<Segment> segments = prepared_->curves(
         screen,
         {settings.lines.contour, settings.lines.contourFinder, settings.lines.subdivideAdaptive, nullptr,
@@ -389,7 +402,7 @@ Lines ObjectLines::find(const Camera& camera, const RenderSettings& settings, Ma
         screen, {forms, settings.lines.form, settings.lines.hidden, camera::standsOutside(camera, scene)}, segments);
     if (!forms.empty()) clock.finish("lines of form");
     if (settings.picture.lines.contains(LineType::Marked)) addFileLines(scene, prepared_->fileLines, segments);
-    if (settings.picture.lines.contains(LineType::Intersection)) addIntersections(prepared_->intersections(), segments);
+    if (intersections) addIntersections(*intersections->get(), segments);
     clock.finish("intersections");
     std::vector<ScreenSegment> projected = project(segments, screen);
     const std::vector<Chain> chains = chainSegments(segments, projected);
