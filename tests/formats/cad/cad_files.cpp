@@ -152,6 +152,15 @@ TopoDS_Shape withCurves(const TopoDS_Shape& shape) {
     return all;
 }
 
+TopoDS_Shape crossing() {
+    const BRep_Builder builder;
+    TopoDS_Compound both;
+    builder.MakeCompound(both);
+    builder.Add(both, box());
+    builder.Add(both, BRepPrimAPI_MakeCylinder(gp_Ax2{{-10.0, 10.0, 15.0}, {1.0, 0.0, 0.0}}, 4.0, 30.0).Shape());
+    return both;
+}
+
 TopoDS_Shape make(Shape shape) {
     Message::DefaultMessenger()->ChangePrinters().Clear();
     switch (shape) {
@@ -193,6 +202,8 @@ TopoDS_Shape make(Shape shape) {
             return mirrored(box());
         case Shape::CurvesAndPoint:
             return withCurves(box());
+        case Shape::Crossing:
+            return crossing();
     }
     return {};
 }

@@ -23,6 +23,7 @@ enum class Shape {
     Revolved,       ///< a B-spline curve turned about z
     OpenBox,        ///< the box without its top
     Pieces,         ///< the faces of the box, which share no edge
+    Crossing,       ///< two solids: the box, and a cylinder of radius 4 about (x, 10, 15) for x of -10 to 20
     Moved,          ///< a cylinder of radius 5 and height 12 about the x axis from (100, 0, 0) on
     Mirrored,       ///< the box with faces turned over, at (-10, 0, 0) to (0, 20, 30)
     CurvesAndPoint  ///< the box with two curves and a point beside it
