@@ -54,6 +54,20 @@ expect_start(${WORK}/drawn.png ${png})
 expect_start(${WORK}/drawn.exr ${exr})
 expect_start(${WORK}/drawn.svg ${xml})
 
+# From C, by pkg-config alone; with the strictest standard, for the header must be C.
+file(GLOB_RECURSE packages ${WORK}/prefix/*/inkedge.pc)
+get_filename_component(packages "${packages}" DIRECTORY)
+execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${packages} pkg-config --cflags --libs inkedge
+                OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+separate_arguments(flags UNIX_COMMAND "${flags} ${CXX_FLAGS}")
+file(GLOB_RECURSE library ${WORK}/prefix/*/libinkedge.so)
+get_filename_component(library "${library}" DIRECTORY)
+run(${C_COMPILER} -std=c90 -Wall -Wextra -Wpedantic -Wno-long-long -Werror ${CMAKE_CURRENT_LIST_DIR}/main.c
+    ${LINKED_BESIDE} -o ${WORK}/build/draw_c ${flags} -Wl,-rpath,${library})
+run(${WORK}/build/draw_c ${MODEL} ${WORK}/c.png ${WORK}/c.svg)
+expect_start(${WORK}/c.png ${png})
+expect_start(${WORK}/c.svg ${xml})
+
 run(${WORK}/prefix/bin/inkedge render ${MODEL} --detector classic --size 64x64 --output ${WORK}/commanded.exr)
 expect_start(${WORK}/commanded.exr ${exr})
 

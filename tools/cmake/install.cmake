@@ -7,6 +7,10 @@ target_compile_features(inkedge PUBLIC cxx_std_20)  # the public headers need it
 install(TARGETS inkedge EXPORT inkedgeTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS inkedge_command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY src/inkedge DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.h)
+install(FILES src/c/inkedge.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+file(RELATIVE_PATH to_prefix /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+configure_file(tools/cmake/inkedge.pc.in ${PROJECT_BINARY_DIR}/inkedge.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/inkedge.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 # The manual page and the completions are what the command itself prints.
 if(NOT CMAKE_CROSSCOMPILING)
   set(texts ${PROJECT_BINARY_DIR}/texts)
