@@ -1,13 +1,16 @@
 #include <inkedge/views.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <optional>
+#include <random>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,6 +21,7 @@
 #include <inkedge/setting_table.h>
 
 #include "base/message.h"
+#include "settings/json_text.h"
 #include "settings/names.h"
 #include "settings/text.h"
 
@@ -66,8 +70,38 @@ void sphere(int count, const CameraSettings& base, std::vector<CameraSettings>& 
 
 // ---- a list
 
-constexpr std::string_view turntablePrefix = "turntable:";
-constexpr std::string_view spherePrefix = "sphere:";
+std::uint64_t seedOf(const std::string& text, std::string_view digits) {
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), seed);
+    if (error != std::errc{} || end != digits.data() + digits.size())
+        refuse(Error::Kind::Usage,
+               fmt::format("--views: expected a whole number as the seed of random views, found '{}'", text));
+    return seed;
+}
+
+// Evenly likely directions. The engine's numbers are the same everywhere, those of the standard's distributions not.
+void random(const std::string& text, std::string_view numbers, const CameraSettings& base,
+            std::vector<CameraSettings>& cameras) {
+    const std::size_t colon = numbers.find(':');
+    std::mt19937_64 engine{colon == std::string_view::npos ? 0 : seedOf(text, numbers.substr(colon + 1))};
+    const auto share = [&] { return std::ldexp(static_cast<double>(engine() >> 11U), -53); };  // 0 to under 1
+    const int count = countOf(text, numbers.substr(0, colon));
+    for (int i = 0; i < count; ++i) {
+        CameraSettings& camera = cameras.emplace_back(base);
+        camera.azimuthAngle = 360.0 * share();
+        camera.elevationAngle = glm::degrees(std::asin(2.0 * share() - 1.0));
+    }
+}
+
+using AddCameras = void (*)(const std::string& text, std::string_view numbers, const CameraSettings& base,
+                            std::vector<CameraSettings>&);
+constexpr std::array<std::pair<std::string_view, AddCameras>, 3> numberedItems{{
+    {"turntable:", [](const std::string& text, std::string_view numbers, const CameraSettings& base,
+                      auto& cameras) { turntable(countOf(text, numbers), base, cameras); }},
+    {"sphere:", [](const std::string& text, std::string_view numbers, const CameraSettings& base,
+                   auto& cameras) { sphere(countOf(text, numbers), base, cameras); }},
+    {"random:", random},
+}};
 
 std::optional<NamedView> namedView(std::string_view text) {
     const auto* const found = std::ranges::find(settings::namedViewNames, text);
@@ -76,11 +110,12 @@ std::optional<NamedView> namedView(std::string_view text) {
 }
 
 bool isItem(std::string_view text) {
-    return namedView(text) || text.starts_with(turntablePrefix) || text.starts_with(spherePrefix);
+    return namedView(text) ||
+           std::ranges::any_of(numberedItems, [&](const auto& item) { return text.starts_with(item.first); });
 }
 
 std::string itemForms() {
-    return fmt::format("{}, turntable:N or sphere:N", fmt::join(settings::namedViewNames, ", "));
+    return fmt::format("{}, turntable:N, sphere:N or random:N:SEED", fmt::join(settings::namedViewNames, ", "));
 }
 
 void expectFreeDirection(const std::string& text, const CameraSettings& base, bool allNamed) {
@@ -96,7 +131,7 @@ void expectFreeDirection(const std::string& text, const CameraSettings& base, bo
                fmt::format("--views: expected no azimuth or elevation angle beside '{}', found one", text));
 }
 
-// Named views, turntables and spheres, in their order. The last two are numbered through.
+// Named views and those that are numbered, in their order.
 std::vector<View> listedViews(const std::string& text, CameraSettings base) {
     const std::vector<std::string_view> items = settings::split(text, ',');
     const auto isNamed = [](std::string_view item) { return namedView(item).has_value(); };
@@ -120,10 +155,8 @@ std::vector<View> listedViews(const std::string& text, CameraSettings base) {
             continue;
         }
         const std::size_t before = numberedCameras.size();
-        if (item.starts_with(turntablePrefix))
-            turntable(countOf(text, item.substr(turntablePrefix.size())), base, numberedCameras);
-        else
-            sphere(countOf(text, item.substr(spherePrefix.size())), base, numberedCameras);
+        for (const auto& [prefix, add] : numberedItems)
+            if (item.starts_with(prefix)) add(text, item.substr(prefix.size()), base, numberedCameras);
         for (std::size_t i = before; i < numberedCameras.size(); ++i) {
             numberedViews.push_back(views.size());
             views.push_back({{}, numberedCameras[i]});
@@ -160,14 +193,6 @@ Json parse(const fs::path& file) {
     }
 }
 
-std::string textOf(const Json& value) {
-    if (value.is_string()) return value.get<std::string>();
-    if (!value.is_array()) return value.dump();
-    std::string text;
-    for (const Json& item : value) text += (text.empty() ? "" : ",") + item.dump();
-    return text;
-}
-
 bool isName(const std::string& name) {
     return !name.empty() && name.size() <= 200 && name.front() != '.' &&
            name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.") ==
@@ -192,7 +217,7 @@ View viewFrom(const Json& source, std::string name, const CameraSettings& base, 
             refuse(Error::Kind::Usage, fmt::format("{}: expected name or a camera setting, as azimuth or "
                                                    "camera-position, found {}",
                                                    where, base::quote(key)));
-        set(settings, key, textOf(value), where + ": " + key);
+        set(settings, key, settings::textOfJson(value), where + ": " + key);
     }
     return {std::move(name), settings.camera};
 }

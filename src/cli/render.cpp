@@ -157,9 +157,8 @@ void addRender(CLI::App& app, Action& action) {
                      "one file for all views")
         ->type_name("FILE");
     verb->add_option("--views", arguments->views,
-                     "draw several views: names as for --view, turntable:N and sphere:N with commas between them, or a "
-                     "JSON list of "
-                     "camera settings; --output needs {view}")
+                     "draw several views: names as for --view, turntable:N, sphere:N and random:N:SEED with commas "
+                     "between them, or a JSON list of camera settings; --output needs {view}")
         ->type_name("VIEWS");
     verb->add_option("--jobs", arguments->jobs, "views drawn at the same time [cores]")
         ->check(numberFrom(1, 1024))

@@ -17,15 +17,17 @@ struct View {
     CameraSettings camera;
 };
 
-/// The views that a text asks for, several of the first three with commas between them, or one file:
+/// The views that a text asks for, several of the first four with commas between them, or one file:
 /// - a NamedView's name, "front", which is its View's, too;
 /// - "turntable:N": N views from azimuth base.azimuthAngle (0 if not given) on, 360 / N degrees apart, each at
 ///   base.elevationAngle;
 /// - "sphere:N": N directions spread evenly over the sphere (a Fibonacci lattice: the i-th at height 1 - (2 i + 1) / N,
 ///   i golden angles around);
+/// - "random:N:SEED": N directions, each as likely as any other, the same for the same seed; a whole number, or 0 where
+///   it is left out;
 /// - a JSON file: a list of objects, each with camera settings by their names ("camera-azimuth-angle": 30,
 ///   "camera-position": [1, 2, 3] or "1,2,3") and optionally "name" (letters, digits, -, _ and .).
-/// Turntables and spheres of one list are numbered on. Beside a named view they are orthographic as it is, unless
+/// Turntables, spheres and random views of one list are numbered on. Beside a named view they are orthographic as it is, unless
 /// base.viewAngle is given. What a view does not set is as in base.
 /// @param base    must have neither position nor direction nor index nor view but for a file; for named views no angles
 /// @throws Error  (Kind::Usage) if the text or the file is not as described, or two views have one name; (Kind::Input)

@@ -55,6 +55,32 @@ TEST(SphereOfViews, SpreadsEvenly) {
     EXPECT_GE(nearest, 0.75 * std::sqrt(8.0 * M_PI / (std::sqrt(3.0) * count)));
 }
 
+TEST(RandomViews, AreTheSameForTheSameSeedAndSpreadOverTheSphere) {
+    constexpr std::size_t count = 4000;
+    const std::vector<View> views = viewsOf("random:4000:7", {});
+    ASSERT_THAT(views, SizeIs(count));
+    EXPECT_EQ(views[17].name, "0017");
+    // 64 bits of mt19937_64 are the standard's; the first of seed 7 by another program: azimuth, then elevation.
+    EXPECT_DOUBLE_EQ(*views[0].camera.azimuthAngle, 271.5787094950289);
+    EXPECT_DOUBLE_EQ(*views[0].camera.elevationAngle, 63.97496350620857);
+    glm::dvec3 sum{0.0};
+    std::size_t above30 = 0;
+    for (const View& view : views) {
+        sum += towardsCamera(view.camera);
+        if (*view.camera.elevationAngle > 30.0) ++above30;
+    }
+    // Sums of so many unit vectors lie within 4 standard deviations, 4 / sqrt(3 n) a component, of their mean, 0; a
+    // quarter of a sphere lies above 30 degrees.
+    EXPECT_LE(glm::length(sum) / count, 4.0 / std::sqrt(static_cast<double>(count)));
+    EXPECT_NEAR(static_cast<double>(above30), 0.25 * count, 4.0 * std::sqrt(0.25 * 0.75 * count));
+    EXPECT_NE(viewsOf("random:1:8", {})[0].camera.azimuthAngle, views[0].camera.azimuthAngle);
+    EXPECT_EQ(viewsOf("random:3", {})[2].camera.azimuthAngle, viewsOf("random:3:0", {})[2].camera.azimuthAngle);
+    EXPECT_THAT(viewsOf("turntable:2,random:2:1", {}), SizeIs(4));
+    for (const char* wrong : {"random:2:", "random:2:x", "random:2:-1", "random:2:1:1"})
+        expectError(Error::Kind::Usage, HasSubstr("expected a whole number as the seed of random views, found"),
+                    [&] { static_cast<void>(viewsOf(wrong, {})); });
+}
+
 TEST(NamedViews, StandInAListWithTurntablesAndSpheres) {
     CameraSettings base;
     base.elevationAngle = 12.0;
@@ -84,8 +110,8 @@ TEST(NamedViews, AreRefusedWithWhatIsWrong) {
         expectError(Error::Kind::Usage, HasSubstr(message), [&] { static_cast<void>(viewsOf(text, base)); });
     };
     refused("front,rigth",
-            "--views: expected front, back, left, right, top, bottom, iso, dimetric, turntable:N or "
-            "sphere:N, found 'rigth'");
+            "--views: expected front, back, left, right, top, bottom, iso, dimetric, turntable:N, "
+            "sphere:N or random:N:SEED, found 'rigth'");
     refused("front,", "found ''");
     refused("front,top,front", "--views: expected each view once, found 'front' again");
     refused("front,turntable:0", "--views: expected a number of views from 1 to 1000000");
@@ -150,7 +176,7 @@ TEST_F(ViewsFile, IsRefusedWithTheViewThatIsWrong) {
 TEST(ViewsText, IsRefusedWhenItNamesNothing) {
     expectError(Error::Kind::Input,
                 HasSubstr("circle:8: expected front, back, left, right, top, bottom, iso, dimetric, turntable:N or "
-                          "sphere:N, or a file of views, found none"),
+                          "sphere:N or random:N:SEED, or a file of views, found none"),
                 [] { static_cast<void>(viewsOf("circle:8", {})); });
     for (const char* wrong : {"turntable:", "turntable:0", "turntable:-3", "sphere:1.5", "sphere:2000000"})
         expectError(Error::Kind::Usage, HasSubstr("expected a number of views from 1 to 1000000"),
