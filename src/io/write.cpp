@@ -11,12 +11,12 @@
 
 #include "base/staged_files.h"
 #include "images/encode_exr.h"
+#include "io/encode_files.h"
 #include "io/map_layers.h"
 #include "io/map_pictures.h"
 #include "io/npz.h"
 #include "io/output_formats.h"
 #include "io/picture.h"
-#include "io/write_map_files.h"
 #include "raster/memory.h"
 
 namespace fs = std::filesystem;
@@ -170,30 +170,29 @@ std::vector<Map> defaultMaps(const fs::path& output) {
     return {Map::Depth, Map::Normal, Map::Types, Map::Ids, Map::Edges};
 }
 
-void io::writeMapFiles(const Maps& maps, std::span<const Map> wanted, std::span<const fs::path> files) {
+void io::encodeMaps(const Maps& maps, std::span<const Map> wanted, std::span<const fs::path> files,
+                    const TakeFile& take) {
     const std::vector<Map> each = distinct(wanted);
     expectRendered(maps, each);
-
-    base::StagedFiles staged;
     const io::PictureFormat format = io::pictureFormat(files.front());
     if (io::holdsAllMaps(format)) {
         const fs::path& file = files.front();
-        staged.add(file, format == io::PictureFormat::Npz ? npzOf(maps, each) : exrOf(maps, each, file));
-    } else {
-        staged.add(files.front(), io::encodePicture(maps.picture, files.front(), maps.dpi));
-        std::size_t next = 1;
-        for (const io::MapLayer& layer : ::inkedge::layersOf(maps, each)) {
-            const fs::path& file = files[next++];
-            staged.add(file, format == io::PictureFormat::Tiff ? io::tiffOf(layer, maps.dpi, file)
-                                                               : io::pngOf(maps, layer, file));
-        }
+        return take(file, format == io::PictureFormat::Npz ? npzOf(maps, each) : exrOf(maps, each, file));
     }
-    staged.commit();
+    take(files.front(), io::encodePicture(maps.picture, files.front(), maps.dpi));
+    std::size_t next = 1;
+    for (const io::MapLayer& layer : ::inkedge::layersOf(maps, each)) {
+        const fs::path& file = files[next++];
+        take(file,
+             format == io::PictureFormat::Tiff ? io::tiffOf(layer, maps.dpi, file) : io::pngOf(maps, layer, file));
+    }
 }
 
 std::vector<fs::path> writeMaps(const Maps& maps, std::span<const Map> wanted, const fs::path& output) {
     std::vector<fs::path> files = outputFiles(output, wanted);
-    io::writeMapFiles(maps, wanted, files);
+    base::StagedFiles staged;
+    io::encodeMaps(maps, wanted, files, [&](const fs::path& file, auto bytes) { staged.add(file, bytes); });
+    staged.commit();
     return files;
 }
 

@@ -3,22 +3,20 @@
 #include <algorithm>
 #include <optional>
 
+#include <inkedge/load_scene.h>
 #include <inkedge/write.h>
 
 #include "base/stage_clock.h"
+#include "base/staged_files.h"
 #include "base/stop.h"
 #include "io/output_formats.h"
-#include "io/write_map_files.h"
 #include "job/file_names.h"
+#include "job/output_kinds.h"
 #include "render/needs_context.h"
+#include "settings/idle.h"
 
 namespace inkedge::job {
 namespace {
-
-struct Drawn {
-    std::optional<Maps> maps;
-    std::optional<Lines> lines;
-};
 
 // What files of lines hold: some have nothing under their lines.
 RenderSettings forLines(const std::vector<std::string>& outputs, RenderSettings settings) {
@@ -30,34 +28,19 @@ RenderSettings forLines(const std::vector<std::string>& outputs, RenderSettings 
     return settings;
 }
 
-Drawn draw(const Job& job, const Scene& scene, const Camera& camera, const Settings& settings, Renderer& renderer) {
-    const auto linesAmong = std::ranges::count_if(job.outputs, [](const auto& output) { return holdsLines(output); });
-    Drawn drawn;
-    if (linesAmong > 0) drawn.lines = renderer.lines(scene, camera, forLines(job.outputs, settings));
-    if (linesAmong == 0 || static_cast<std::size_t>(linesAmong) < job.outputs.size())
-        drawn.maps = renderer.render(scene, camera, withMapsOf(job.outputs, settings));
-    return drawn;
-}
-
-std::vector<std::filesystem::path> write(const Drawn& drawn, const Job& job, const View& view,
-                                         const Settings& settings) {
-    std::vector<std::filesystem::path> files;
-    for (const std::string& output : job.outputs) {
-        auto written = filesOfOutput(job, output, view);
-        if (holdsLines(output))
-            writeLines(*drawn.lines, settings, written.front());
-        else
-            io::writeMapFiles(*drawn.maps, mapsIn(output, settings), written);
-        for (auto& file : written) files.push_back(std::move(file));
-    }
-    return files;
-}
+bool startsWithLines(const Job& job) { return !job.outputs.empty() && holdsLines(job.outputs.front()); }
 
 void writeText(const std::filesystem::path& file, const std::string& text) {
     writeFile(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
 }  // namespace
+
+Scene sceneOf(const Job& job, std::span<const View> views) {
+    LoadSettings load = loadSettings(job.settings, views);
+    load.completeNormals = settings::readsVertexNormals(withMapsOf(job.outputs, job.settings), kindsOf(job, views));
+    return job.bytes ? loadScene(*job.bytes, job.model, load) : loadScene(job.model, load);
+}
 
 bool needsContext(const Job& job) {
     const auto forPictures = [&] { return render::pictureNeedsContext(withMapsOf(job.outputs, job.settings)); };
@@ -67,20 +50,49 @@ bool needsContext(const Job& job) {
     });
 }
 
+DrawnView draw(const Job& job, const View& view, const FramedView& framed, const Scene& scene, Renderer& renderer) {
+    DrawnView drawn{job.settings, {}, {}};
+    drawn.settings.camera = view.camera;
+    drawn.settings.picture = framed.picture;
+    const auto linesAmong = std::ranges::count_if(job.outputs, [](const auto& output) { return holdsLines(output); });
+    if (linesAmong > 0) drawn.lines = renderer.lines(scene, framed.camera, forLines(job.outputs, drawn.settings));
+    if (linesAmong == 0 || static_cast<std::size_t>(linesAmong) < job.outputs.size())
+        drawn.maps = renderer.render(scene, framed.camera, withMapsOf(job.outputs, drawn.settings));
+    return drawn;
+}
+
+std::vector<std::filesystem::path> encode(const DrawnView& drawn, const Job& job, const View& view,
+                                          const io::TakeFile& take) {
+    std::vector<std::filesystem::path> files;
+    for (const std::string& output : job.outputs) {
+        auto named = filesOfOutput(job, output, view);
+        if (holdsLines(output))
+            take(named.front(), io::encodeLines(*drawn.lines, drawn.settings, named.front()));
+        else
+            io::encodeMaps(*drawn.maps, mapsIn(output, drawn.settings), named, take);
+        for (auto& file : named) files.push_back(std::move(file));
+    }
+    return files;
+}
+
+io::Json metadataOf(const DrawnView& drawn, const Job& job, const ViewFiles& named) {
+    return startsWithLines(job) ? io::viewMetadata(*drawn.lines, drawn.settings, named)
+                                : io::viewMetadata(*drawn.maps, drawn.settings, named);
+}
+
 ViewOutcome drawView(const Job& job, const View& view, const FramedView& framed, const Scene& scene, Renderer& renderer,
                      const std::vector<StageTime>& before, const std::function<void(const Maps&)>& reportDrawn,
                      bool metadata) {
-    Settings settings = job.settings;
-    settings.camera = view.camera;
-    settings.picture = framed.picture;
-    Drawn drawn = draw(job, scene, framed.camera, settings, renderer);
+    DrawnView drawn = draw(job, view, framed, scene, renderer);
 
     const base::Stopwatch watch;
     JobResult result;
     base::stopIfAsked();  // the last time: no view is written by half
     if (drawn.maps) reportDrawn(*drawn.maps);
     const base::StopScope toTheEnd{static_cast<const base::StopScope*>(nullptr)};
-    result.files = write(drawn, job, view, settings);
+    base::StagedFiles staged;
+    result.files = encode(drawn, job, view, [&](const auto& file, auto bytes) { staged.add(file, bytes); });
+    staged.commit();
     const double writing = watch.milliseconds();
 
     result.times = before;
@@ -89,13 +101,12 @@ ViewOutcome drawView(const Job& job, const View& view, const FramedView& framed,
     result.times.push_back({"write", writing});
     result.backend = drawn.maps ? drawn.maps->backend : drawn.lines->backend;
 
-    const bool startsWithLines = !job.outputs.empty() && holdsLines(job.outputs.front());
-    (startsWithLines ? drawn.lines->times : drawn.maps->times) = result.times;
+    (startsWithLines(job) ? drawn.lines->times : drawn.maps->times) = result.times;
     const ViewFiles named{job.model.string(), view.name, result.files};
-    io::Json json = startsWithLines ? io::viewMetadata(*drawn.lines, settings, named)
-                                    : io::viewMetadata(*drawn.maps, settings, named);
+    io::Json json = metadataOf(drawn, job, named);
     const bool ownFile = !job.metadata.empty() && !hasOneMetadataFile(job);
-    if (metadata || ownFile) result.metadata = io::metadataText(io::modelMetadata(scene, settings, named.model), json);
+    if (metadata || ownFile)
+        result.metadata = io::metadataText(io::modelMetadata(scene, drawn.settings, named.model), json);
     if (ownFile) writeText(metadataFileOf(job, view), result.metadata);
     return {std::move(result), std::move(json)};
 }

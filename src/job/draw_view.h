@@ -1,14 +1,37 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include <inkedge/job.h>
 #include <inkedge/renderer.h>
 
+#include "io/encode_files.h"
 #include "io/metadata.h"
 
 namespace inkedge::job {
+
+/// A view, drawn: what its files are made of, on any thread.
+struct DrawnView {
+    Settings settings;  ///< the job's, with the view's camera and picture
+    std::optional<Maps> maps;
+    std::optional<Lines> lines;
+};
+
+/// Draws what the job's outputs hold: lines are found once for all that hold lines, a picture is drawn once for all
+/// others.
+/// @param framed  the view, laid on its picture
+[[nodiscard]] DrawnView draw(const Job&, const View&, const FramedView& framed, const Scene&, Renderer&);
+
+/// Makes the files of a view, each at once with its name.
+/// @return  their names, in the order of the job's outputs
+std::vector<std::filesystem::path> encode(const DrawnView&, const Job&, const View&, const io::TakeFile& take);
+
+/// What metadata say of the view, from the first output.
+[[nodiscard]] io::Json metadataOf(const DrawnView&, const Job&, const ViewFiles&);
 
 /// A view, drawn and written.
 struct ViewOutcome {
@@ -16,11 +39,14 @@ struct ViewOutcome {
     io::Json metadata;  ///< what they say of the view
 };
 
+/// Reads a job's model for pictures from these views.
+/// @throws Error  as loadScene()
+[[nodiscard]] Scene sceneOf(const Job&, std::span<const View>);
+
 /// Whether a job's views are drawn with OpenGL.
 [[nodiscard]] bool needsContext(const Job&);
 
-/// Draws one view and writes what the job asks for. Lines are found once for all outputs that hold lines, and a picture
-/// is drawn once for all others.
+/// Draws one view and writes what the job asks for.
 /// @param framed    the view, laid on its picture
 /// @param before    times of stages before this one
 /// @param drawn     called with the picture before anything is written

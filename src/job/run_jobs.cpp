@@ -9,7 +9,6 @@
 
 #include <inkedge/error.h>
 #include <inkedge/job.h>
-#include <inkedge/load_scene.h>
 #include <inkedge/renderer.h>
 #include <inkedge/scene.h>
 
@@ -19,8 +18,6 @@
 #include "job/draw_view.h"
 #include "job/file_names.h"
 #include "job/files_apart.h"
-#include "job/output_kinds.h"
-#include "settings/idle.h"
 
 namespace inkedge {
 namespace job {
@@ -60,11 +57,7 @@ private:
 
 void loadScene(JobState& state) {
     const base::Stopwatch watch;
-    const Job& job = *state.job;
-    LoadSettings load = loadSettings(job.settings, state.views);
-    load.completeNormals =
-        settings::readsVertexNormals(withMapsOf(job.outputs, job.settings), kindsOf(job, state.views));
-    state.scene = job.bytes ? inkedge::loadScene(*job.bytes, job.model, load) : inkedge::loadScene(job.model, load);
+    state.scene = sceneOf(*state.job, state.views);
     const double loading = watch.milliseconds();
     const double preparing = state.scene->preparationMilliseconds();
     state.times = {{"load", loading - preparing}, {"prepare", preparing}};
