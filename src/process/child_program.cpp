@@ -17,8 +17,6 @@
 
 #include <fmt/format.h>
 
-#include <inkedge/error.h>
-
 extern char** environ;
 
 namespace inkedge::process {
@@ -153,7 +151,7 @@ void ChildProgram::refuseEnd() {
     child_ = -1;
     const std::string found = WIFSIGNALED(status) ? fmt::format("a crash ({})", ::strsignal(WTERMSIG(status)))
                                                   : fmt::format("exit status {}", WEXITSTATUS(status));
-    throw Error{Error::Kind::Input, "found " + found};
+    throw ProgramEnded{"found " + found, WIFSIGNALED(status) ? WTERMSIG(status) : 0};
 }
 
 void ChildProgram::send(std::span<const std::uint8_t> message) {

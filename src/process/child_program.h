@@ -10,7 +10,20 @@
 #include <string>
 #include <vector>
 
+#include <inkedge/error.h>
+
 namespace inkedge::process {
+
+/// A program ended before it had answered.
+class ProgramEnded : public Error {
+public:
+    ProgramEnded(const std::string& message, int signal) : Error{Kind::Input, message}, signal_{signal} {}
+    /// That ended it; 0: it ended by itself.
+    [[nodiscard]] int signal() const noexcept { return signal_; }
+
+private:
+    int signal_;
+};
 
 /// A program in a process of its own, for work that may crash or never end, from any thread. It finds some bytes as its
 /// descriptor 3 and a socket as its descriptor 4, on which both sides send messages: eight bytes of a size, then so
@@ -34,9 +47,12 @@ public:
     void send(std::span<const std::uint8_t> message);
 
     /// Waits for the next message.
-    /// @throws Error  (Kind::Input) if the program ends before: "found a crash (Segmentation fault)", "found it still
-    ///                at work after 600 s", "found exit status 1"; what waiting() throws
+    /// @throws ProgramEnded  if the program ends before: "found a crash (Segmentation fault)", "found exit status 1"
+    /// @throws Error         (Kind::Input) if it takes too long: "found it still at work after 600 s"; what waiting()
+    ///                       throws
     [[nodiscard]] std::vector<std::uint8_t> receive();
+
+    [[nodiscard]] pid_t process() const noexcept { return child_; }
 
 private:
     void waitFor(short event);

@@ -297,11 +297,11 @@ private:
 
 std::vector<std::uint8_t> bytesOfFile() {
     struct stat status {};
-    if (::fstat(modelDescriptor, &status) != 0) throw std::runtime_error{"expected a file, found none"};
+    if (::fstat(process::bytesDescriptor, &status) != 0) throw std::runtime_error{"expected a file, found none"};
     std::vector<std::uint8_t> bytes(static_cast<std::size_t>(status.st_size));
     for (std::size_t done = 0; done < bytes.size();) {
         const ssize_t count =
-            ::pread(modelDescriptor, bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
+            ::pread(process::bytesDescriptor, bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
         if (count <= 0) throw std::runtime_error{"expected a whole file, found a part of one"};
         done += static_cast<std::size_t>(count);
     }

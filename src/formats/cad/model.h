@@ -15,10 +15,6 @@
 // What the program that reads CAD files, and the library that asked for it, say to each other. Millimetres.
 namespace inkedge::cad {
 
-/// The descriptors that the program finds open.
-inline constexpr int modelDescriptor = 3;    ///< the file's bytes
-inline constexpr int messageDescriptor = 4;  ///< a socket: messages, each after its size
-
 /// A part where it stands in the assembly.
 struct Instance {
     std::string name;

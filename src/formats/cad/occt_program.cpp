@@ -44,7 +44,7 @@ public:
 
 private:
     void read(Healing healing) {
-        const std::string file = fmt::format("/proc/self/fd/{}", modelDescriptor);
+        const std::string file = fmt::format("/proc/self/fd/{}", process::bytesDescriptor);
         document_ = readDocument(file.c_str(), formatOf(request_.format), healing, request_);
         deflections_.assign(document_.parts.size(), 0.0);
         for (DocumentPart& part : document_.parts) bringToUsualSize(part);
