@@ -171,6 +171,11 @@ void StagedFiles::add(const fs::path& target, std::span<const std::uint8_t> byte
     files_.push_back(std::move(file));
 }
 
+void StagedFiles::extend(std::span<const std::uint8_t> bytes) {
+    const File& file = files_.back();
+    if (const int failure = writeAll(file.data, bytes)) failToWrite(file.target, failure);
+}
+
 void StagedFiles::commit() {
     while (!files_.empty()) {
         File& file = files_.front();

@@ -28,6 +28,10 @@ public:
     /// @throws Error  (Kind::Output) as destinationOf(), or if the target's folder takes no file
     void add(const std::filesystem::path& target, std::span<const std::uint8_t> bytes);
 
+    /// Appends bytes to the file that was added last.
+    /// @throws Error  (Kind::Output) if it takes no more
+    void extend(std::span<const std::uint8_t> bytes);
+
     /// Gives every file its name, in the order in which they were added. A file that has the name already is replaced.
     /// @throws Error  (Kind::Output) with the system's reason; files after the one named have not appeared
     void commit();
