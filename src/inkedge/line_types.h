@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -43,6 +44,9 @@ static_assert(lineTypeCount <= 16, "Maps::types has 16 bits");
 [[nodiscard]] constexpr int bitIndex(LineType type) noexcept {
     return std::countr_zero(static_cast<std::uint32_t>(type));
 }
+
+/// Pixels of the lines of each type, by bitIndex().
+using LineLengths = std::array<double, lineTypeCount>;
 
 /// A set of line types: 32 bits, each as LineType numbers them. Iteration goes from the lowest bit to the highest.
 class LineTypes {

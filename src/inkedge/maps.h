@@ -10,6 +10,7 @@
 #include <inkedge/camera.h>
 #include <inkedge/export.h>
 #include <inkedge/image.h>
+#include <inkedge/line_types.h>
 #include <inkedge/scene_names.h>
 #include <inkedge/settings.h>
 #include <inkedge/stage_time.h>
@@ -39,6 +40,8 @@ struct Maps {
     /// 4 channels, sRGB, not premultiplied: what lies under the lines, or would with Shade::Gooch if the picture has no
     /// shade; background: 0. Unlike the other maps it is the mean of a pixel's samples.
     Image<std::uint8_t> shade;
+    /// Of the lines that are drawn and seen; zero where a detector leaves none, but pixels.
+    LineLengths lengths{};
     SceneNames names;  ///< what the ids stand for: namesOf() the scene; empty unless ids were asked for
 
     Camera camera;

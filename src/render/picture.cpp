@@ -1,12 +1,16 @@
 #include "render/picture.h"
 
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
+
+#include <glm/geometric.hpp>
 
 #include "gl/stage_clock.h"
 #include "ink/paint_strokes.h"
 #include "ink/strokes_of.h"
+#include "lines/lengths.h"
 #include "passes/ink_over.h"
 #include "render/lines.h"
 #include "render/map_beside.h"
@@ -14,6 +18,18 @@
 #include "render/tiles.h"
 
 namespace inkedge::render {
+
+namespace {
+
+LineLengths lengthsOf(std::span<const trace::TracedPiece> pieces, const Lines& ofMesh) {
+    LineLengths lengths = lines::lengthsOf(ofMesh.lines);
+    for (const trace::TracedPiece& piece : pieces)
+        lengths[static_cast<std::size_t>(bitIndex(piece.type))] +=
+            static_cast<double>(glm::distance(piece.ends[0], piece.ends[1]));
+    return lengths;
+}
+
+}  // namespace
 
 // From a scene and a camera to a picture, and to the maps that were asked for beside it.
 Maps drawPicture(const Scene& scene, const Camera& camera, const RenderSettings& settings, Kept& kept) {
@@ -55,6 +71,8 @@ Maps drawPicture(const Scene& scene, const Camera& camera, const RenderSettings&
 
     // The lines are painted as strokes, and the other ink over them. The classic detector's are pixels already.
     Maps maps = std::move(tiles.maps);
+    if (plan.lines == LineSource::Object || plan.lines == LineSource::Planes)
+        maps.lengths = lengthsOf(tiles.pieces, ofMesh);
     if (plan.lines != LineSource::Classic) {
         maps.picture = ink::paintStrokes(strokes, settings.picture, brush, plan.paper);
         clock.finish("paint");
