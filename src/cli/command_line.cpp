@@ -57,6 +57,7 @@ const std::string& OptionText::name() const {
 std::vector<VerbText> verbsOf(const CLI::App& app) {
     std::vector<VerbText> verbs;
     for (const CLI::App* verb : app.get_subcommands({})) {
+        if (verb->get_group().empty()) continue;  // not for people
         VerbText& text = verbs.emplace_back(VerbText{verb->get_name(), verb->get_description(), {}});
         for (const CLI::Option* option : verb->get_options()) text.options.push_back(textOf(*option));
     }

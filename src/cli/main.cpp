@@ -51,7 +51,8 @@ bool namesModel(const std::string& text) {
 // What to do where no verb is given, or none that there is.
 std::string explainVerb(const CLI::App& app, const std::vector<std::string>& unknown) {
     std::vector<std::string> verbs;
-    for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
+    for (const CLI::App* verb : app.get_subcommands({}))
+        if (!verb->get_group().empty()) verbs.push_back(verb->get_name());
     const std::string last = verbs.back();
     const std::string expected =
         fmt::format("expected {} or {}, found ", fmt::join(verbs.begin(), verbs.end() - 1, ", "), last);
@@ -91,6 +92,8 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
 int run(CLI::App& app, int argc, char** argv) {
     inkedge::cli::Action action;
     inkedge::cli::addRender(app, action);
+    inkedge::cli::addBatch(app, action);
+    inkedge::cli::addGallery(app, action);
     inkedge::cli::addSheet(app, action);
     inkedge::cli::addCompare(app, action);
     inkedge::cli::addInspect(app, action);

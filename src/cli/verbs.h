@@ -11,6 +11,8 @@ using Action = std::function<int()>;
 
 /// Each adds its verb to the command line; parsing it sets the action.
 void addRender(CLI::App&, Action&);
+void addBatch(CLI::App&, Action&);
+void addGallery(CLI::App&, Action&);
 void addSheet(CLI::App&, Action&);
 void addCompare(CLI::App&, Action&);
 void addInspect(CLI::App&, Action&);

@@ -238,9 +238,9 @@ TEST_F(BadInput, CommandLinesThatAreNone) {
     const auto expectRefusal = [&](const Arguments& arguments, const std::string& text) {
         expectFailure(run(arguments), 2, HasSubstr(text));
     };
-    expectRefusal(
-        {},
-        "expected render, sheet, compare, inspect, doctor, completion or manual, found nothing; see inkedge --help");
+    expectRefusal({},
+                  "expected render, batch, gallery, sheet, compare, inspect, doctor, completion or manual, found "
+                  "nothing; see inkedge --help");
     expectRefusal({"draw", "a.glb"}, "completion or manual, found 'draw'; see inkedge --help");
     expectRefusal({"render"}, "expected MODEL, found none" + usage);
     expectRefusal({"render", roof()}, "expected --output, found none" + usage);

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -118,6 +119,32 @@ std::string testName(const testing::TestParamInfo<Case>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, HostileFile, testing::ValuesIn(makeCases()), testName);
+
+// Neither do they disturb each other.
+TEST(HostileFiles, AreDrawnOrRefusedAmongEachOther) {
+    const TemporaryFolder output;
+    std::string list;
+    std::map<std::string, Case> cases;
+    for (const Case& hostile : makeCases()) {
+        list += nlohmann::json{{"model", folder / hostile.file}, {"id", hostile.file}}.dump() + "\n";
+        cases[hostile.file] = hostile;
+    }
+    put(output / "list.jsonl", list);
+    const Outcome outcome = runCommand(INKEDGE_COMMAND, {"batch", "list.jsonl", "-o", "out", "--size", "64x64", "-q"},
+                                       output.path(), {}, std::chrono::seconds{sanitized ? 1800 : 300});
+    EXPECT_EQ(outcome.exitCode, 1) << outcome.error;
+    for (const std::string& line : linesOf(contents(output / "out/results.jsonl"))) {
+        const auto result = nlohmann::json::parse(line);
+        const auto found = cases.extract(result["id"].get<std::string>());
+        ASSERT_FALSE(found.empty()) << line;
+        EXPECT_EQ(result["state"], found.mapped().picture ? "drawn" : "refused") << line;
+        if (found.mapped().picture)
+            expectPictureOf64Pixels(output / "out" / result["files"][0].get<std::string>());
+        else
+            EXPECT_THAT(result["error"].get<std::string>(), HasSubstr(found.mapped().error));
+    }
+    EXPECT_TRUE(cases.empty()) << "without a result: " << cases.begin()->first;
+}
 
 TEST(HostileFileName, ThatIsNoTextGivesAPicture) {
     const TemporaryFolder output;
