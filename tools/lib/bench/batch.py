@@ -1,0 +1,78 @@
+"""Many small models: inkedge batch against a shell loop of inkedge render."""
+
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from lib.bench.processes import CORES, fail, take_turns
+from lib.bench.table import Row, mb, ms
+
+ROOT = Path(__file__).resolve().parents[3]
+VIEWS = 4
+FLAGS = ["--views", f"turntable:{VIEWS}", "--maps", "depth,ids", "--size", "512x512", "-q"]
+HOSTILE = 0.01  # share of all models
+
+
+def corpus(bench, count):
+    """A folder of small models of many sizes, some of them hostile."""
+    folder = bench.folder / "corpus"
+    folder.mkdir()
+    for i in range(count):
+        shape, triangles = ("cad", "smooth", "scan")[i % 3], 500 + 37 * (i % 101)
+        shutil.copyfile(bench.model(shape, triangles)[0], folder / f"{i:05}.glb")
+    hostile = bench.folder / "hostile"
+    subprocess.run([sys.executable, ROOT / "tools/make_hostile", hostile], check=True, stdout=subprocess.DEVNULL)
+    refused = [case["file"] for case in json.loads((hostile / "expected.json").read_text())
+               if not case["picture"] and case["file"].endswith(".glb")]  # fmt: skip
+    for i in range(max(1, int(HOSTILE * count))):
+        shutil.copyfile(hostile / refused[i % len(refused)], folder / f"{i:05}.glb")
+    return folder
+
+
+def batch(bench, models, *more):
+    """A batch, whose output is then removed; some of its models are hostile: it ends with 1."""
+    out = bench.folder / "batch"
+    sample = bench.measure([bench.programs / "inkedge", "batch", models, "-o", out, *FLAGS, "--json", *more])
+    if sample.status not in (0, 1):
+        fail(f"inkedge batch: expected success, found exit status {sample.status}: {sample.errors.strip()}")
+    results = [json.loads(line) for line in (out / "results.jsonl").read_text().splitlines()]
+    shutil.rmtree(out)
+    return sample, results
+
+
+def loop(bench, models):
+    """The same by a shell loop of render, as many at a time as there are cores."""
+    out = bench.folder / "loop"
+    script = (
+        f'ls {models} | xargs -P {CORES} -I NAME sh -c \'mkdir -p "{out}/NAME" && '
+        f'"{bench.programs}/inkedge" render "{models}/NAME" -o "{out}/NAME/{{view}}.{{map}}.png" '
+        f'--metadata "{out}/NAME/{{view}}.json" {" ".join(FLAGS)} 2>/dev/null || true\''
+    )
+    sample = bench.measure(["sh", "-c", script])
+    shutil.rmtree(out)
+    return sample
+
+
+def batch_rows(bench, count):
+    models = corpus(bench, count)
+    part = bench.folder / "part"  # of what the loop is given, too
+    part.mkdir()
+    for model in sorted(models.iterdir())[:: max(1, count // 100)]:
+        shutil.copyfile(model, part / model.name)
+    few = len(list(part.iterdir()))
+    took = take_turns({"batch": lambda: batch(bench, part)[0], "loop": lambda: loop(bench, part)}, 3)
+    one = take_turns({"one": lambda: batch(bench, part, "--jobs", "1")[0]}, 1)["one"]
+    sample, results = batch(bench, models)
+    drawn = sum(result["state"] == "drawn" for result in results)
+    each = one.cpu / few
+    text = f"{count} models x {VIEWS} views x (picture, depth, ids), 512x512"
+    rate = count / sample.wall
+    return [
+        Row(text, f"{rate:.1f} models/s", f"{CORES} cores, CPU time of one {ms(each * 1e3)}", rate * each / CORES,
+            ">= 0.95", details={"wall_s": sample.wall, "drawn": drawn}).judge(),
+        Row("  against a shell loop of render", f"{few / took['batch'].wall:.1f} models/s",
+            f"{few / took['loop'].wall:.1f} models/s", took["loop"].wall / took["batch"].wall, ">= 5").judge(),
+        Row("  peak memory of a process", mb(sample.peak), "400 MB", sample.peak / 400e6, "<= 1").judge(),
+    ]  # fmt: skip
