@@ -146,13 +146,14 @@ private:
 
     // Finds the lines beside runs of a hidden one that are too short to stay otherwise.
     void addBeside(std::uint32_t line, const Neighbours& near) {
-        for (const Run& run : runs_[line]->doubtful()) {
-            const auto count = static_cast<std::uint32_t>(pieceAt_[line].size());
-            for (auto k = static_cast<std::uint32_t>(run.begin); k < run.end; ++k) {
-                const std::uint32_t p = pieceAt_[line][k % count];
-                if (p != noPiece) addBesidePiece(p, near);
-            }
-        }
+        std::vector<std::uint32_t> doubtful;
+        const auto count = static_cast<std::uint32_t>(pieceAt_[line].size());
+        for (const Run& run : runs_[line]->doubtful())
+            for (auto k = static_cast<std::uint32_t>(run.begin); k < run.end; ++k)
+                if (pieceAt_[line][k % count] != noPiece) doubtful.push_back(pieceAt_[line][k % count]);
+        std::ranges::sort(doubtful);  // a long piece may have many such runs
+        doubtful.erase(std::unique(doubtful.begin(), doubtful.end()), doubtful.end());
+        for (const std::uint32_t p : doubtful) addBesidePiece(p, near);
     }
 
     void addBesidePiece(std::uint32_t p, const Neighbours& near) {
