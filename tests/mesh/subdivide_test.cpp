@@ -286,6 +286,12 @@ TEST(Subdivide, survivesAnyFacesBetweenAFewPoints) {
             for (int i = 0; i < 3 * 16; ++i) mesh.edges.push_back(random() % 2 == 0 ? EdgeKind::Inner : EdgeKinds{});
         const Scene scene = refined(mesh, levels(2, trial % 3 == 0 ? smoothAngle : 30.0));
         for (const glm::vec3 n : scene.meshes()[0].normals) ASSERT_NEAR(glm::length(n), 1.0F, 1e-4F) << trial;
+        const Mesh& made = scene.meshes()[0];
+        for (std::uint32_t c = 0; made.surfaces && c < made.indices.size(); ++c) {
+            const auto part = made.surfaces->under(made, c / 3);
+            const glm::dvec3 p = made.surfaces->at(part->face, part->corners[c % 3]).position;
+            ASSERT_TRUE(std::isfinite(glm::length(p))) << trial;
+        }
         for (const glm::vec3 p : scene.meshes()[0].positions) ASSERT_TRUE(std::isfinite(glm::dot(p, p))) << trial;
         ASSERT_LE(scene.box().max.x, 4.0 + 1e-5);  // within the control mesh's hull
         ASSERT_GE(scene.box().min.x, -1e-5);

@@ -13,6 +13,9 @@
 
 #include <inkedge/load_scene.h>
 
+#ifdef INKEDGE_CAD_FILES
+#include "formats/cad/cad_files.h"
+#endif
 #include "gl/gl_test.h"
 #include "render/ink_of_lines.h"
 #include "scenes.h"
@@ -181,6 +184,30 @@ TEST_P(AxisViews, ofSolidsAreThoseOfImageSpaceAndOfACameraTurnedByNextToNothing)
         EXPECT_LE(found.exact, 0.5);
     }
 }
+
+#ifdef INKEDGE_CAD_FILES
+TEST_P(AxisViews, ofCadPartsAreThoseOfImageSpaceToo) {
+    using cad_files::Shape;
+    const std::vector<std::pair<const char*, std::string>> parts{
+        {"cylinder", cad_files::brep(Shape::Cylinder)},
+        {"cone", cad_files::brep(Shape::Cone)},
+        {"rounded box", cad_files::brep(Shape::Rounded)},
+        {"tiny cylinder", cad_files::scaledStep(Shape::Cylinder, 1e-6)},
+        {"huge cylinder", cad_files::scaledStep(Shape::Cylinder, 1e6)},
+    };
+    for (const auto& [name, text] : parts) {
+        LoadSettings load;
+        load.pictures.picture.size = square;
+        const Alone found =
+            aloneIn(renderer(), loadScene(std::vector<std::uint8_t>{text.begin(), text.end()}, name, load));
+        SCOPED_TRACE(testing::Message() << name << ": " << found.where);
+        EXPECT_LE(found.image, 0.5);
+        EXPECT_LE(found.object, 0.5);
+        EXPECT_LE(found.turned, 0.5);
+        EXPECT_LE(found.exact, 0.5);
+    }
+}
+#endif
 
 // Image space does not see a surface without thickness from its edge: it covers no pixel.
 TEST_P(AxisViews, ofOpenSurfacesLackNoLine) {

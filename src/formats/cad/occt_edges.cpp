@@ -101,8 +101,11 @@ public:
     [[nodiscard]] bool isPlane(std::size_t face) { return adaptor(face).GetType() == GeomAbs_Plane; }
 
 private:
+    // 0 at a pole, where it is that of one triangle of many.
     [[nodiscard]] glm::dvec3 normal(const Run& run, std::size_t i) const {
-        return faces_[run.face].normals[run.nodes[i]];
+        const MeshedFace& face = faces_[run.face];
+        const bool isPole = !face.poles.empty() && face.poles[run.nodes[i]] != Pole::None;
+        return isPole ? glm::dvec3{0.0} : face.normals[run.nodes[i]];
     }
     [[nodiscard]] glm::dvec3 position(const Run& run, std::size_t i) const {
         return faces_[run.face].positions[run.nodes[i]];
