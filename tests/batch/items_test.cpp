@@ -1,6 +1,8 @@
 // Lines that are items, and lines that are none.
 #include "batch/items.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 
 #include "base/expect_error.h"
