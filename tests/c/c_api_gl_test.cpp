@@ -193,7 +193,7 @@ TEST_F(CApi, TakesAModelAsArrays) {
     EXPECT_THAT(inkedge_message(), HasSubstr("positions"));
 }
 
-TEST_F(CApi, CamerasTellAndTakeTheirMatrices) {
+TEST_F(CApi, CamerasGiveAndTakeTheirMatrices) {
     OwnCamera framed;
     ASSERT_OK(inkedge_camera_frame(scene_, settings_, &framed));
     std::array<double, 16> view{};
