@@ -144,7 +144,8 @@ private:
         work.plan = planner_.planOf(work.item);
         work.result.key = keyOf(work.plan, work.item.model);
         validate(work.plan.job.settings);
-        work.scene = job::sceneOf(work.plan.job, work.plan.views);
+        const auto besides = work.plan.score ? job::Besides::LinesOfTheMesh : job::Besides::Nothing;
+        work.scene = job::sceneOf(work.plan.job, work.plan.views, besides);
         work.framed = frameViews(*work.scene, work.plan.views, work.plan.job.settings);
         work.facts = factsOf(work);
         work.result.triangles = work.scene->triangleCount();

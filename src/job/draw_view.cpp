@@ -36,9 +36,10 @@ void writeText(const std::filesystem::path& file, const std::string& text) {
 
 }  // namespace
 
-Scene sceneOf(const Job& job, std::span<const View> views) {
+Scene sceneOf(const Job& job, std::span<const View> views, Besides besides) {
     LoadSettings load = loadSettings(job.settings, views);
-    load.completeNormals = settings::readsVertexNormals(withMapsOf(job.outputs, job.settings), kindsOf(job, views));
+    load.completeNormals = besides == Besides::LinesOfTheMesh ||
+                           settings::readsVertexNormals(withMapsOf(job.outputs, job.settings), kindsOf(job, views));
     return job.bytes ? loadScene(*job.bytes, job.model, load) : loadScene(job.model, load);
 }
 

@@ -39,9 +39,12 @@ struct ViewOutcome {
     io::Json metadata;  ///< what they say of the view
 };
 
+/// What else is made of a job's scene, beside its outputs.
+enum class Besides { Nothing, LinesOfTheMesh };
+
 /// Reads a job's model for pictures from these views.
 /// @throws Error  as loadScene()
-[[nodiscard]] Scene sceneOf(const Job&, std::span<const View>);
+[[nodiscard]] Scene sceneOf(const Job&, std::span<const View>, Besides = Besides::Nothing);
 
 /// Whether a job's views are drawn with OpenGL.
 [[nodiscard]] bool needsContext(const Job&);

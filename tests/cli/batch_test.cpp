@@ -327,4 +327,16 @@ TEST_F(BatchTest, AddsToShards) {
     EXPECT_EQ(everything(), everything("whole"));
 }
 
+TEST_F(BatchTest, ScoresHowFarBothSourcesAgree) {
+    const std::string items = list({item(asset("cube.glb"), "cube"), item(asset("gear.glb"), "gear")});
+    expectSuccess(run({"batch", items, "-o", "out", "--size", "256x256", "--views", "turntable:2", "--score"}));
+    for (const auto& [id, result] : results()) {
+        const json& score = result.at("score");
+        EXPECT_GT(score.at("f1"), 0.97) << id;
+        EXPECT_LE(score.at("f1"), 1.0) << id;
+        EXPECT_GE(score.at("recall"), 0.95) << id;
+    }
+    EXPECT_EQ(results().size(), 2U);
+}
+
 }  // namespace
