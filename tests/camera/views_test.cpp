@@ -175,7 +175,7 @@ TEST_F(ViewsFile, IsRefusedWithTheViewThatIsWrong) {
 
 TEST(ViewsText, IsRefusedWhenItNamesNothing) {
     expectError(Error::Kind::Input,
-                HasSubstr("circle:8: expected front, back, left, right, top, bottom, iso, dimetric, turntable:N or "
+                HasSubstr("circle:8: expected front, back, left, right, top, bottom, iso, dimetric, turntable:N, "
                           "sphere:N or random:N:SEED, or a file of views, found none"),
                 [] { static_cast<void>(viewsOf("circle:8", {})); });
     for (const char* wrong : {"turntable:", "turntable:0", "turntable:-3", "sphere:1.5", "sphere:2000000"})
