@@ -35,7 +35,7 @@ typedef enum inkedge_status {
     INKEDGE_STOPPED = 6  /* inkedge_renderer_stop() was called */
 } inkedge_status;
 
-/* The last failure of a call by this thread, in one line; "" if there was none. Valid until the thread's next failure. */
+/* The last failure of a call by this thread, in one line; "" if there was none. Valid until the next failure. */
 INKEDGE_C_API const char* inkedge_message(void);
 
 /* "0.1.0" */
