@@ -33,6 +33,7 @@
 #include "io/names_json.h"
 #include "job/draw_view.h"
 #include "job/file_names.h"
+#include "job/own_renderer.h"
 #include "lines/lengths.h"
 #include "process/program_side.h"
 
@@ -154,10 +155,8 @@ private:
     }
 
     void draw() {
-        if (job::needsContext(planner_.common().job)) {
-            backend_ = planner_.common().job.settings.backend;
-            renderer_.emplace(backend_, ContextTime::Meanwhile);
-        }
+        const Job& common = planner_.common().job;
+        if (job::needsContext(common)) (void)renderer_.of(common.settings.backend, ContextTime::Meanwhile);
         while (true) {
             const WorkPointer work = loaded_.take();
             const std::size_t views = work->failure ? 0 : work->plan.views.size();
@@ -168,7 +167,7 @@ private:
                     if (work->plan.score) drawn.score = scoreOf(*work, *drawn.drawn, work->framed[i]);
                     drawn_.put(std::move(drawn));
                 } catch (...) {
-                    renderer_.reset();  // its context may be lost
+                    renderer_.giveUp();
                     drawn_.put({work, nullptr, {}, std::current_exception()});
                     work->givenUp = true;
                 }
@@ -180,12 +179,7 @@ private:
 
     job::DrawnView drawView(const Work& work, std::size_t i) {
         const Plan& plan = work.plan;
-        const BackendSettings& wanted = plan.job.settings.backend;
-        if (!renderer_ || wanted.backend != backend_.backend || wanted.device != backend_.device) {
-            renderer_.emplace(wanted, ContextTime::WhenNeeded);
-            backend_ = wanted;
-        }
-        return job::draw(plan.job, plan.views[i], work.framed[i], *work.scene, *renderer_);
+        return job::draw(plan.job, plan.views[i], work.framed[i], *work.scene, renderer_.of(plan.job.settings.backend));
     }
 
     Agreement scoreOf(const Work& work, const job::DrawnView& drawn, const FramedView& framed) {
@@ -195,7 +189,7 @@ private:
         settings.lines.hidden = HiddenLines::None;
         const auto linesFrom = [&](LinesFrom from) {
             settings.lines.from = from;
-            return renderer_->lines(*work.scene, framed.camera, settings);
+            return renderer_.of(work.plan.job.settings.backend).lines(*work.scene, framed.camera, settings);
         };
         const Lines ofImage = linesFrom(LinesFrom::Image);
         return agreementOf(ofImage, linesFrom(LinesFrom::Object));
@@ -261,8 +255,7 @@ private:
     const Planner planner_;
     Channel<WorkPointer> loaded_{1};
     Channel<Drawn> drawn_{2};
-    std::optional<Renderer> renderer_;
-    BackendSettings backend_;
+    job::OwnRenderer renderer_;
 };
 
 }  // namespace

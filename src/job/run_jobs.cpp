@@ -18,6 +18,7 @@
 #include "job/draw_view.h"
 #include "job/file_names.h"
 #include "job/files_apart.h"
+#include "job/own_renderer.h"
 
 namespace inkedge {
 namespace job {
@@ -36,23 +37,6 @@ struct JobState {
     bool failed = false;               // to load
     std::vector<io::Json> metadata{};  // of each view; null: not drawn
     std::atomic<std::size_t> left{0};
-};
-
-// A worker's renderer, made when its first view comes, and anew for a job that asks for another backend.
-class OwnRenderer {
-public:
-    Renderer& of(const BackendSettings& wanted, ContextTime when = ContextTime::WhenNeeded) {
-        if (!renderer_ || wanted.backend != backend_.backend || wanted.device != backend_.device) {
-            renderer_.reset();
-            renderer_.emplace(wanted, when);
-            backend_ = wanted;
-        }
-        return *renderer_;
-    }
-
-private:
-    BackendSettings backend_;
-    std::optional<Renderer> renderer_;
 };
 
 void loadScene(JobState& state) {
