@@ -52,8 +52,11 @@ void main() {
         }
         if (y > 0) {
             for (int x = 0; x < 4; ++x) {
-                uint right = x + 1 < inside.x ? pairMarks(above[x], above[x + 1], aboveNormal[x], aboveNormal[x + 1], above[x].y, above[x + 1].y) : 0u;
-                uint below = y < inside.y ? pairMarks(above[x], row[x], aboveNormal[x], normal[x], above[x].z, row[x].z) : 0u;
+                uint right = x + 1 < inside.x ? pairMarks(above[x], above[x + 1], aboveNormal[x], aboveNormal[x + 1],
+                                                              above[x].y, above[x + 1].y)
+                                                  : 0u;
+                uint below = y < inside.y ? pairMarks(above[x], row[x], aboveNormal[x], normal[x], above[x].z, row[x].z)
+                                              : 0u;
                 found |= (right | (below << 4)) << (8 * x);
             }
             marks[y - 1] = found;
