@@ -19,6 +19,7 @@
 #include "cli/settings_sources.h"
 #include "cli/streams.h"
 #include "cli/verbs.h"
+#include "process/driver_threads.h"
 #include "process/signals.h"
 
 namespace inkedge::cli {
@@ -231,7 +232,12 @@ void addBatch(CLI::App& app, Action& action) {
     verb->callback([arguments, &action] { action = [arguments] { return runBatch(*arguments); }; });
 
     CLI::App* worker = app.add_subcommand(std::string{batch::workerVerb})->group("");  // not for people
-    worker->callback([&action] { action = []() -> int { batch::work(); }; });
+    worker->callback([&action] {
+        action = []() -> int {
+            process::drawInCallingThreads();
+            batch::work();
+        };
+    });
 }
 
 }  // namespace inkedge::cli

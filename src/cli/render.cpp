@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <thread>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,6 +20,7 @@
 #include "cli/settings_sources.h"
 #include "cli/streams.h"
 #include "cli/verbs.h"
+#include "process/driver_threads.h"
 #include "process/signals.h"
 
 namespace inkedge::cli {
@@ -103,6 +105,14 @@ int printConfig(const RenderArguments& arguments) {
     return 0;
 }
 
+// Whether there is a context for each core, and work for it.
+bool keepsAllCoresBusy(const RenderArguments& arguments, std::size_t pictures) {
+    constexpr std::size_t picturesOfACore = 8;
+    const auto cores = std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
+    const std::size_t atOnce = arguments.jobs == 0 ? cores : static_cast<std::size_t>(arguments.jobs);
+    return atOnce >= cores && pictures >= picturesOfACore * cores;
+}
+
 int render(const RenderArguments& arguments) {
     startTimeout(arguments);
     Job job{.model = {}, .settings = arguments.settings.resolve(), .metadata = arguments.metadataFile};
@@ -121,6 +131,7 @@ int render(const RenderArguments& arguments) {
     }
     const std::size_t views = std::max<std::size_t>(job.views.size(), 1);
     const std::vector<std::string>& names = arguments.models.names();
+    if (keepsAllCoresBusy(arguments, names.size() * views)) process::drawInCallingThreads();
     Progress progress{names.front(), names.size() * views, !arguments.quiet};
     const std::vector<GivenModel> models = arguments.models.models(job.settings.load.limits);
     std::vector<Job> jobs(models.size(), job);

@@ -139,7 +139,7 @@ std::vector<std::uint8_t> block(std::span<const Channel> channels, Size size, in
     const std::vector<float> rows = rowsOf(channels, size.width, begin, std::min(begin + rowsOfBlock, size.height));
     const std::span<const std::uint8_t> bytes = bytesOf(rows);
     std::vector<std::uint8_t> compressed = base::deflated(predicted(bytes), base::DeflateWrapper::Zlib);
-    return compressed.empty() ? std::vector<std::uint8_t>{bytes.begin(), bytes.end()} : compressed;
+    return compressed.size() < bytes.size() ? compressed : std::vector<std::uint8_t>{bytes.begin(), bytes.end()};
 }
 
 }  // namespace

@@ -1,65 +1,35 @@
 #include <fmt/format.h>
-#include <png.h>
-#include <zlib.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
-#include <csetjmp>
-#include <exception>
-#include <new>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 
 #include <inkedge/encode_png.h>
 #include <inkedge/error.h>
 
+#include "base/deflate.h"
+
+// The file format: PNG (third edition), W3C Recommendation.
 namespace inkedge {
 namespace {
 
-/// Owns the two structures of libpng that write, and the bytes that they produce.
-struct Encoder {
-    png_structp png = nullptr;
-    png_infop info = nullptr;
-    std::vector<std::uint8_t> bytes;
-    std::string failure;
+using Bytes = std::vector<std::uint8_t>;
 
-    Encoder() = default;
-    Encoder(const Encoder&) = delete;
-    Encoder& operator=(const Encoder&) = delete;
-    ~Encoder() { png_destroy_write_struct(&png, &info); }
-};
+enum class ColorType : std::uint8_t { Grey = 0, Rgb = 2, Palette = 3, RgbAlpha = 6 };  // 11.2.1
 
-// libpng handles an error by longjmp; no object with a destructor may live in the frames that it jumps over.
-[[noreturn]] void leave(png_structp png, png_const_charp message) {
-    static_cast<Encoder*>(png_get_error_ptr(png))->failure = message;
-    png_longjmp(png, 1);
-}
-
-void ignoreWarning(png_structp, png_const_charp) {}
-
-void append(png_structp png, png_bytep data, png_size_t size) {
-    bool stored = false;
-    try {
-        auto& bytes = static_cast<Encoder*>(png_get_io_ptr(png))->bytes;
-        bytes.insert(bytes.end(), data, data + size);
-        stored = true;
-    } catch (const std::exception&) {
-    }
-    if (!stored) png_error(png, "out of memory");
-}
-
-void flush(png_structp) {}
-
-int colorType(int channels) {
+ColorType colorType(int channels) {
     switch (channels) {
         case 1:
-            return PNG_COLOR_TYPE_GRAY;
+            return ColorType::Grey;
         case 3:
-            return PNG_COLOR_TYPE_RGB;
+            return ColorType::Rgb;
         case 4:
-            return PNG_COLOR_TYPE_RGB_ALPHA;
+            return ColorType::RgbAlpha;
         default:
             throw Error{Error::Kind::Usage,
                         fmt::format("PNG: expected a picture of 1, 3 or 4 channels, found {}", channels)};
@@ -68,8 +38,8 @@ int colorType(int channels) {
 
 /// A picture of few colours: one byte a pixel.
 struct Palette {
-    std::vector<png_color> colors;
-    std::vector<png_byte> opacities;  // of four channels; else empty
+    Bytes colors;     // three bytes each
+    Bytes opacities;  // of four channels; else empty
     Image<std::uint8_t> indices;
 };
 
@@ -96,7 +66,7 @@ std::optional<Palette> paletteOf(const Image<std::uint8_t>& image) {
         if (const std::uint32_t color = packed(pixel, image.channels()); color != last) {
             const auto [found, added] = known.try_emplace(color, static_cast<std::uint8_t>(known.size()));
             if (known.size() > maxColors) return {};
-            if (added) palette.colors.push_back({pixel[0], pixel[1], pixel[2]});
+            if (added) palette.colors.insert(palette.colors.end(), pixel, pixel + 3);
             if (added && channels == 4) palette.opacities.push_back(pixel[3]);
             index = found->second;
             last = color;
@@ -106,45 +76,42 @@ std::optional<Palette> paletteOf(const Image<std::uint8_t>& image) {
     return palette;
 }
 
-/// Of the quick compressions, the one that gives small files for line pictures (1024 x 1024, 8-bit grey: 2.5 ms and
-/// 25 kB; libpng's own choice takes 12 ms and 27 kB) and not too large ones for smooth pictures of depths and normals.
-/// Samples of 16 bits repeat themselves at a distance: depths take half the bytes and no more time with strings of any.
-void chooseQuickCompression(png_structp png, std::size_t bytesPerSample) {
-    png_set_compression_level(png, 1);
-    png_set_compression_strategy(png, bytesPerSample == 1 ? Z_RLE : Z_DEFAULT_STRATEGY);
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+constexpr std::uint32_t maxNumber = 0x7FFFFFFF;  // 7.1
+
+void appendNumber(Bytes& bytes, std::uint32_t value) {
+    for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
 }
 
-/// Writes samples of 8 bits, or of 16 in the byte order of this machine.
-/// @return whether libpng finished; if not, encoder.failure says why
-/// @param palette         of the picture, whose indices the image then holds; or null
-/// @param pixelsPerMetre  0: the file does not tell
+/// Length, type, data, and the checksum of type and data (5.3).
+void appendChunk(Bytes& file, std::string_view type, std::span<const std::uint8_t> data) {
+    appendNumber(file, static_cast<std::uint32_t>(data.size()));
+    const std::size_t begin = file.size();
+    file.insert(file.end(), type.begin(), type.end());
+    file.insert(file.end(), data.begin(), data.end());
+    appendNumber(file, base::crc32(std::span{file}.subspan(begin)));
+}
+
+/// The rows as differences from the rows above (9.2, filter type Up), samples of 16 bits with the more significant byte
+/// first. In pictures of lines and maps of few values rows repeat each other.
 template <class Sample>
-bool encode(Encoder& encoder, const Image<Sample>& image, const Palette* palette, png_uint_32 pixelsPerMetre) {
-    if (setjmp(png_jmpbuf(encoder.png)) != 0) return false;
-    // The picture was drawn within our own limits; libpng's limits, made for files from elsewhere, are off.
-    png_set_user_limits(encoder.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-    png_set_write_fn(encoder.png, &encoder, append, flush);
-    chooseQuickCompression(encoder.png, sizeof(Sample));
-    png_set_IHDR(encoder.png, encoder.info, static_cast<png_uint_32>(image.size().width),
-                 static_cast<png_uint_32>(image.size().height), 8 * static_cast<int>(sizeof(Sample)),
-                 palette != nullptr ? PNG_COLOR_TYPE_PALETTE : colorType(image.channels()), PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    if (palette != nullptr) {
-        png_set_PLTE(encoder.png, encoder.info, palette->colors.data(), static_cast<int>(palette->colors.size()));
-        if (!palette->opacities.empty()) {
-            png_set_tRNS(encoder.png, encoder.info, palette->opacities.data(),
-                         static_cast<int>(palette->opacities.size()), nullptr);
+Bytes filteredRows(const Image<Sample>& image) {
+    constexpr std::uint8_t up = 2;
+    const std::size_t samples = static_cast<std::size_t>(image.size().width) * image.channels();
+    Bytes filtered(static_cast<std::size_t>(image.size().height) * (samples * sizeof(Sample) + 1));
+    const std::vector<Sample> zeros(samples);
+    const Sample* above = zeros.data();
+    std::uint8_t* to = filtered.data();
+    for (int y = 0; y < image.size().height; ++y) {
+        const Sample* const row = &image.at(0, y);
+        *to++ = up;
+        for (std::size_t i = 0; i < samples; ++i) {
+            if constexpr (sizeof(Sample) == 2) to[2 * i] = static_cast<std::uint8_t>((row[i] >> 8) - (above[i] >> 8));
+            to[sizeof(Sample) * (i + 1) - 1] = static_cast<std::uint8_t>(row[i] - above[i]);
         }
+        to += sizeof(Sample) * samples;
+        above = row;
     }
-    if (pixelsPerMetre > 0)
-        png_set_pHYs(encoder.png, encoder.info, pixelsPerMetre, pixelsPerMetre, PNG_RESOLUTION_METER);
-    png_write_info(encoder.png, encoder.info);
-    if (sizeof(Sample) == 2 && std::endian::native == std::endian::little) png_set_swap(encoder.png);
-    for (int y = 0; y < image.size().height; ++y)
-        png_write_row(encoder.png, reinterpret_cast<png_const_bytep>(&image.at(0, y)));
-    png_write_end(encoder.png, encoder.info);
-    return true;
+    return filtered;
 }
 
 template <class Sample>
@@ -154,23 +121,42 @@ void expectEncodable(const Image<Sample>& image) {
 }
 
 // @return 0 if none is given, or one that a file cannot tell
-png_uint_32 pixelsPerMetre(std::optional<double> dpi) {
+std::uint32_t pixelsPerMetre(std::optional<double> dpi) {
     constexpr double metresPerInch = 0.0254;
     const double pixels = std::round(dpi.value_or(0.0) / metresPerInch);
-    return pixels >= 1.0 && pixels <= PNG_UINT_31_MAX ? static_cast<png_uint_32>(pixels) : 0;
+    return pixels >= 1.0 && pixels <= maxNumber ? static_cast<std::uint32_t>(pixels) : 0;
 }
 
+/// @param palette  of the picture, whose indices the image then holds; or null
 template <class Sample>
-std::vector<std::uint8_t> encoded(const Image<Sample>& image, const Palette* palette, std::optional<double> dpi) {
-    Encoder encoder;
-    encoder.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &encoder, leave, ignoreWarning);
-    if (encoder.png != nullptr) encoder.info = png_create_info_struct(encoder.png);
-    if (encoder.info == nullptr) throw std::bad_alloc{};
-    if (!encode(encoder, image, palette, pixelsPerMetre(dpi))) {
-        throw Error{Error::Kind::Runtime, fmt::format("PNG: a picture of {} x {} cannot be encoded: {}",
-                                                      image.size().width, image.size().height, encoder.failure)};
+Bytes encoded(const Image<Sample>& image, const Palette* palette, std::optional<double> dpi) {
+    constexpr std::array<std::uint8_t, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+    Bytes file{signature.begin(), signature.end()};
+    Bytes header;
+    appendNumber(header, static_cast<std::uint32_t>(image.size().width));
+    appendNumber(header, static_cast<std::uint32_t>(image.size().height));
+    const ColorType type = palette != nullptr ? ColorType::Palette : colorType(image.channels());
+    header.insert(header.end(), {8 * sizeof(Sample), static_cast<std::uint8_t>(type), 0, 0, 0});
+    appendChunk(file, "IHDR", header);
+    if (palette != nullptr) {
+        appendChunk(file, "PLTE", palette->colors);
+        if (!palette->opacities.empty()) appendChunk(file, "tRNS", palette->opacities);
     }
-    return std::move(encoder.bytes);
+    if (const std::uint32_t pixels = pixelsPerMetre(dpi); pixels > 0) {
+        constexpr std::uint8_t perMetre = 1;
+        Bytes density;
+        appendNumber(density, pixels);
+        appendNumber(density, pixels);
+        density.push_back(perMetre);
+        appendChunk(file, "pHYs", density);
+    }
+    const Bytes compressed = base::deflated(filteredRows(image), base::DeflateWrapper::Zlib);
+    for (std::size_t at = 0; at < compressed.size(); at += maxNumber) {
+        const std::size_t size = std::min<std::size_t>(compressed.size() - at, maxNumber);
+        appendChunk(file, "IDAT", std::span{compressed}.subspan(at, size));
+    }
+    appendChunk(file, "IEND", {});
+    return file;
 }
 
 }  // namespace

@@ -42,10 +42,13 @@ Image<std::uint8_t> edgePicture(const Image<std::uint8_t>& mask) {
     return picture;
 }
 
+/// One channel of the ids, which all have at most 16 bits.
 Image<std::uint16_t> idPicture(const Image<std::uint32_t>& ids, int channel) {
     Image<std::uint16_t> picture{ids.size(), 1};
-    for (int y = 0; y < ids.size().height; ++y) {
-        for (int x = 0; x < ids.size().width; ++x) picture(x, y) = static_cast<std::uint16_t>(ids(x, y, channel));
+    const std::uint32_t* id = ids.pixels().data() + channel;
+    for (std::uint16_t& value : picture.mutablePixels()) {
+        value = static_cast<std::uint16_t>(*id);
+        id += ids.channels();
     }
     return picture;
 }

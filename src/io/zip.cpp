@@ -46,9 +46,9 @@ std::vector<std::uint8_t> ZipWriter::take(std::uint64_t maxPlain) && {
 
 void ZipWriter::compress(Entry& entry) {
     entry.checksum = base::crc32(entry.bytes);
-    std::vector<std::uint8_t> smaller = base::deflated(entry.bytes, base::DeflateWrapper::None);
-    entry.compressed = !smaller.empty();
-    if (entry.compressed) entry.bytes = std::move(smaller);
+    std::vector<std::uint8_t> compressed = base::deflated(entry.bytes, base::DeflateWrapper::None);
+    entry.compressed = compressed.size() < entry.bytes.size();
+    if (entry.compressed) entry.bytes = std::move(compressed);
 }
 
 std::uint64_t ZipWriter::maxSize() const {
