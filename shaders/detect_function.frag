@@ -21,10 +21,10 @@ Sample centres[SPAN * SIDE];
 VALUE lowest = VALUE(1e30);
 VALUE highest = VALUE(-1e30);
 
-void widenRange(Sample s) {
-    if (s.there == 0.0) return;
-    lowest = min(lowest, s.value);
-    highest = max(highest, s.value);
+// Where there is no value the datum stands, one of the block's values.
+void widenRange(VALUE value) {
+    lowest = min(lowest, value);
+    highest = max(highest, value);
 }
 
 // Where all values lie within half a period no difference wraps, and the marks are right. Software OpenGL runs every
@@ -50,7 +50,7 @@ void sumRow(int r, Sample row[SPAN]) {
         centres[r * SIDE + x] = row[x + RADIUS];
     }
 #ifdef WRAPPED
-    for (int x = 0; x < SPAN; ++x) widenRange(row[x]);
+    for (int x = 0; x < SPAN; ++x) widenRange(row[x].value);
 #endif
 }
 
@@ -84,9 +84,7 @@ uint marksOfRow(int y) {
 
 void main() {
     vec2 corner = (float(SIDE) * floor(gl_FragCoord.xy) + 0.5) / vec2(textureSize(values, 0));
-#ifndef WRAPPED
     setDatum(TEXEL(0, 0), TEXEL(3, 0), TEXEL(0, 3), TEXEL(3, 3));
-#endif
 #if KERNEL == KERNEL_SOBEL
     sumRow(0, ROW(-1));
     sumRow(1, ROW(0));

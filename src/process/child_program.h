@@ -30,7 +30,8 @@ private:
 /// many bytes. Its other streams are closed to it. It ends when this ends.
 class ChildProgram {
 public:
-    /// @param limit    from now on: what send() and receive() wait for
+    /// @param limit    of the program's processor time, or of an eighth of the clock's if that is more, from its start
+    ///                 on: send() and receive() wait no longer
     /// @param waiting  called many times a second while the program is waited for; may throw
     /// @throws Error   (Kind::Runtime) if it cannot be started
     ChildProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments,
@@ -55,6 +56,9 @@ public:
     [[nodiscard]] pid_t process() const noexcept { return child_; }
 
 private:
+    /// The program's processor time, so that a busy machine changes no verdict; or, of a program that waits, an eighth
+    /// of the clock's.
+    [[nodiscard]] std::chrono::duration<double> used() const;
     void waitFor(short event);
     void write(std::span<const std::uint8_t> bytes);
     void read(void* to, std::size_t size);

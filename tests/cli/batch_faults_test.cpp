@@ -154,9 +154,34 @@ TEST_F(BatchFaults, AWorkerThatIsKilledCostsNothing) {
     for (const auto& [id, state] : states("out")) EXPECT_EQ(state, id == "damaged.stl" ? "refused" : "drawn") << id;
 }
 
+// Takes minutes at a fine tolerance.
+constexpr const char* endless =
+    "bounds -1 -1 -1 1 1 1\nf = x^2 + y^2 + z^2 - 0.5 + 0.001*sin(400*x)*sin(400*y)*sin(400*z)\n";
+
+TEST_F(BatchFaults, AnItemThatCrashesItsWorkersCostsALine) {
+    put(models_of_batch_ / "endless.implicit", endless);
+    Running running{INKEDGE_COMMAND, batch("out", {"--tolerance", "0.001"}), folder_.path()};
+    const auto drawn = [&] {
+        const auto file = folder_ / "out" / "results.jsonl";
+        return std::filesystem::exists(file) ? std::ranges::count(contents(file), '\n') : 0;
+    };
+    const auto all = std::ranges::distance(std::filesystem::directory_iterator{models_of_batch_});
+    while (!hasEnded(running) && drawn() < all - 1) std::this_thread::sleep_for(std::chrono::milliseconds{5});
+    while (!hasEnded(running)) {
+        for (const pid_t worker : childrenOf(running.process())) ::kill(worker, SIGSEGV);
+        std::this_thread::sleep_for(std::chrono::milliseconds{20});
+    }
+    expectOne(running.finish());
+    for (const json& result : results("out"))
+        if (result["id"] == "endless.implicit") {
+            EXPECT_EQ(result["state"], "crashed");
+            EXPECT_EQ(result["error"], "expected it to be drawn, found a crash (Segmentation fault)");
+        } else {
+            EXPECT_EQ(result["state"], result["id"] == "damaged.stl" ? "refused" : "drawn") << result;
+        }
+}
+
 TEST_F(BatchFaults, AnItemThatTakesTooLongCostsALine) {
-    const std::string endless =
-        "bounds -1 -1 -1 1 1 1\nf = x^2 + y^2 + z^2 - 0.5 + 0.001*sin(400*x)*sin(400*y)*sin(400*z)\n";
     put(models_of_batch_ / "endless.implicit", endless);
     expectOne(runWith({}, batch("out", {"--timeout", "20", "--tolerance", "0.001"})));
     const auto all = states("out");

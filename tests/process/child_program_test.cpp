@@ -42,8 +42,15 @@ TEST(ChildProgram, saysHowAProgramEnded) {
 }
 
 TEST(ChildProgram, endsAProgramAtItsLimit) {
-    expectError(Error::Kind::Input, StrEq("found it still at work after 0.2 s"),
-                [] { static_cast<void>(shell("sleep 60", "", duration<double>{0.2}).receive()); });
+    for (const char* script : {"while :; do :; done", "sleep 60"}) {
+        expectError(Error::Kind::Input, StrEq("found it still at work after 0.2 s"),
+                    [&] { static_cast<void>(shell(script, "", duration<double>{0.2}).receive()); });
+    }
+}
+
+TEST(ChildProgram, isNotLateBecauseTheMachineIsBusy) {
+    ChildProgram child = shell(R"(sleep 0.5; printf '\002\0\0\0\0\0\0\0ok' >&4)", "", duration<double>{0.2});
+    EXPECT_EQ(child.receive(), bytes("ok"));
 }
 
 TEST(ChildProgram, isLeftWhenWaitingThrows) {
