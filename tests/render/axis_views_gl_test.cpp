@@ -190,6 +190,7 @@ TEST_P(AxisViews, ofCadPartsAreThoseOfImageSpaceToo) {
     using cad_files::Shape;
     const std::vector<std::pair<const char*, std::string>> parts{
         {"cone", cad_files::brep(Shape::Cone)},
+        {"cylinder", cad_files::brep(Shape::Cylinder)},
         {"rounded box", cad_files::brep(Shape::Rounded)},
         {"tiny cylinder", cad_files::scaledStep(Shape::Cylinder, 1e-6)},
         {"huge cylinder", cad_files::scaledStep(Shape::Cylinder, 1e6)},

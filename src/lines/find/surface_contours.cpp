@@ -70,7 +70,7 @@ SurfaceContours::Point SurfaceContours::crossing(const SurfaceTriangle& triangle
     }
     const double nearest = std::abs(low.viewDot) < std::abs(high.viewDot) ? 0.0 : 1.0;
     const Point beside = moved(edge.face, edge.at(nearest), reach);
-    return beside.exact ? beside : point;
+    return beside.exact && areTogether(beside.position, corners[ends[nearest == 0.0 ? 0 : 1]]) ? beside : point;
 }
 
 // The false position, where an end that stays counts half: Illinois (Dowell and Jarratt 1971).
@@ -124,6 +124,15 @@ SurfaceContours::Point SurfaceContours::moved(std::uint32_t face, glm::dvec3 par
         result.parameters = surfaces_.moved(result.parameters, p, step);
     }
     return result;
+}
+
+// Whether two points are a pixel apart or less. A cylinder seen along its axis is edge-on all round, but for rounding:
+// its contour may be anywhere then.
+bool SurfaceContours::areTogether(glm::dvec3 a, glm::dvec3 b) const {
+    const glm::dvec3 worldA = view_.world(a);
+    const glm::dvec3 worldB = view_.world(b);
+    if (std::min(screen_.depth(worldA), screen_.depth(worldB)) <= screen_.near()) return false;
+    return glm::distance(screen_.project(worldA).pixel, screen_.project(worldB).pixel) <= 1.0;
 }
 
 // How far the middle lies from the straight piece in the picture, pixels; 0: some of it is not before the camera.

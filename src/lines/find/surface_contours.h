@@ -48,6 +48,7 @@ private:
     [[nodiscard]] Sample sample(const Edge&, double share) const;
     void narrow(const Edge&, Sample low, Sample high, Point& point) const;
     [[nodiscard]] Point moved(std::uint32_t face, glm::dvec3 parameters, double reach) const;
+    [[nodiscard]] bool areTogether(glm::dvec3 a, glm::dvec3 b) const;
     [[nodiscard]] double stray(const Point& from, const Point& to, const Point& middle) const;
     void divide(std::uint32_t face, const Point& from, const Point& to, int depth,
                 std::vector<glm::dvec3>& points) const;
