@@ -3,7 +3,9 @@
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
@@ -51,6 +53,7 @@
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
 
 #include <cmath>
@@ -161,6 +164,19 @@ TopoDS_Shape crossing() {
     return both;
 }
 
+TopoDS_Shape manyHoles() {
+    BRepBuilderAPI_MakeFace face{gp_Pln{}, 0.0, 100.0, 0.0, 100.0};
+    const auto cut = [&](const TopoDS_Wire& wire) { face.Add(TopoDS::Wire(wire.Reversed())); };
+    for (int i = 0; i < 64; ++i) {
+        const gp_Pnt low{2.0 + 12.0 * (i % 8), 2.0 + 8.0 * (i / 8), 0.0};
+        cut(BRepBuilderAPI_MakePolygon{low, low.Translated({4, 0, 0}), low.Translated({4, 4, 0}),
+                                       low.Translated({0, 4, 0}), true});
+    }
+    for (const double x : {45.0, 55.0})
+        cut(BRepBuilderAPI_MakeWire{BRepBuilderAPI_MakeEdge{gp_Circ{gp_Ax2{{x, 84.0, 0.0}, gp::DZ()}, 8.0}}});
+    return face.Face();
+}
+
 TopoDS_Shape make(Shape shape) {
     Message::DefaultMessenger()->ChangePrinters().Clear();
     switch (shape) {
@@ -204,6 +220,8 @@ TopoDS_Shape make(Shape shape) {
             return withCurves(box());
         case Shape::Crossing:
             return crossing();
+        case Shape::ManyHoles:
+            return manyHoles();
     }
     return {};
 }
