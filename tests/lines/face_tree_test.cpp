@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 
 #include "lines/find/face_cones.h"
+#include "lines/find/file_faces.h"
 #include "scene/prepared.h"
 #include "scenes.h"
 
@@ -54,6 +55,25 @@ TEST(FaceTree, HoldsEachFaceOnceInBoxesThatHoldIt) {
         for (std::uint32_t t = 0; t < originals.size(); ++t) count += originals[t] == t ? 1 : 0;
         EXPECT_EQ(triangles.size(), count);
     }
+}
+
+TEST(FaceTree, HasPacketsOfOneFaceOfACadFile) {
+    Mesh ball = sphere(1.0, 40);
+    ball.parameters.resize(ball.positions.size());
+    for (std::uint32_t t = 0; t < ball.indices.size() / 3; ++t) ball.faces.push_back(7 * t % 11);
+    const Made made{sceneOf(ball)};
+    const FileFaces faces{made.tree, made.mesh, made.topology};
+    std::vector<std::uint32_t> triangles;
+    for (std::uint32_t p = 0; p < made.tree.packets.size(); ++p) {
+        EXPECT_TRUE(faces.areBeside(0, p, 0, p));
+        for (std::uint32_t k = 0; k < made.tree.facesIn(p); ++k) {
+            triangles.push_back(made.tree.triangles[4 * p + k]);
+            EXPECT_EQ(made.mesh.faces[triangles.back()], made.mesh.faces[made.tree.triangles[4 * p]]);
+        }
+    }
+    std::ranges::sort(triangles);
+    EXPECT_EQ(triangles.size(), made.mesh.indices.size() / 3);
+    EXPECT_EQ(std::ranges::adjacent_find(triangles), triangles.end());
 }
 
 TEST(FaceTree, IsEmptyForAMeshWithoutFaces) {

@@ -66,6 +66,23 @@ TEST(Intersections, OfABoxThatSinksIntoATableAreItsFourSides) {
     }
 }
 
+// Two crossing plates, as if a CAD file had them.
+TEST(Intersections, OfFacesOfACadFileAreThoseOfFacesThatShareNoEdge) {
+    const Mesh plates = joined(box({2, 0.1, 2}), box({2, 0.1, 2}), rotation(90.0, {1, 0, 0}));
+    const auto count = static_cast<std::uint32_t>(plates.indices.size() / 3);
+    const auto crossings = [&](auto&& faceOf) {
+        Mesh mesh = plates;
+        mesh.parameters.resize(mesh.positions.size());
+        for (std::uint32_t t = 0; t < count; ++t) mesh.faces.push_back(faceOf(t));
+        return totalLength(intersectionsOf(sceneOf(mesh)));
+    };
+    const double all = totalLength(intersectionsOf(sceneOf(plates)));
+    EXPECT_GT(all, 4.0);
+    EXPECT_DOUBLE_EQ(crossings([&](std::uint32_t t) { return 2 * t < count ? 0U : 1U; }), all);
+    EXPECT_EQ(crossings([](std::uint32_t) { return 0U; }), 0.0) << "no face crosses itself";
+    EXPECT_DOUBLE_EQ(crossings([](std::uint32_t t) { return t / 2; }), all) << "each side of a plate is a face";
+}
+
 TEST(Intersections, OfTwoSpheresAreOneClosedCircle) {
     // Two unit spheres a unit apart meet in a circle of radius sqrt(3) / 2.
     for (const Scene& scene : bothWays(sphere(1.0, 96), sphere(1.0, 80), translation({0.6, 0.7, std::sqrt(0.15)}))) {

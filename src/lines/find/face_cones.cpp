@@ -52,7 +52,7 @@ FaceCones::FaceCones(const FaceTree& tree, std::span<const glm::dvec3> normals, 
         for (std::size_t node = (begin + 15) / 16; node * 16 < end; ++node) {
             for (std::size_t p = 4 * node; p < std::min(4 * node + 4, packets); ++p) {
                 std::array<Cone, 4> faces{};
-                for (std::size_t k = 0; k < 4 && 4 * p + k < tree.triangles.size(); ++k) {
+                for (std::size_t k = 0; k < tree.facesIn(static_cast<std::uint32_t>(p)); ++k) {
                     const glm::dvec3 normal = normals[tree.triangles[4 * p + k]];
                     if (normal != glm::dvec3{0.0}) faces[k] = {glm::vec3{normal}, 0.0F};
                 }

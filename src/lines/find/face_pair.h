@@ -14,6 +14,7 @@
 
 #include "lines/find/face_cones.h"
 #include "lines/find/face_tree.h"
+#include "lines/find/file_faces.h"
 #include "lines/find/intersections.h"
 #include "mesh/topology.h"
 
@@ -29,6 +30,7 @@ inline const float minCrossingDistance = static_cast<float>(2.0 * std::sin(0.5 *
 struct FaceSide {
     const FaceTree* tree;
     const FaceCones* cones;
+    const FileFaces* fileFaces;
     std::span<const glm::dvec3> normals;  ///< as MeshTopology::faceNormals
     const mesh::MeshTopology* topology;
     glm::dmat4 transform;  ///< into the space in which the two are compared

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/radix_sort.h"
+#include "lines/find/file_faces.h"
 #include "mesh/z_order.h"
 
 namespace inkedge::lines {
@@ -63,9 +64,41 @@ std::vector<std::uint32_t> sorted(const mesh::MeshTopology& topology, const std:
     return triangles;
 }
 
+// The same triangles, those of a face of the file one after the other: faces by where the middle of their triangles is
+// along the curve, each from a packet of its own on.
+std::vector<std::uint32_t> byFileFace(const std::vector<std::uint32_t>& triangles, const Mesh& mesh) {
+    struct FileFace {
+        double middle = 0.0;
+        std::uint32_t count = 0;
+        std::uint32_t begin = 0;
+    };
+    std::vector<FileFace> faces;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const std::size_t number = mesh.faces[triangles[i]];
+        if (number >= faces.size()) faces.resize(number + 1);
+        faces[number].middle += static_cast<double>(i);
+        ++faces[number].count;
+    }
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t number = 0; number < faces.size(); ++number) {
+        if (faces[number].count == 0) continue;
+        faces[number].middle /= faces[number].count;
+        order.push_back(number);
+    }
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t number) { return faces[number].middle; });
+    std::uint32_t end = 0;
+    for (const std::uint32_t number : order) {
+        faces[number].begin = end;
+        end += (faces[number].count + 3) / 4 * 4;
+    }
+    std::vector<std::uint32_t> sorted(end, FaceTree::none);
+    for (const std::uint32_t t : triangles) sorted[faces[mesh.faces[t]].begin++] = t;
+    return sorted;
+}
+
 void fill(FaceTree::Packet& packet, const FaceTree& tree, const mesh::MeshTopology& topology, std::size_t first) {
     for (std::size_t face = 0; face < 4; ++face) {
-        const bool isNone = first + face >= tree.triangles.size();
+        const bool isNone = first + face >= tree.triangles.size() || tree.triangles[first + face] == FaceTree::none;
         const std::uint32_t* const p =
             isNone ? nullptr : &topology.points[3 * std::size_t{tree.triangles[first + face]}];
         for (std::size_t k = 0; k < 3; ++k) {
@@ -92,6 +125,7 @@ FaceTree buildFaceTree(const Mesh& mesh, const mesh::MeshTopology& topology) {
     FaceTree tree;
     tree.points = pointsOf(mesh, topology);
     tree.triangles = sorted(topology, tree.points);
+    if (hasFileFaces(mesh)) tree.triangles = byFileFace(tree.triangles, mesh);
     const std::size_t count = tree.triangles.size();
     tree.packets.resize((count + 3) / 4);
     std::vector<FourBoxes> bottom((count + nodeFaces - 1) / nodeFaces);
@@ -99,7 +133,7 @@ FaceTree buildFaceTree(const Mesh& mesh, const mesh::MeshTopology& topology) {
         for (std::size_t node = (begin + nodeFaces - 1) / nodeFaces; node * nodeFaces < end; ++node) {
             for (std::size_t p = 4 * node; p < std::min(4 * node + 4, tree.packets.size()); ++p) {
                 fill(tree.packets[p], tree, topology, 4 * p);
-                setBox(bottom[node], p - 4 * node, tree.packets[p], std::min<std::size_t>(4, count - 4 * p));
+                setBox(bottom[node], p - 4 * node, tree.packets[p], tree.facesIn(static_cast<std::uint32_t>(p)));
             }
         }
     });

@@ -13,7 +13,8 @@
 
 namespace inkedge::lines {
 
-/// The faces of a mesh in a tree of boxes. Faces that repeat another are left out. Mesh space less origin.
+/// The faces of a mesh in a tree of boxes. Faces that repeat another are left out. Mesh space less origin. Where a mesh
+/// knows the faces of a CAD file, a packet holds triangles of one of them.
 struct FaceTree {
     /// Four faces side by side. One that is none lies at infinity.
     struct Packet {
@@ -28,10 +29,20 @@ struct FaceTree {
         }
     };
 
-    std::vector<glm::vec3> points;         ///< one per point of the topology
-    std::vector<std::uint32_t> triangles;  ///< of the mesh, along a Z-order curve: packet p has 4 p to 4 p + 3
+    std::vector<glm::vec3> points;  ///< one per point of the topology
+    /// Of the mesh, along a Z-order curve: packet p has 4 p to 4 p + 3. The last of a packet may be none.
+    std::vector<std::uint32_t> triangles;
+    static constexpr std::uint32_t none = ~0U;
     std::vector<Packet> packets;
     BoxLevels boxes;  ///< of the packets
+
+    /// How many faces a packet has.
+    [[nodiscard]] unsigned facesIn(std::uint32_t packet) const noexcept {
+        const std::size_t first = 4 * std::size_t{packet};
+        unsigned count = 1;
+        while (count < 4 && first + count < triangles.size() && triangles[first + count] != none) ++count;
+        return count;
+    }
 };
 
 /// O(n)

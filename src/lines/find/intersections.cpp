@@ -12,6 +12,7 @@
 #include "lines/find/face_cones.h"
 #include "lines/find/face_pair.h"
 #include "lines/find/face_tree.h"
+#include "lines/find/file_faces.h"
 #include "lines/find/tree_pair.h"
 #include "mesh/topology.h"
 #include "mesh/weld.h"
@@ -50,7 +51,12 @@ void numberEnds(SideCrossings& crossing, double tolerance) {
 class Finder {
 public:
     Finder(const Scene& scene, std::span<const MeshEdges> edges)
-        : scene_{scene}, edges_{edges}, trees_(edges.size()), cones_(edges.size()), sides_(edges.size()) {}
+        : scene_{scene},
+          edges_{edges},
+          trees_(edges.size()),
+          cones_(edges.size()),
+          fileFaces_(edges.size()),
+          sides_(edges.size()) {}
 
     std::vector<IntersectionSegment> find() {
         findSides();
@@ -75,7 +81,9 @@ private:
             const std::span<const glm::dvec3> normals = edges_[i].faceNormals;
             trees_[i] = buildFaceTree(scene_.meshes()[i], scene::topologyOf(scene_, i));
             cones_[i].emplace(trees_[i], normals, minCrossingDistance);
-            sides_[i] = {&trees_[i], &*cones_[i], normals, &scene::topologyOf(scene_, i), glm::dmat4{1.0}};
+            fileFaces_[i].emplace(trees_[i], scene_.meshes()[i], scene::topologyOf(scene_, i));
+            sides_[i] = {&trees_[i],     &*cones_[i], &*fileFaces_[i], normals, &scene::topologyOf(scene_, i),
+                         glm::dmat4{1.0}};
         });
     }
 
@@ -209,6 +217,7 @@ private:
     std::span<const MeshEdges> edges_;
     std::vector<FaceTree> trees_;
     std::vector<std::optional<FaceCones>> cones_;
+    std::vector<std::optional<FileFaces>> fileFaces_;
     std::vector<FaceSide> sides_;        // one per mesh, in its own space less its origin
     std::vector<SideCrossings> within_;  // one per mesh, in its own space less its origin
     std::vector<FaceSide> instances_;    // one per instance, in world space less the scene's middle

@@ -34,7 +34,8 @@ inline constexpr double minIntersectionAngle = 15.0;
 /// edge's two faces stay on one side of it. An edge in another face is a line of its own if it is a crease or a border.
 /// Else, if the edge's two faces lie to both sides, the edge is one segment, not two. Distances below weldTolerance of
 /// the larger mesh's box count as 0, so that solids which stand on each other do not cross. Faces that repeat another
-/// face of their mesh, and faces too thin for a normal, are left out.
+/// face of their mesh, and faces too thin for a normal, are left out. Triangles of one face of a CAD file, or of two
+/// that share an edge, are not compared: FileFaces.
 ///
 /// If very many faces all cross each other, segments beyond about ten million are left out.
 ///

@@ -114,14 +114,16 @@ void TreePair::expand(Task task, Take&& take) const {
     }
     for (std::uint32_t i = a.begin; i < a.end; ++i) {
         const Node first{a.level, a.first + i};
-        if (self && 2.0F * a.cones->radius[i] >= minCrossingDistance - rounding) take({first, first});
+        const bool isBent = 2.0F * a.cones->radius[i] >= minCrossingDistance - rounding;
+        if (self && isBent && mayMeet(first, first)) take({first, first});
         const unsigned near = this->near(*a.boxes, i, *b.boxes);
         const unsigned from = self ? i + 1 : b.begin;
         const unsigned wanted = near & ((1U << b.end) - (1U << from));
         if (wanted == 0) continue;
         const unsigned open = wanted & bent(*a.cones, i, *b.cones);
         for (std::uint32_t j = from; j < b.end; ++j)
-            if ((open >> j & 1U) != 0) take({first, {b.level, b.first + j}});
+            if (const Node second{b.level, b.first + j}; (open >> j & 1U) != 0 && mayMeet(first, second))
+                take({first, second});
     }
 }
 
@@ -173,17 +175,18 @@ void TreePair::visit(Task task, Search& search) const {
     expand(task, [&](Task part) { visit(part, search); });
 }
 
-unsigned TreePair::facesIn(const FaceSide& side, std::uint32_t packet) {
-    return static_cast<unsigned>(std::min<std::size_t>(4, side.tree->triangles.size() - 4 * std::size_t{packet}));
+// Whether faces of two nodes may cross by what a CAD file says.
+bool TreePair::mayMeet(Node first, Node second) const {
+    return !sameMesh_ || !a_.fileFaces->areBeside(first.level, first.index, second.level, second.index);
 }
 
 void TreePair::comparePackets(std::uint32_t a, std::uint32_t b, Search& search) const {
     if (sameMesh_) return compareOwnPackets(a, b, search);
     const FourBoxes boxesOfA = a_.tree->packets[a].boxes();
     const FourBoxes boxesOfB = inA(b_.tree->packets[b].boxes());
-    const unsigned ends = 1U << facesIn(b_, b);
+    const unsigned ends = 1U << b_.tree->facesIn(b);
     std::array<std::optional<SideFace>, 4> ofB;  // those that are compared
-    for (std::uint32_t i = 0; i < facesIn(a_, a); ++i) {
+    for (std::uint32_t i = 0; i < a_.tree->facesIn(a); ++i) {
         const std::uint32_t first = a_.tree->triangles[4 * std::size_t{a} + i];
         if (a_.normals[first] == glm::dvec3{0.0}) continue;
         const unsigned near = this->near(boxesOfA, i, boxesOfB) & (ends - 1U);
@@ -204,8 +207,8 @@ void TreePair::compareOwnPackets(std::uint32_t a, std::uint32_t b, Search& searc
     const FaceTree::Packet& packetOfB = a_.tree->packets[b];
     const FourBoxes boxesOfA = packetOfA.boxes();
     const FourBoxes boxesOfB = packetOfB.boxes();
-    const unsigned ends = 1U << facesIn(a_, b);
-    for (std::uint32_t i = 0; i < facesIn(a_, a); ++i) {
+    const unsigned ends = 1U << a_.tree->facesIn(b);
+    for (std::uint32_t i = 0; i < a_.tree->facesIn(a); ++i) {
         const unsigned begin = a == b ? i + 1 : 0;
         unsigned near = this->near(boxesOfA, i, boxesOfB) & (ends - (1U << begin));
         if (near != 0) near &= ~touching(packetOfA, i, packetOfB);

@@ -64,7 +64,7 @@ private:
     [[nodiscard]] FourBoxes inA(const FourBoxes& ofB) const;
     [[nodiscard]] FourCones inA(const FourCones& ofB) const;
     void visit(Task, Search&) const;
-    [[nodiscard]] static unsigned facesIn(const FaceSide&, std::uint32_t packet);
+    [[nodiscard]] bool mayMeet(Node first, Node second) const;
     void comparePackets(std::uint32_t a, std::uint32_t b, Search&) const;
     void compareOwnPackets(std::uint32_t a, std::uint32_t b, Search&) const;
     void compareWithin(std::uint32_t first, std::uint32_t second, Search&) const;
