@@ -51,6 +51,13 @@ bool needsContext(const Job& job) {
     });
 }
 
+bool needsRays(const Job& job) {
+    return std::ranges::any_of(job.outputs, [&](const std::string& output) {
+        return holdsLines(output) ? job.settings.lines.from != LinesFrom::Image
+                                  : render::pictureNeedsRays(withMapsOf(job.outputs, job.settings));
+    });
+}
+
 DrawnView draw(const Job& job, const View& view, const FramedView& framed, const Scene& scene, Renderer& renderer) {
     DrawnView drawn{job.settings, {}, {}};
     drawn.settings.camera = view.camera;

@@ -49,6 +49,9 @@ enum class Besides { Nothing, LinesOfTheMesh };
 /// Whether a job's views are drawn with OpenGL.
 [[nodiscard]] bool needsContext(const Job&);
 
+/// Whether rays are cast for a job's lines.
+[[nodiscard]] bool needsRays(const Job&);
+
 /// Draws one view and writes what the job asks for.
 /// @param framed    the view, laid on its picture
 /// @param before    times of stages before this one

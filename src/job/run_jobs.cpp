@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -12,6 +13,7 @@
 #include <inkedge/renderer.h>
 #include <inkedge/scene.h>
 
+#include "base/later.h"
 #include "base/parallel.h"
 #include "base/stage_clock.h"
 #include "base/stop.h"
@@ -19,6 +21,7 @@
 #include "job/file_names.h"
 #include "job/files_apart.h"
 #include "job/own_renderer.h"
+#include "render/needs_context.h"
 
 namespace inkedge {
 namespace job {
@@ -90,6 +93,7 @@ private:
 
     void work() noexcept {
         OwnRenderer renderer;
+        std::optional<base::Later<bool>> rays;  // opened while a scene is loaded
         try {
             const base::StopScope scope{[&] { return options_.stop.stop_requested(); }};
             for (std::size_t i = next_++; i < tasks_.size(); i = next_++) {
@@ -97,6 +101,10 @@ private:
                 const Task task = tasks_[i];
                 JobState& state = states_[task.job];
                 if (needsContext(*state.job)) (void)renderer.of(state.job->settings.backend, ContextTime::Meanwhile);
+                if (!rays && needsRays(*state.job)) {
+                    const auto open = [] { return render::openRays(), true; };
+                    rays.emplace(open, base::elementsWorthAThread);
+                }
                 if (isLoaded(state, task.job)) drawView(state, task, renderer);
                 if (--state.left == 0) finish(state, task.job);
                 const std::scoped_lock lock{calling_};

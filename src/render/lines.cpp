@@ -10,6 +10,7 @@
 #include "lines/see/rays.h"
 #include "lines/specks.h"
 #include "modules/open_module.h"
+#include "render/needs_context.h"
 #include "render/plan.h"
 #include "render/tiles.h"
 #include "trace/join_pieces.h"
@@ -27,6 +28,8 @@ Image<std::uint8_t> shadeOf(const Scene& scene, const Camera& camera, const Rend
     graphics.gpu().textures.trim();
     return std::move(tiles.maps.shade);
 }
+
+void openRays() { static_cast<void>(modules::failureToOpen(lines::embreeModule)); }
 
 Lines objectLines(const Scene& scene, const Camera& camera, const RenderSettings& settings, Kept& kept) {
     std::vector<StageTime> before;

@@ -84,6 +84,8 @@ Plan planOf(const RenderSettings& settings) {
 
 bool pictureNeedsContext(const RenderSettings& settings) { return planOf(settings).needsContext(); }
 
+bool pictureNeedsRays(const RenderSettings& settings) { return planOf(settings).lines == LineSource::Object; }
+
 bool linesNeedContext(const RenderSettings& settings) {
     return settings.lines.from == LinesFrom::Image || settings.shade.shade != Shade::None;
 }
