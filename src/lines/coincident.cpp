@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <optional>
-#include <queue>
 #include <tuple>
 
 #include <glm/geometric.hpp>
@@ -61,8 +59,9 @@ public:
         for (const Piece& piece : pieces_) reach = std::max(reach, farthest(piece, piece));
         const Neighbours near{screen_.size(), cellSize(), pieces_, reach};
         settleAll(near);
+        Neighbours::Found found{near};
         for (std::uint32_t i = 0; i < lines_.size(); ++i)
-            if (runs_[i] && !lines_[i].visible) addBeside(i, near);
+            if (runs_[i] && !lines_[i].visible) addBeside(i, near, found);
         std::vector<Line> merged;
         for (std::uint32_t i = 0; i < lines_.size(); ++i) {
             if (!runs_[i]) {
@@ -118,34 +117,38 @@ private:
     // The nearest first: what has gone makes no other line go. A piece that has gone by its turn need not be compared
     // with those behind it, so of many lines along each other all are compared with the first ones only.
     void settleAll(const Neighbours& near) {
+        for (std::size_t begin = 0; begin < pieces_.size(); begin += piecesAtOnce)
+            batches_.push_back({pieces_[begin].rank, std::uint64_t{pieces_[begin].index} << 32U, 0});
+        waiting_.resize(batches_.size());
         for (std::size_t begin = 0; begin < pieces_.size(); begin += piecesAtOnce) {
-            settleBefore({pieces_[begin].rank, std::uint64_t{pieces_[begin].index} << 32U, 0});
             const std::size_t end = std::min(pieces_.size(), begin + piecesAtOnce);
             for (std::size_t p = begin; p < end; ++p) compared_[p] = gone_[p] == 0 ? 1 : 0;
             std::vector<std::vector<Overlap>> parts((end - begin + piecesOfThread - 1) / piecesOfThread);
             base::onEach(parts.size(), [&](std::size_t part) {
                 const std::size_t first = begin + part * piecesOfThread;
+                Neighbours::Found found{near};
                 for (std::size_t p = first; p < std::min(end, first + piecesOfThread); ++p)
-                    if (compared_[p] != 0) compare(static_cast<std::uint32_t>(p), near, parts[part]);
+                    if (compared_[p] != 0) compare(static_cast<std::uint32_t>(p), near, found, parts[part]);
             });
             for (const std::vector<Overlap>& part : parts)
-                for (const Overlap& overlap : part) wait(overlap);
+                for (const Overlap& overlap : part) wait(overlap, begin / piecesAtOnce);
+            settle(waiting_[begin / piecesAtOnce]);
         }
-        settleBefore({{~std::uint64_t{0}, ~0U}, 0, 0});
     }
 
     // Adds the overlaps of a piece with those that were not compared with it before.
-    void compare(std::uint32_t p, const Neighbours& near, std::vector<Overlap>& to) const {
+    void compare(std::uint32_t p, const Neighbours& near, Neighbours::Found& found, std::vector<Overlap>& to) const {
         const auto isOpen = [&](std::uint32_t other) {
             if (other == p || (other < p && compared_[other] != 0)) return false;
             return gone_[other] == 0 || givesType(other, p);
         };
-        for (const std::uint32_t other : near.of(p, isOpen))
+        near.find(p, isOpen, found);
+        for (const std::uint32_t other : found.pieces())
             if (const auto overlap = overlapOf(p, other, within(pieces_[p], pieces_[other]))) to.push_back(*overlap);
     }
 
     // Finds the lines beside runs of a hidden one that are too short to stay otherwise.
-    void addBeside(std::uint32_t line, const Neighbours& near) {
+    void addBeside(std::uint32_t line, const Neighbours& near, Neighbours::Found& found) {
         std::vector<std::uint32_t> doubtful;
         const auto count = static_cast<std::uint32_t>(pieceAt_[line].size());
         for (const Run& run : runs_[line]->doubtful())
@@ -153,25 +156,33 @@ private:
                 if (pieceAt_[line][k % count] != noPiece) doubtful.push_back(pieceAt_[line][k % count]);
         std::ranges::sort(doubtful);  // a long piece may have many such runs
         doubtful.erase(std::unique(doubtful.begin(), doubtful.end()), doubtful.end());
-        for (const std::uint32_t p : doubtful) addBesidePiece(p, near);
+        for (const std::uint32_t p : doubtful) addBesidePiece(p, near, found);
     }
 
-    void addBesidePiece(std::uint32_t p, const Neighbours& near) {
-        for (const std::uint32_t other : near.of(p, [&](std::uint32_t i) { return i != p && gone_[i] == 0; })) {
+    void addBesidePiece(std::uint32_t p, const Neighbours& near, Neighbours::Found& found) {
+        near.find(
+            p, [&](std::uint32_t i) { return i != p && gone_[i] == 0; }, found);
+        for (const std::uint32_t other : found.pieces()) {
             const auto overlap = overlapOf(p, other, farthest(pieces_[p], pieces_[other]));
             if (!overlap || overlap->goes.piece != p || hasGone(overlap->stays)) continue;
             runs_[pieces_[p].line]->addBeside(overlap->goes.from, overlap->goes.to);
         }
     }
 
-    void wait(const Overlap& overlap) {
+    // @param batch  now: rounding may put an overlap before it
+    void wait(const Overlap& overlap, std::size_t batch) {
         const std::uint64_t stays = pieces_[overlap.stays.piece].index;
-        waiting_.push({overlap.rank, stays << 32U | pieces_[overlap.goes.piece].index, overlaps_.size()});
+        const Waiting waiting{overlap.rank, stays << 32U | pieces_[overlap.goes.piece].index, overlaps_.size()};
+        const auto after = std::ranges::upper_bound(batches_, waiting);
+        waiting_[std::max(batch + 1, static_cast<std::size_t>(after - batches_.begin())) - 1].push_back(waiting);
         overlaps_.push_back(overlap);
     }
 
-    void settleBefore(const Waiting& end) {
-        for (; !waiting_.empty() && waiting_.top() < end; waiting_.pop()) settle(overlaps_[waiting_.top().index]);
+    // Pieces of later batches have no overlap that comes before these.
+    void settle(std::vector<Waiting>& waiting) {
+        std::ranges::sort(waiting);
+        for (const Waiting& each : waiting) settle(overlaps_[each.index]);
+        waiting = {};
     }
 
     // As many cells as pieces, at most: pixels.
@@ -208,7 +219,8 @@ private:
         const double overlap = (to - from) * std::abs(whole);
         if (overlap <= shortest) return {};
         // Pieces that only cross part on either side. Many such in a row are no line that falls on another.
-        if (p.visible && q.visible && from > begin && to < end && overlap < minCoincident) return {};
+        const double shortestRun = std::max(reaches_[p.line].shortest, reaches_[q.line].shortest);
+        if (from > begin && to < end && overlap < shortestRun) return {};
         const auto shareOfP = [&](double share) { return std::clamp((at[0] + share * whole) / p.length, 0.0, 1.0); };
         if (p.line == q.line && bends(p, shareOfP(0.5 * (from + to)), q, 0.5 * (from + to))) return {};
         return decided(sideOf(i, shareOfP(from), shareOfP(to)), sideOf(j, from, to));
@@ -355,7 +367,8 @@ private:
     std::vector<std::uint8_t> compared_;               // one per piece: whether it was compared with all others
     std::vector<std::uint8_t> gone_;                   // one per piece: whether all of it has
     std::vector<Overlap> overlaps_;
-    std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting_;
+    std::vector<Waiting> batches_;                     // where each batch of pieces begins
+    std::vector<std::vector<Waiting>> waiting_;        // one per batch: the overlaps that are settled after it
     std::vector<double> lengths_;                      // of lines, pixels
     std::vector<std::optional<CoincidentRuns>> runs_;  // one per line; none: it stays as it is
 };

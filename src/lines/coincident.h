@@ -22,7 +22,8 @@ inline constexpr double minHiddenWithin = 0.5;
 ///
 /// Hidden lines fall on others from further off, minHiddenWithin. They are cut where they run along another for a dash
 /// and a gap at least, and what is left between two cuts is dropped if it is shorter, and no further off than twice
-/// that distance: lines round the same hole, of different facets, are one.
+/// that distance: lines round the same hole, of different facets, are one. Lines that only cross cut neither, however
+/// many do so in a row.
 ///
 /// Lines that are not drawn are left alone, and hide no other.
 /// @param origin  the origin of the screen's world space

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <algorithm>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <span>
 #include <vector>
 
@@ -66,20 +64,30 @@ public:
                                                               grid_.forEachCell(pieces[p].a, pieces[p].b, reach, visit);
                                                           }} {}
 
-    /// Those that may be near a piece and are wanted.
+    /// What one thread finds, in memory that it uses again.
+    class Found {
+    public:
+        explicit Found(const Neighbours& of) : marked_(of.pieces_.size(), false) {}
+        [[nodiscard]] std::span<const std::uint32_t> pieces() const { return pieces_; }
+
+    private:
+        friend Neighbours;
+        std::vector<std::uint32_t> pieces_;
+        std::vector<bool> marked_;  // one per piece: whether it is found; all false between two searches
+    };
+
+    /// Finds those that may be near a piece and are wanted, each once.
     template <class Wanted>
-    [[nodiscard]] std::vector<std::uint32_t> of(std::uint32_t p, Wanted&& isWanted) const {
-        std::vector<std::uint32_t> near;
-        std::size_t cells = 0;
+    void find(std::uint32_t p, Wanted&& isWanted, Found& found) const {
+        found.pieces_.clear();
         grid_.forEachCell(pieces_[p].a, pieces_[p].b, 0.0, [&](std::size_t cell) {
-            ++cells;
-            std::ranges::copy_if(listed_.in(cell), std::back_inserter(near), isWanted);
+            for (const std::uint32_t other : listed_.in(cell)) {
+                if (found.marked_[other] || !isWanted(other)) continue;
+                found.marked_[other] = true;
+                found.pieces_.push_back(other);
+            }
         });
-        if (cells > 1) {
-            std::ranges::sort(near);
-            near.erase(std::unique(near.begin(), near.end()), near.end());
-        }
-        return near;
+        for (const std::uint32_t other : found.pieces_) found.marked_[other] = false;
     }
 
 private:

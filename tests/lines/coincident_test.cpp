@@ -262,6 +262,16 @@ TEST(Coincident, HiddenLinesThatCrossStayWhole) {
     }
 }
 
+TEST(Coincident, HiddenLinesThatManyCrossInARowStayWhole) {
+    const Plane plane;
+    std::vector<Line> lines{Plane::hidden(Plane::line(LineType::Crease, {{10, 100}, {390, 100}}, 5.0))};
+    for (int i = 0; i < 150; ++i)  // nearer ones at 45 degrees, so close that together they cover all of the line
+        lines.push_back(Plane::hidden(Plane::line(LineType::Crease, {{20.0 + 2 * i, 60}, {100.0 + 2 * i, 140}}, 1.0)));
+    const auto merged = plane.merged(lines);
+    ASSERT_THAT(merged, SizeIs(151));
+    expectPixels(merged[0], {{10, 100}, {390, 100}});
+}
+
 TEST(Coincident, AHiddenLineTooShortForADashGoesBelowALongerOneBehindIt) {
     const auto merged =
         Plane{}.merged({Plane::hidden(Plane::line(LineType::Intersection, {{50, 20.3}, {54, 20.4}}, 1.0)),
