@@ -137,6 +137,40 @@ bool hasEnded(const Running& running) {
     return failed != 0 || info.si_pid != 0;
 }
 
+/// Whether llvmpipe has started threads of its own in one of these processes.
+bool driverHasThreads(const std::set<pid_t>& processes) {
+    for (const pid_t process : processes) {
+        std::error_code ignored;
+        const std::string tasks = "/proc/" + std::to_string(process) + "/task";
+        for (const auto& task : std::filesystem::directory_iterator{tasks, ignored}) {
+            std::string name;
+            std::ifstream{task.path() / "comm"} >> name;
+            if (name.starts_with("llvmpipe-")) return true;
+        }
+    }
+    return false;
+}
+
+TEST_F(BatchFaults, DriversDrawInTheThreadsThatKeepTheCoresBusy) {
+    const auto startsThreads = [&](const Arguments& arguments, const Environment& environment) {
+        Running running{INKEDGE_COMMAND, arguments, folder_.path(), environment};
+        bool found = false;
+        while (!hasEnded(running)) {
+            std::set<pid_t> processes = childrenOf(running.process());
+            processes.insert(running.process());
+            found |= driverHasThreads(processes);
+            std::this_thread::sleep_for(std::chrono::milliseconds{1});
+        }
+        EXPECT_EQ(running.finish().exitCode, arguments.front() == "batch" ? 1 : 0);
+        return found;
+    };
+    const std::string views = "turntable:" + std::to_string(8 * std::max(1U, std::thread::hardware_concurrency()));
+    const Arguments render{"render", asset("bracket.glb"), "-o", "{view}.png", "--size", "64x64", "--views", views};
+    if (!startsThreads(render, {{"LP_NUM_THREADS", "2"}})) GTEST_SKIP() << "NOT TRIED: llvmpipe does not draw here";
+    EXPECT_FALSE(startsThreads(render, {}));
+    EXPECT_FALSE(startsThreads(batch("out"), {}));
+}
+
 TEST_F(BatchFaults, AWorkerThatIsKilledCostsNothing) {
     Running running{INKEDGE_COMMAND, batch("out"), folder_.path()};
     std::set<pid_t> killed;
