@@ -19,12 +19,12 @@ layout(location = 0) out uvec4 marks;
 
 const float WITHIN_PATCH = 0.02;  // the mesh says whether so small a jump is one
 
-uint pairMarks(vec4 p, vec4 q, vec3 np, vec3 nq, float gp, float gq) {
+uint pairMarks(vec4 p, vec4 q, vec3 np, vec3 nq, float gp, float gq, float focal) {
     if (p.w == 0.0 || q.w == 0.0) return p.w == q.w ? 0u : BACKGROUND;
     float d = dot(np, nq);
     uint found = p.w == q.w ? 0u : PATCH;
     if (d * abs(d) < creaseCosine * dot(np, np) * dot(nq, nq)) found |= BEND;
-    if (jumps(p.x, q.x, gp, gq, p.w == q.w ? WITHIN_PATCH : 1.0)) found |= JUMP;
+    if (jumps(p.x, q.x, gp, gq, focal, p.w == q.w ? WITHIN_PATCH : 1.0)) found |= JUMP;
     return found;
 }
 
@@ -53,10 +53,11 @@ void main() {
         if (y > 0) {
             for (int x = 0; x < 4; ++x) {
                 uint right = x + 1 < inside.x ? pairMarks(above[x], above[x + 1], aboveNormal[x], aboveNormal[x + 1],
-                                                              above[x].y, above[x + 1].y)
+                                                              above[x].y, above[x + 1].y, focalLengths.x)
                                                   : 0u;
-                uint below = y < inside.y ? pairMarks(above[x], row[x], aboveNormal[x], normal[x], above[x].z, row[x].z)
-                                              : 0u;
+                uint below = y < inside.y ? pairMarks(above[x], row[x], aboveNormal[x], normal[x], above[x].z,
+                                                      row[x].z, focalLengths.y)
+                                          : 0u;
                 found |= (right | (below << 4)) << (8 * x);
             }
             marks[y - 1] = found;

@@ -3,11 +3,14 @@
 #include <functional>
 #include <mutex>
 
+#include <inkedge/export.h>
+
 namespace inkedge::base {
 
 /// Lets work be stopped: until the scope ends, stopIfAsked() asks its question, on this thread and on those that
-/// inRanges() and onEach() start from it. Those of scopes around it are asked too.
-class StopScope {
+/// inRanges() and onEach() start from it. Those of scopes around it are asked too. The Python module makes scopes for
+/// the shared library.
+class INKEDGE_API StopScope {
 public:
     /// @param stopRequested  called on any of those threads, at the same time too
     explicit StopScope(std::function<bool()> stopRequested);
@@ -34,6 +37,6 @@ void stopIfAsked();
 
 /// Waits for a mutex that others may hold for long.
 /// @throws Error  (Kind::Stopped) as stopIfAsked() does, while waiting
-[[nodiscard]] std::unique_lock<std::timed_mutex> lockUnlessStopped(std::timed_mutex&);
+[[nodiscard]] INKEDGE_API std::unique_lock<std::timed_mutex> lockUnlessStopped(std::timed_mutex&);
 
 }  // namespace inkedge::base

@@ -22,6 +22,12 @@ struct ShardSize {
     std::uint64_t bytes = 0;
 };
 
+/// What one of several tasks draws of a batch: those of its items that hash to an index.
+struct Portion {
+    std::uint64_t index = 0;
+    std::uint64_t count = 1;
+};
+
 struct Batch {
     std::filesystem::path input;   ///< a folder of models; a file of items, or "-" for stdin: JSON Lines or paths
     std::filesystem::path output;  ///< folder; made if it is not there
@@ -29,6 +35,7 @@ struct Batch {
     std::string views;             ///< as viewsOf() takes them; empty: one
     std::vector<std::string> formats{"png"};   ///< extensions of pictures and lines
     std::optional<ShardSize> shards;           ///< none: folders
+    Portion portion = {};                      ///< the items that are drawn
     int jobs = 0;                              ///< worker processes; 0: as many as there are cores
     double timeout = 300.0;                    ///< seconds that an item may take
     std::uint64_t maxMemory = 0;               ///< bytes that a worker may take; 0: a share of the machine's
@@ -75,7 +82,7 @@ struct Watch {
     std::function<void(const std::string& message)> failed;  ///< an item, or a line of the file of items
 };
 
-/// Draws all items. OUTPUT/results.jsonl gets a line for each; what it says was drawn before, of the same model by the
+/// Draws all items of a portion. OUTPUT/results.jsonl gets a line for each, or a file of the portion's own; what it says was drawn before, of the same model by the
 /// same settings and version, and is still there, is not drawn again. Files are whole or not there, whatever ends the
 /// process.
 /// @throws Error  (Kind::Usage, Kind::Input, Kind::Output) if the batch as a whole cannot be done; (Kind::Context) if

@@ -1,6 +1,7 @@
 #include "batch/earlier.h"
 
 #include "base/content_hash.h"
+#include "batch/portion.h"
 #include "batch/result.h"
 
 namespace inkedge::batch {
@@ -19,7 +20,7 @@ bool areAsTheyWere(const io::Json& files) {
 
 void Earlier::take(std::string_view line) {
     const std::optional<EarlierResult> earlier = earlierResult(line);
-    if (!earlier || !areAsTheyWere(earlier->others)) return;
+    if (!earlier || !holds(batch_.portion, earlier->id) || !areAsTheyWere(earlier->others)) return;
     const std::uint64_t hash = hashOf(earlier->id, earlier->key);
     switch (earlier->state) {
         case State::Drawn:

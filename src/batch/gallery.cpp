@@ -7,14 +7,13 @@
 
 #include "base/message.h"
 #include "base/staged_files.h"
-#include "batch/result.h"
+#include "batch/old_shards.h"
 #include "batch/results.h"
 
 namespace inkedge::batch {
 namespace {
 
 namespace fs = std::filesystem;
-using io::Json;
 
 // A line of the results for a script in HTML: no text of it ends the script.
 std::string scriptText(std::string_view line) {
@@ -25,10 +24,10 @@ std::string scriptText(std::string_view line) {
 
 void expectFolders(const fs::path& output) {
     std::error_code ignored;
-    const fs::path results = output / "results.jsonl";
-    if (!fs::exists(results, ignored))
-        base::refuse(fmt::format("{}: expected what inkedge batch wrote, found none", results.string()));
-    if (fs::exists(output / "000000.tar", ignored))
+    if (resultsFiles(output).empty())
+        base::refuse(
+            fmt::format("{}: expected what inkedge batch wrote, found none", resultsFile(output, {}).string()));
+    if (!shardsIn(output).empty())
         base::refuse(
             fmt::format("{}: expected a batch that wrote folders, found shards, whose pictures no page can "
                         "show; draw it without --shards",
@@ -51,8 +50,7 @@ std::uint64_t writeGallery(const fs::path& output) {
         text.clear();
     };
     std::uint64_t items = 0;
-    Results{output / "results.jsonl"}.read([&](std::string_view line) {
-        if (!startOf(line)) return;
+    readChosenResults(output, [&](std::string_view line) {
         if (items++ > 0) text += ",\n";
         text += scriptText(line);
         flush(std::size_t{1} << 20U);

@@ -9,6 +9,7 @@
 #include <inkedge/error.h>
 
 #include "base/message.h"
+#include "batch/results.h"
 #include "io/json_object.h"
 #include "io/parse_json.h"
 
@@ -18,9 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::string_view_literals;
 
-constexpr std::array ownFiles{"results.jsonl"sv, "batch.json"sv, "gallery.html"sv};  // of the batch
-constexpr std::size_t maxId = 1000;                                                  // bytes
-constexpr std::size_t maxName = 255;                                                 // bytes, as file systems have it
+constexpr std::array ownFiles{"batch.json"sv, "gallery.html"sv};  // of the batch, beside its results
+constexpr std::size_t maxId = 1000;                               // bytes
+constexpr std::size_t maxName = 255;                              // bytes, as file systems have it
 constexpr io::JsonLimits lineLimits{.depth = 8, .values = 100'000};
 
 std::string_view faultOfName(std::string_view name) {
@@ -35,7 +36,9 @@ std::string_view faultOfName(std::string_view name) {
 std::string_view faultOf(std::string_view id) {
     if (id.size() > maxId) return "over 1000 bytes";
     if (io::validText(id) != id) return "bytes that are no UTF-8";
-    if (std::ranges::find(ownFiles, id.substr(0, id.find('/'))) != ownFiles.end()) return "a name of the batch's own";
+    const std::string_view first = id.substr(0, id.find('/'));
+    if (isResultsFile(first) || std::ranges::find(ownFiles, first) != ownFiles.end())
+        return "a name of the batch's own";
     for (std::string_view rest = id;;) {
         const std::size_t slash = rest.find('/');
         if (const std::string_view fault = faultOfName(rest.substr(0, slash)); !fault.empty()) return fault;

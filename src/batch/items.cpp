@@ -37,7 +37,7 @@ void expectList(const fs::path& input) {
 
 }  // namespace
 
-Items::Items(const fs::path& input, const fs::path& output) : input_{input} {
+Items::Items(const fs::path& input, const fs::path& output, Portion portion) : input_{input}, portion_{portion} {
     std::error_code ignored;
     if (input == "-") {
         stream_ = &std::cin;
@@ -54,9 +54,16 @@ Items::Items(const fs::path& input, const fs::path& output) : input_{input} {
 Items::~Items() = default;
 
 std::optional<Item> Items::next() {
-    std::optional<Item> item = models_ ? nextFound() : nextLine();
-    if (item) item->number = items_++;
-    return item;
+    while (true) {
+        try {
+            std::optional<Item> item = models_ ? nextFound() : nextLine();
+            if (item && !holds(portion_, item->id)) continue;
+            if (item) item->number = items_++;
+            return item;
+        } catch (const Error& error) {
+            if (holds(portion_, error.what())) throw;
+        }
+    }
 }
 
 std::optional<Item> Items::nextFound() {

@@ -10,6 +10,7 @@
 
 #include "batch/find_models.h"
 #include "batch/item.h"
+#include "batch/portion.h"
 
 namespace inkedge::batch {
 
@@ -18,8 +19,9 @@ class Items {
 public:
     /// @param input   a folder, a file with an item a line, or "-" for stdin
     /// @param output  the batch's folder, where no model is looked for
+    /// @param portion the items that next() gives; a line that is no item is one portion's, too
     /// @throws Error  (Kind::Input) if it is none of these, or cannot be read; (Kind::Usage) if it is a model
-    Items(const std::filesystem::path& input, const std::filesystem::path& output);
+    Items(const std::filesystem::path& input, const std::filesystem::path& output, Portion portion = {});
     ~Items();
 
     /// The next item, its number set; none: that was the last.
@@ -32,6 +34,7 @@ private:
     [[nodiscard]] bool readLine();
 
     std::filesystem::path input_;
+    Portion portion_;
     std::optional<FindModels> models_;
     std::ifstream file_;
     std::istream* stream_ = nullptr;

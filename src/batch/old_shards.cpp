@@ -19,14 +19,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The number in the name of a shard; none: it is none's.
-std::optional<std::uint64_t> numberOf(const fs::path& file) {
+std::optional<ShardName> shardName(const fs::path& file) {
     if (file.extension() != ".tar") return {};
     const std::string stem = file.stem().string();
-    std::uint64_t number = 0;
-    const auto [end, error] = std::from_chars(stem.data(), stem.data() + stem.size(), number);
-    if (error != std::errc{} || end != stem.data() + stem.size()) return {};
-    return number;
+    const std::size_t dot = stem.find('.');
+    ShardName name{dot == std::string::npos ? "" : stem.substr(0, dot)};
+    const std::string number = dot == std::string::npos ? stem : stem.substr(dot + 1);
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), name.number);
+    const bool isPortion =
+        name.portion.empty() || (name.portion.find("-of-") != std::string::npos &&
+                                 name.portion.find_first_not_of("-of0123456789") == std::string::npos);
+    if (error != std::errc{} || end != number.data() + number.size() || !isPortion) return {};
+    return name;
 }
 
 }  // namespace
@@ -52,20 +56,31 @@ OldShard::OldShard(const fs::path& path, std::uint64_t its) : number{its}, file{
     }
 }
 
-fs::path shardFile(const fs::path& output, std::uint64_t number) { return output / fmt::format("{:06}.tar", number); }
+fs::path shardFile(const fs::path& output, const Portion& portion, std::uint64_t number) {
+    const std::string name = nameOf(portion);
+    return output / fmt::format("{}{}{:06}.tar", name, name.empty() ? "" : ".", number);
+}
 
-OldShards::OldShards(fs::path output) : output_{std::move(output)} {
+std::vector<ShardName> shardsIn(const fs::path& output) {
+    std::vector<ShardName> shards;
     std::error_code failure;
-    for (fs::directory_iterator entry{output_, failure}; !failure && entry != fs::directory_iterator{};
+    for (fs::directory_iterator entry{output, failure}; !failure && entry != fs::directory_iterator{};
          entry.increment(failure))
-        if (const auto number = numberOf(entry->path())) numbers_.push_back(*number);
+        if (auto shard = shardName(entry->path())) shards.push_back(std::move(*shard));
+    return shards;
+}
+
+OldShards::OldShards(fs::path output, Portion portion) : output_{std::move(output)}, portion_{portion} {
+    for (const ShardName& shard : shardsIn(output_))
+        if (shard.portion == nameOf(portion_)) numbers_.push_back(shard.number);
     std::ranges::sort(numbers_);
 }
 
 std::shared_ptr<const OldShard> OldShards::shard(std::size_t index) {
     if (index >= numbers_.size()) return {};
     std::shared_ptr<const OldShard>& shard = open_[index];
-    if (!shard) shard = std::make_shared<const OldShard>(shardFile(output_, numbers_[index]), numbers_[index]);
+    if (!shard)
+        shard = std::make_shared<const OldShard>(shardFile(output_, portion_, numbers_[index]), numbers_[index]);
     return shard;
 }
 

@@ -9,6 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "batch/portion.h"
+
 namespace inkedge::batch {
 
 /// An open file, closed with the object.
@@ -41,12 +43,22 @@ struct OldShard {
     OldShard(const std::filesystem::path&, std::uint64_t number);
 };
 
-[[nodiscard]] std::filesystem::path shardFile(const std::filesystem::path& output, std::uint64_t number);
+/// 000007.tar, or 3-of-8.000007.tar of a portion.
+[[nodiscard]] std::filesystem::path shardFile(const std::filesystem::path& output, const Portion&,
+                                              std::uint64_t number);
+
+/// What the name of a shard says of it.
+struct ShardName {
+    std::string portion;  ///< nameOf() it
+    std::uint64_t number = 0;
+};
+/// The shards in a batch's folder.
+[[nodiscard]] std::vector<ShardName> shardsIn(const std::filesystem::path& output);
 
 /// Looks for items, in about the order in which they lie in the shards; three of these are held at a time.
 class OldShards {
 public:
-    explicit OldShards(std::filesystem::path output);
+    OldShards(std::filesystem::path output, Portion);
 
     struct Found {
         std::shared_ptr<const OldShard> shard;
@@ -59,6 +71,7 @@ private:
     std::shared_ptr<const OldShard> shard(std::size_t index);
 
     std::filesystem::path output_;
+    Portion portion_;
     std::vector<std::uint64_t> numbers_;  // of all shards, rising
     std::size_t current_ = 0;             // index of the one where the last item was found
     std::map<std::size_t, std::shared_ptr<const OldShard>> open_;

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -28,7 +29,34 @@ int opened(const std::filesystem::path& path) {
     return file;
 }
 
+constexpr std::string_view start = "results.";
+constexpr std::string_view end = "jsonl";
+
 }  // namespace
+
+std::filesystem::path resultsFile(const std::filesystem::path& output, const Portion& portion) {
+    const std::string name = nameOf(portion);
+    return output / fmt::format("{}{}{}{}", start, name, name.empty() ? "" : ".", end);
+}
+
+bool isResultsFile(std::string_view name) noexcept { return name.starts_with(start) && name.ends_with(end); }
+
+std::vector<std::filesystem::path> resultsFiles(const std::filesystem::path& output) {
+    std::vector<std::filesystem::path> files;
+    std::error_code failure;
+    for (std::filesystem::directory_iterator entry{output, failure};
+         !failure && entry != std::filesystem::directory_iterator{}; entry.increment(failure))
+        if (isResultsFile(entry->path().filename().string())) files.push_back(entry->path());
+    std::ranges::sort(files);
+    return files;
+}
+
+void readResults(const std::filesystem::path& output, const TakeLine& take) {
+    for (const std::filesystem::path& file : resultsFiles(output)) {
+        std::ifstream stream{file, std::ios::binary};
+        for (std::string line; std::getline(stream, line);) take(line);
+    }
+}
 
 Results::Results(std::filesystem::path file) : path_{base::destinationOf(file)}, file_{opened(path_)} {
     struct stat about {};
@@ -67,7 +95,7 @@ void Results::append(std::string_view line) {
     if (written != static_cast<ssize_t>(line.size())) fail(path_, failure);
 }
 
-void Results::read(const std::function<void(std::string_view)>& take) const {
+void Results::read(const TakeLine& take) const {
     std::ifstream stream{path_, std::ios::binary};
     for (std::string line; std::getline(stream, line);) take(line);
 }

@@ -90,6 +90,21 @@ void check(const Plan& plan, const fs::path& output) {
     checkJobs({&job, 1});
 }
 
+// Shards of other portions hold items of this one: those would be there twice.
+void expectSamePortions(const Batch& batch) {
+    const auto countIn = [](const std::string& portion) {
+        return portion.substr(std::min(portion.find('-'), portion.size()));
+    };
+    const std::string own = nameOf(batch.portion);
+    for (const ShardName& shard : shardsIn(batch.output))
+        if (countIn(shard.portion) != countIn(own))
+            throw Error{Error::Kind::Usage,
+                        fmt::format("--shard: expected the number of tasks that wrote the shards in {}, found {} "
+                                    "beside those of {}; choose another --output",
+                                    batch.output.string(), own.empty() ? "one task" : own,
+                                    shard.portion.empty() ? "one task" : shard.portion)};
+}
+
 // All that threads have in common which serve one worker process each.
 class Run {
 public:
@@ -98,13 +113,16 @@ public:
           watch_{watch},
           planner_{batch_},
           text_{planner_.text()},
-          items_{batch_.input, batch_.output},
-          results_{made(batch_.output) / "results.jsonl"},
+          items_{batch_.input, batch_.output, batch_.portion},
+          results_{resultsFile(made(batch_.output), batch_.portion)},
           earlier_{batch_} {
         check(planner_.common(), batch_.output);
         writeAbout(batch_, planner_);
-        results_.read([&](std::string_view line) { earlier_.take(line); });
-        if (batch_.shards) shards_.emplace(batch_.output, *batch_.shards);
+        readResults(batch_.output, [&](std::string_view line) { earlier_.take(line); });
+        if (batch_.shards) {
+            expectSamePortions(batch_);
+            shards_.emplace(batch_.output, *batch_.shards, batch_.portion);
+        }
     }
 
     Progress run() {
@@ -116,11 +134,19 @@ public:
         }
         if (failure_) std::rethrow_exception(failure_);
         if (shards_ && !enough_) shards_->finish();
-        results_.compact();
+        results_.compact(otherResults());
         return progress();
     }
 
 private:
+    // A run of all items gathers what was written of portions.
+    std::vector<fs::path> otherResults() const {
+        if (batch_.portion.count > 1) return {};
+        std::vector<fs::path> files = resultsFiles(batch_.output);
+        std::erase(files, resultsFile(batch_.output, {}));
+        return files;
+    }
+
     // ---- the thread that began
 
     void watchOver() {
@@ -153,7 +179,7 @@ private:
         if (batch_.input == "-") return;
         std::uint64_t count = 0;
         try {
-            Items items{batch_.input, batch_.output};
+            Items items{batch_.input, batch_.output, batch_.portion};
             while (!stop_ && !over_) {
                 ++count;
                 try {

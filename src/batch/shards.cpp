@@ -35,7 +35,8 @@ void copy(const OpenFile& from, OldShard::Range range, base::StagedFiles& to) {
 
 }  // namespace
 
-Shards::Shards(fs::path output, ShardSize size) : output_{std::move(output)}, size_{size}, old_{output_} {}
+Shards::Shards(fs::path output, ShardSize size, Portion portion)
+    : output_{std::move(output)}, size_{size}, portion_{portion}, old_{output_, portion} {}
 
 void Shards::add(std::uint64_t number, Source source) {
     const std::scoped_lock lock{mutex_};
@@ -97,7 +98,7 @@ bool Shards::isThere() const {
 }
 
 void Shards::close() {
-    const fs::path file = shardFile(output_, number_);
+    const fs::path file = shardFile(output_, portion_, number_);
     std::error_code ignored;
     if (bytes_ == 0)
         fs::remove(file, ignored);
@@ -142,7 +143,7 @@ void Shards::finish() {
     write();
     if (!current_.empty()) close();
     std::error_code ignored;
-    while (fs::remove(shardFile(output_, number_), ignored)) ++number_;
+    while (fs::remove(shardFile(output_, portion_, number_), ignored)) ++number_;
 }
 
 }  // namespace inkedge::batch

@@ -16,7 +16,7 @@ namespace inkedge::batch {
 /// Puts the parts of items together to shards, in the order of the items. A shard is written whole or not at all.
 class Shards {
 public:
-    Shards(std::filesystem::path output, ShardSize);
+    Shards(std::filesystem::path output, ShardSize, Portion = {});
 
     /// Takes an item that was drawn by a run before this one.
     /// @return  whether its files are still there, in its part or in a shard
@@ -49,6 +49,7 @@ private:
 
     std::filesystem::path output_;
     ShardSize size_;
+    Portion portion_;
     std::mutex mutex_;
     OldShards old_;
     std::map<std::uint64_t, Source> ready_;  // items that came before those that are before them

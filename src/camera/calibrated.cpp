@@ -16,9 +16,9 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& message) { throw Error{Error::Kind::Usage, message}; }
 
-constexpr double unseen = 0.05;    // pixels
 constexpr double rounding = 1e-4;  // of rotations that were written with few digits
 constexpr double noise = 1e-6;     // of entries that are 0 or 1
+constexpr double square = 1e-9;    // of ratios that are 1
 
 void expectSize(Size size) {
     if (size.width < 1 || size.height < 1)
@@ -43,12 +43,21 @@ void expectRigid(const glm::dmat4& matrix, std::string_view name) {
                     name));
 }
 
-// Pixels are squares if the two sides' scales are one, as far as can be seen at the picture's edge.
-void expectSquarePixels(double ratio, Size size, std::string_view name, std::string_view remedy) {
-    if (std::abs(ratio - 1.0) * 0.5 * size.width <= unseen) return;
+// Whose pixels are far from squares was made for a picture of another shape.
+void expectAspect(double pixelAspect, Size size, bool orthographic) {
+    constexpr double calibrated = 1.1;  // pixels of cameras are squares within a hundredth
+    constexpr double unseen = 0.05;     // pixels at the picture's edge
+    const double ratio = std::max(pixelAspect, 1.0 / pixelAspect);
+    if (ratio < calibrated && (!orthographic || (ratio - 1.0) * 0.5 * size.width <= unseen)) return;
     refuse(
-        fmt::format("{}: expected square pixels in a picture of {} x {}, found them {:.6g} times as high as wide; {}",
-                    name, size.width, size.height, ratio, remedy));
+        fmt::format("projection: expected one for a picture of {} x {}, found one whose pixels are {:.6g} times as "
+                    "wide as high there; make it for the picture's aspect",
+                    size.width, size.height, pixelAspect));
+}
+
+double pixelAspectOf(double focalX, double focalY) {
+    const double ratio = focalY / focalX;
+    return std::abs(ratio - 1.0) <= square ? 1.0 : ratio;
 }
 
 double angleOf(double slope) { return glm::degrees(2.0 * std::atan(slope)); }
@@ -94,8 +103,8 @@ Camera cameraFromIntrinsics(const glm::dmat3& k, const glm::dmat4& pose, CameraA
         refuse(
             "K: expected the rows (fx, 0, cx), (0, fy, cy) and (0, 0, 1), fx and fy over 0, found another matrix; "
             "undistort what it was made for");
-    expectSquarePixels(focalX / focalY, size, "K", "draw with one focal length, and stretch the maps to the other");
     Camera camera;
+    camera.pixelAspect = pixelAspectOf(focalX, focalY);
     camera.view = glm::inverse(pose);
     if (axes == CameraAxes::OpenCv) camera.view = camera.worldToCamera();  // turns back, too
     camera.viewAngle = angleOf(0.5 * size.height / focalY);
@@ -114,9 +123,9 @@ Camera cameraFromMatrices(const glm::dmat4& view, const glm::dmat4& projection, 
         isZeroBut(p, {{0, 0}, {1, 1}, {2, 2}, {3, 0}, {3, 1}, {3, 2}, {3, 3}}) && isNear(p[3][3], 1.0);
     if (!(perspective || orthographic) || !(p[0][0] > 0.0 && p[1][1] > 0.0))
         refuse("projection: expected OpenGL's, perspective or orthographic, found another matrix");
-    expectSquarePixels(p[0][0] * size.width / (p[1][1] * size.height), size, "projection",
-                       "make it for the picture's aspect");
     Camera camera;
+    camera.pixelAspect = pixelAspectOf(p[0][0] * size.width, p[1][1] * size.height);
+    expectAspect(camera.pixelAspect, size, orthographic);
     camera.view = view;
     (perspective ? setPerspective : setOrthographic)(camera, p);
     const bool fitted = camera.far == 0.0;

@@ -24,7 +24,7 @@ glm::dmat4 Camera::projection(Size size) const noexcept {
         p[2][0] = -axis.x;
         p[2][1] = -axis.y;
     }
-    p[0][0] = p[1][1] / aspect;
+    p[0][0] = p[1][1] / (aspect * (orthographic() ? 1.0 : pixelAspect));
     return p;
 }
 
@@ -33,6 +33,11 @@ glm::dvec2 Camera::centre(Size size) const noexcept {
 }
 
 double Camera::focalLength(Size size) const noexcept { return 0.5 * size.height * projection(size)[1][1]; }
+
+glm::dvec2 Camera::focalLengths(Size size) const noexcept {
+    const double upwards = focalLength(size);
+    return {orthographic() ? upwards : upwards / pixelAspect, upwards};
+}
 
 glm::dmat4 Camera::worldToCamera() const noexcept {
     glm::dmat4 turned{1.0};
@@ -43,7 +48,9 @@ glm::dmat4 Camera::worldToCamera() const noexcept {
 glm::dmat3 Camera::intrinsics(Size size) const noexcept {
     const glm::dvec2 middle = centre(size);
     glm::dmat3 k{1.0};
-    k[0][0] = k[1][1] = focalLength(size);
+    const glm::dvec2 focal = focalLengths(size);
+    k[0][0] = focal.x;
+    k[1][1] = focal.y;
     k[2][0] = middle.x - 0.5;
     k[2][1] = middle.y - 0.5;
     return k;

@@ -14,14 +14,14 @@ class Projector {
 public:
     Projector(const Camera& camera, Size size)
         : orthographic_{camera.orthographic()},
-          focalLength_{camera.focalLength(size)},
+          focalLengths_{camera.focalLengths(size)},
           near_{camera.near},
           centre_{camera.axis * 0.5 * glm::dvec2{size.width, size.height}} {}
 
     [[nodiscard]] bool sees(glm::dvec3 point) const noexcept { return orthographic_ || -point.z >= near_; }
 
     void add(glm::dvec3 point) noexcept {
-        part_.add(centre_ + (orthographic_ ? focalLength_ : focalLength_ / -point.z) * glm::dvec2{point});
+        part_.add(centre_ + focalLengths_ * glm::dvec2{point} / (orthographic_ ? 1.0 : -point.z));
     }
 
     // Of a triangle, what lies before the near plane.
@@ -41,7 +41,7 @@ public:
 
 private:
     bool orthographic_;
-    double focalLength_;
+    glm::dvec2 focalLengths_;
     double near_;
     glm::dvec2 centre_;
     PicturePart part_;

@@ -2,6 +2,7 @@
 #include <array>
 #include <charconv>
 #include <chrono>
+#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -15,6 +16,7 @@
 
 #include "base/message.h"
 #include "batch/batch.h"
+#include "batch/portion.h"
 #include "cli/checks.h"
 #include "cli/settings_sources.h"
 #include "cli/streams.h"
@@ -32,6 +34,7 @@ using batch::Progress;
 struct BatchArguments {
     Batch batch;
     std::string formats = "png";
+    std::string shard;      // I/N; empty: as a scheduler says, or all
     std::string shards;     // N, or N and MB or GB; empty: folders
     std::string maxMemory;  // likewise; empty: a share of the machine's
     std::optional<double> timeout;
@@ -162,6 +165,7 @@ Batch batchOf(const BatchArguments& arguments) {
     Batch batch = arguments.batch;
     batch.settings = arguments.settings.resolve();
     batch.formats = formatsIn(arguments.formats);
+    batch.portion = batch::portionOf(arguments.shard, [](const char* name) { return std::getenv(name); });
     if (!arguments.shards.empty()) batch.shards = shardSize(arguments.shards);
     if (!arguments.maxMemory.empty()) batch.maxMemory = memorySize(arguments.maxMemory);
     if (arguments.timeout) batch.timeout = *arguments.timeout;
@@ -180,7 +184,11 @@ void warnOfIdleSettings(const Batch& batch) {
 
 int runBatch(const BatchArguments& arguments) {
     const Batch batch = batchOf(arguments);
-    if (!arguments.quiet) warnOfIdleSettings(batch);
+    if (!arguments.quiet) {
+        warnOfIdleSettings(batch);
+        if (batch.portion.count > 1)
+            report("", fmt::format("items of shard {}/{}", batch.portion.index, batch.portion.count));
+    }
     ProgressReport shown{arguments.quiet};
     const Progress end =
         batch::runBatch(batch, {.progress = [&](const Progress& progress) { shown.show(progress); },
@@ -189,7 +197,7 @@ int runBatch(const BatchArguments& arguments) {
     arguments.json ? printJson(end) : printSummary(end);
     if (batch.maxFailures && end.counts.newFailures() > *batch.maxFailures)
         throw Error{Error::Kind::Runtime,
-                    fmt::format("expected at most {} failures, found {}; results.jsonl in {} says why",
+                    fmt::format("expected at most {} failures, found {}; the results in {} say why",
                                 *batch.maxFailures, end.counts.newFailures(), batch.output.string())};
     return end.counts.failures() > 0 ? 1 : 0;
 }
@@ -209,6 +217,11 @@ void addFlags(CLI::App& verb, BatchArguments& arguments) {
         ->type_name("FORMAT,...");
     verb.add_option("--shards", arguments.shards, "write tars of so many items, or up to a size, instead of folders")
         ->type_name("N|SIZE");
+    verb.add_option(
+            "--shard", arguments.shard,
+            "draw one of N portions of the items, I from 0; auto/N: by the number of a task of Slurm, Kubernetes "
+            "or AWS Batch [likewise, where they say N; else all]")
+        ->type_name("I/N");
     verb.add_option("--jobs", batch.jobs, "worker processes [cores]")->check(numberFrom(1, 1024))->type_name("N");
     verb.add_option("--timeout", arguments.timeout, "of an item [300]")
         ->check(numberOver(0.0, process::longestTimeout))

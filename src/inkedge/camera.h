@@ -20,17 +20,20 @@ struct Camera {
     /// Where the view axis meets the picture, right of and above its middle; halves of its width and height. A picture
     /// cut out of a larger one keeps its perspective so.
     glm::dvec2 axis{0.0};
+    double pixelAspect = 1.0;  ///< a pixel's width by its height, over 0: 1 is a square; perspective only
 
     [[nodiscard]] bool orthographic() const noexcept { return orthographicHeight > 0.0; }
 
-    /// View space -> OpenGL clip space (-w <= z <= w), for pictures of this size; pixels are square.
+    /// View space -> OpenGL clip space (-w <= z <= w), for pictures of this size.
     [[nodiscard]] INKEDGE_API glm::dmat4 projection(Size) const noexcept;
 
     /// The pixel of pictures of this size that the view axis meets.
     [[nodiscard]] INKEDGE_API glm::dvec2 centre(Size) const noexcept;
 
-    /// Focal length in pixels of pictures of this size; orthographic: pixels per scene unit.
+    /// Focal length in pixels of pictures of this size, counted upwards; orthographic: pixels per scene unit.
     [[nodiscard]] INKEDGE_API double focalLength(Size) const noexcept;
+    /// The same counted to the right, and upwards: OpenCV's fx and fy.
+    [[nodiscard]] INKEDGE_API glm::dvec2 focalLengths(Size) const noexcept;
 
     /// World -> camera as OpenCV has it: x right, y down, z into the scene.
     [[nodiscard]] INKEDGE_API glm::dmat4 worldToCamera() const noexcept;
@@ -53,15 +56,16 @@ enum class CameraAxes {
 /// drawn.
 /// @param k     as Camera::intrinsics() of a perspective view: focal lengths and principal point in pixels
 /// @param pose  camera space -> world: a rotation and a translation
-/// @throws Error  (Kind::Usage) if the pixels would be no squares (by more than moves one by a twentieth), k is
-///                otherwise no such matrix, the pose does more than rotate and move, or a number is not finite
+/// @throws Error  (Kind::Usage) if k is no such matrix, the pose does more than rotate and move, or a number is not
+///                finite
 [[nodiscard]] INKEDGE_API Camera cameraFromIntrinsics(const glm::dmat3& k, const glm::dmat4& pose, CameraAxes, Size);
 
 /// The camera of OpenGL's matrices, for pictures of this size.
 /// @param view        world -> view space: a rotation and a translation
 /// @param projection  as Camera::projection(), perspective or orthographic. Of an infinite far plane: near and far
 ///                    planes are fitted to the scene that is drawn
-/// @throws Error      as cameraFromIntrinsics()
+/// @throws Error      as cameraFromIntrinsics(); if the projection is made for another aspect: its pixels are a tenth
+///                    wider than high or more, or the other way round, or, orthographic, no squares
 [[nodiscard]] INKEDGE_API Camera cameraFromMatrices(const glm::dmat4& view, const glm::dmat4& projection, Size);
 
 /// Makes a camera of settings. What the settings leave open is chosen so that the whole model fills the picture. The

@@ -79,6 +79,7 @@ Json cameraJson(const Camera& camera, Size size) {
     } else {
         json["view_angle"] = camera.viewAngle;
     }
+    if (camera.pixelAspect != 1.0) json["pixel_aspect"] = camera.pixelAspect;
     if (camera.axis != glm::dvec2{0.0}) json["axis"] = {camera.axis.x, camera.axis.y};
     json["eye"] = vectorJson(glm::dvec3{glm::inverse(camera.view)[3]});
     return json;

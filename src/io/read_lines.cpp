@@ -57,6 +57,11 @@ Camera readCamera(const JsonObject& json, Size size) {
             io::refuseValue(json.path("view_angle"), "a number over 0 and under 180", json.at("view_angle"));
     }
     if (json.at("axis") != nullptr) camera.axis = json.vector<glm::dvec2>("axis");
+    if (json.at("pixel_aspect") != nullptr) {
+        camera.pixelAspect = json.number("pixel_aspect");
+        if (!(camera.pixelAspect > 0.0))
+            io::refuseValue(json.path("pixel_aspect"), "a number over 0", json.at("pixel_aspect"));
+    }
     if (!io::isFinite(camera, size))
         base::refuse(json.path("view") +
                      ": expected a view and a projection that are finite, as the view's inverse is, "

@@ -10,6 +10,7 @@ Screen::Screen(const Camera& camera, glm::dvec3 origin, Size size)
       centre_{camera.centre(size)},
       orthographic_{camera.orthographic()},
       focalLength_{camera.focalLength(size)},
+      pixelAspect_{camera.orthographic() ? 1.0 : camera.pixelAspect},
       near_{camera.near} {
     const glm::dmat4 toWorld = glm::inverse(camera.view);
     right_ = glm::normalize(glm::dvec3{toWorld[0]});
@@ -22,7 +23,7 @@ ScreenPoint Screen::project(glm::dvec3 world) const noexcept {
     const glm::dvec3 from = world - eye_;
     const double depth = glm::dot(direction_, from);
     const double scale = orthographic_ ? focalLength_ : focalLength_ / depth;
-    return {{centre_.x + scale * glm::dot(right_, from), centre_.y - scale * glm::dot(up_, from)},
+    return {{centre_.x + scale / pixelAspect_ * glm::dot(right_, from), centre_.y - scale * glm::dot(up_, from)},
             orthographic_ ? -depth : 1.0 / depth};
 }
 
@@ -30,7 +31,7 @@ glm::dvec3 Screen::worldAt(const ScreenPoint& p) const noexcept {
     const double depth = orthographic_ ? -p.inverseDepth : 1.0 / p.inverseDepth;
     const double scale = orthographic_ ? 1.0 / focalLength_ : depth / focalLength_;
     const glm::dvec2 centred = p.pixel - centre_;
-    return eye_ + depth * direction_ + scale * (centred.x * right_ - centred.y * up_);
+    return eye_ + depth * direction_ + scale * (centred.x * pixelAspect_ * right_ - centred.y * up_);
 }
 
 }  // namespace inkedge::lines

@@ -32,7 +32,7 @@ public:
     [[nodiscard]] ScreenPoint project(glm::dvec3 world) const noexcept;
     /// The inverse of project().
     [[nodiscard]] glm::dvec3 worldAt(const ScreenPoint&) const noexcept;
-    /// The footprint of a pixel at a point: its width in world units.
+    /// The footprint of a pixel at a point: its height in world units.
     [[nodiscard]] double footprint(glm::dvec3 world) const noexcept {
         return orthographic_ ? 1.0 / focalLength_ : depth(world) / focalLength_;
     }
@@ -43,7 +43,7 @@ public:
     }
     /// A vector in the picture (x to the right, y down) as a vector in world space, at the depth of a point.
     [[nodiscard]] glm::dvec3 across(glm::dvec2 pixels, glm::dvec3 world) const noexcept {
-        return (right_ * pixels.x - up_ * pixels.y) * footprint(world);
+        return (right_ * (pixels.x * pixelAspect_) - up_ * pixels.y) * footprint(world);
     }
     /// From the eye to a point; in orthographic views, from the camera's plane.
     [[nodiscard]] glm::dvec3 ray(glm::dvec3 world) const noexcept {
@@ -59,6 +59,7 @@ private:
     glm::dvec2 centre_;
     bool orthographic_;
     double focalLength_;
+    double pixelAspect_;
     double near_;
     glm::dvec3 right_;
     glm::dvec3 up_;

@@ -10,8 +10,8 @@ inline void setPlanes(const Frame& frame, gl::Program program) {
     const GLuint id = frame.gpu.programs.id(program);
     const auto& [whole, drawn, kept] = frame.tile;
     const bool orthographic = frame.camera.orthographic();
-    const double focal = frame.camera.focalLength(whole) * (orthographic ? frame.unit : 1.0);
-    api.ProgramUniform1f(id, 0, static_cast<float>(focal));
+    const glm::dvec2 focal = frame.camera.focalLengths(whole) * (orthographic ? frame.unit : 1.0);
+    api.ProgramUniform2f(id, 0, static_cast<float>(focal.x), static_cast<float>(focal.y));
     api.ProgramUniform1i(id, 1, orthographic ? 1 : 0);
     const glm::dvec2 centre = frame.camera.centre(whole);
     api.ProgramUniform2f(id, 2, static_cast<float>(centre.x) - static_cast<float>(drawn.x),

@@ -12,6 +12,7 @@
 #include "python/arrays.h"
 #include "python/documentation.h"
 #include "python/keywords.h"
+#include "python/released.h"
 
 namespace inkedge::python {
 namespace {
@@ -97,8 +98,10 @@ CameraChoice fromIntrinsics(const py::object& k, const py::object& pose, const s
 CameraMatrices matricesFor(const CameraChoice& choice, const Scene& scene, const py::kwargs& keywords) {
     Settings settings;
     apply(settings, keywords, drawing);
-    const FramedView view = choice.lay(scene, settings);
-    return {withPlanes(view.camera, scene), view.picture.size};
+    return released([&] {
+        const FramedView view = choice.lay(scene, settings);
+        return CameraMatrices{withPlanes(view.camera, scene), view.picture.size};
+    });
 }
 
 py::dict dictOf(const CameraMatrices& matrices) {

@@ -128,7 +128,7 @@ camera: CameraMatrices
 instances: list of Instance that lines lie on
 times, warnings: as Maps has them
 
-The arrays are read-only.)";
+The arrays are read-only. They are copies, so that each is contiguous, as OpenCV asks.)";
 
 const char* const backend = R"(What drew a picture.
 
@@ -145,8 +145,8 @@ plane both planes are fitted to the scene.)";
 const char* const fromIntrinsics = R"(from_intrinsics(K, pose, convention="opencv")
 
 The camera of a calibration: K is 3 x 3, focal lengths and principal point in pixels of pictures of the size that is
-drawn, (0, 0) the middle of the first pixel, as OpenCV has it; pixels must be square. pose is 4 x 4, camera to world:
-the inverse of OpenCV's [R | t].
+drawn, (0, 0) the middle of the first pixel, as OpenCV has it; no skew. pose is 4 x 4, camera to world: the inverse of
+OpenCV's [R | t].
 
 convention: the camera's own axes, "opencv" (x right, y down, z into the scene) or "opengl" (x right, y up, z towards
 the eye; Blender's, too))";

@@ -14,6 +14,7 @@
 #include "python/cameras.h"
 #include "python/documentation.h"
 #include "python/maps.h"
+#include "python/released.h"
 
 namespace inkedge::python {
 namespace {
@@ -68,13 +69,11 @@ py::dict arraysOf(const Lines& lines) {
 }
 
 std::string svg(const DrawnLines& drawn) {
-    const py::gil_scoped_release released;
-    return linesSvg(drawn.lines, drawn.settings);
+    return released([&] { return linesSvg(drawn.lines, drawn.settings); });
 }
 
 void write(const DrawnLines& drawn, const std::filesystem::path& path) {
-    const py::gil_scoped_release released;
-    writeLines(drawn.lines, drawn.settings, path);
+    released([&] { writeLines(drawn.lines, drawn.settings, path); });
 }
 
 }  // namespace

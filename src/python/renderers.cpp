@@ -11,6 +11,7 @@
 #include "python/keywords.h"
 #include "python/lines.h"
 #include "python/maps.h"
+#include "python/released.h"
 
 namespace inkedge::python {
 namespace {
@@ -23,20 +24,22 @@ public:
     /// Calls a function with the renderer, while the GIL is released.
     template <class Function>
     auto with(Function function) {
-        const py::gil_scoped_release released;
-        const std::scoped_lock lock{using_};
-        if (!renderer_) refuse("renderer: expected one that is open, found one that was closed");
-        return function(*renderer_);
+        return released([&] {
+            const std::unique_lock lock = base::lockUnlessStopped(using_);
+            if (!renderer_) refuse("renderer: expected one that is open, found one that was closed");
+            return function(*renderer_);
+        });
     }
 
     void close() {
-        const py::gil_scoped_release released;
-        const std::scoped_lock lock{using_};
-        renderer_.reset();
+        released([&] {
+            const std::scoped_lock lock{using_};
+            renderer_.reset();
+        });
     }
 
 private:
-    std::mutex using_;
+    std::timed_mutex using_;
     std::optional<Renderer> renderer_;
 };
 
@@ -46,8 +49,9 @@ std::unique_ptr<OpenRenderer> open(const py::object& backend, const py::object& 
     if (!device.is_none()) keywords["device"] = device;
     Settings settings;
     apply(settings, keywords, opening);
-    const py::gil_scoped_release released;
-    return std::make_unique<OpenRenderer>(settings.backend, lazy ? ContextTime::WhenNeeded : ContextTime::AtOnce);
+    return released([&] {
+        return std::make_unique<OpenRenderer>(settings.backend, lazy ? ContextTime::WhenNeeded : ContextTime::AtOnce);
+    });
 }
 
 DrawnMaps render(OpenRenderer& renderer, const Scene& scene, const CameraChoice& camera, bool writable,

@@ -11,6 +11,7 @@
 #include <inkedge/scene_arrays.h>
 
 #include "python/arrays.h"
+#include "python/released.h"
 
 namespace inkedge::python {
 namespace {
@@ -142,8 +143,7 @@ Scene sceneFromArrays(const py::object& vertices, const py::object& faces, const
     } else {
         add(vertices, faces, normals, uv, transforms, names);
     }
-    const py::gil_scoped_release released;
-    return makeScene(meshes, settings);
+    return released([&] { return makeScene(meshes, settings); });
 }
 
 }  // namespace inkedge::python

@@ -13,6 +13,7 @@
 #include "python/documentation.h"
 #include "python/keywords.h"
 #include "python/maps.h"
+#include "python/released.h"
 #include "python/scene_arrays.h"
 
 namespace inkedge::python {
@@ -26,8 +27,7 @@ LoadSettings loadingSettings(const py::kwargs& keywords) {
 
 Scene load(const std::filesystem::path& path, const py::kwargs& keywords) {
     const LoadSettings settings = loadingSettings(keywords);
-    const py::gil_scoped_release released;
-    return loadScene(path, settings);
+    return released([&] { return loadScene(path, settings); });
 }
 
 Scene fromArrays(const py::object& vertices, const py::object& faces, const py::object& normals, const py::object& uv,

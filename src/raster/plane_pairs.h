@@ -21,7 +21,7 @@ struct SeenPlane {
 
 /// How samples are seen, as reference::detectLines() takes it.
 struct PlaneView {
-    double focalLength;
+    glm::dvec2 focalLengths;
     bool orthographic;
     double creaseCosine;  ///< of the crease angle
 };
@@ -29,7 +29,7 @@ struct PlaneView {
 /// The face normal, with any positive length.
 [[nodiscard]] inline glm::dvec3 normalOf(const SeenPlane& plane, const PlaneView& view) {
     const double along = view.orthographic ? 1.0 : plane.w - glm::dot(plane.slope, plane.fromCentre);
-    return {plane.slope * view.focalLength, along};
+    return {plane.slope * view.focalLengths, along};
 }
 
 /// The smallest jump within one patch, as a share of the one between patches. There the mesh has the last word: only
@@ -50,7 +50,7 @@ inline constexpr double minJumpWithinPatch = 0.02;
     const double gq = q.slope[axis];
     const double rp = q.w - (p.w + gp);
     const double rq = p.w - (q.w - gq);
-    const double k = view.orthographic ? view.focalLength : view.focalLength / std::max(p.w, q.w);
+    const double k = view.focalLengths[axis] / (view.orthographic ? 1.0 : std::max(p.w, q.w));
     const double slope = std::min(std::abs(gp), std::abs(gq)) * k;
     const double limit = p.patch == q.patch ? minJumpWithinPatch : 1.0;
     if (rp * rq < 0.0 && std::min(std::abs(rp), std::abs(rq)) * k > limit * (1.0 + slope)) marks |= PairMark::jump;

@@ -141,12 +141,14 @@ Edges detectEdges(const Image<double>& depth, const Image<double>& normal, const
     return result;
 }
 
-Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength, bool orthographic, double creaseAngle) {
+Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength, bool orthographic, double creaseAngle,
+                                double pixelAspect) {
     if (planes.channels() != 4) {
         throw Error{Error::Kind::Usage, fmt::format("expected planes of 4 channels, found {}", planes.channels())};
     }
     const auto [width, height] = planes.size();
-    const raster::PlaneView view{focalLength, orthographic, std::cos(glm::radians(creaseAngle))};
+    const raster::PlaneView view{
+        {focalLength / pixelAspect, focalLength}, orthographic, std::cos(glm::radians(creaseAngle))};
     const glm::dvec2 centre{0.5 * width, 0.5 * height};
     const auto seen = [&](int x, int y) -> raster::SeenPlane {
         const auto value = [&](int channel) { return static_cast<double>(planes(x, y, channel)); };

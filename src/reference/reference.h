@@ -73,13 +73,14 @@ struct Edges {
 /// length in pixels (orthographic: k = f, pixels per unit length). Differences of w times k are then pixel footprints,
 /// so that no unit, distance or size of the scene matters. GPU twin: shaders/detect_lines.frag.
 /// @param planes       4 channels: w, dw/dx, dw/dy a pixel, the patch's number; 0: background
-/// @param focalLength  f
+/// @param focalLength  f along y
+/// @param pixelAspect  a pixel's width by its height: f along x is f along y by this
 /// @param creaseAngle  degrees
 /// @return             one byte per pixel: PairMark bits, the low four for the pixel and the one to its right, the high
 ///                     four for the pixel and the one below
 /// @throws Error       (Kind::Usage) if there are not 4 channels
 [[nodiscard]] Image<std::uint8_t> detectLines(const Image<float>& planes, double focalLength, bool orthographic,
-                                              double creaseAngle);
+                                              double creaseAngle, double pixelAspect = 1.0);
 
 /// The values of a surface function at the centres of pixels: Hertzmann 1999, section 2.1.3. Functions that read
 /// pictures or users' shaders have no definition here. The definitions are in src/reference/functions.cpp; GPU twins:

@@ -66,8 +66,8 @@ void expectWithinReach(const Camera& camera, const Sphere& bounds) {
 void expectUsable(const Camera& camera, const Scene& scene) {
     const bool angleUsable = camera.orthographic() || (camera.viewAngle > 0.0 && camera.viewAngle < 180.0);
     const bool depthsUsable = camera.near < camera.far && (camera.orthographic() || camera.near > 0.0);
-    const bool finite =
-        std::isfinite(camera.near) && std::isfinite(camera.far) && std::isfinite(glm::determinant(camera.view));
+    const bool finite = std::isfinite(camera.near) && std::isfinite(camera.far) && camera.pixelAspect > 0.0 &&
+                        std::isfinite(1.0 / camera.pixelAspect) && std::isfinite(glm::determinant(camera.view));
     if (!angleUsable || !depthsUsable || !finite) {
         throw Error{
             Error::Kind::Usage,

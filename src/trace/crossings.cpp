@@ -21,7 +21,8 @@ CrossingTracer::CrossingTracer(const LineBuffers& buffers, const ScreenTriangles
     : buffers_{buffers},
       triangles_{triangles},
       orthographic_{camera.orthographic()},
-      focalLength_{camera.focalLength(buffers.tile.whole)},
+      focalLengths_{camera.focalLengths(buffers.tile.whole)},
+      centre_{camera.centre(buffers.tile.whole)},
       creaseCosine_{std::cos(glm::radians(triangles.creaseAngle()))},
       columns_{aroundKept(buffers.tile)},
       types_{buffers.marks.size(), 1} {}
@@ -70,11 +71,8 @@ ScreenTriangles::Plane CrossingTracer::plane(Sample s) const { return triangles_
 // The normal of a sample's plane up to a positive factor, turned to the eye, as in shaders/shared/planes.glsl.
 glm::dvec3 CrossingTracer::normal(Sample s) const {
     const ScreenTriangles::Plane seen = plane(s);
-    const raster::Rectangle& drawn = buffers_.tile.drawn;
-    const Size whole = buffers_.tile.whole;
-    const glm::dvec2 at{s.x + drawn.x + 0.5 - 0.5 * whole.width, s.y + drawn.y + 0.5 - 0.5 * whole.height};
-    const double towards = orthographic_ ? 1.0 : seen.w - seen.dx * at.x - seen.dy * at.y;
-    return {seen.dx * focalLength_, seen.dy * focalLength_, towards};
+    const glm::dvec2 slope{seen.dx, seen.dy};
+    return {slope * focalLengths_, orthographic_ ? 1.0 : seen.w - glm::dot(slope, centre(s) - centre_)};
 }
 
 bool CrossingTracer::bendsByCreaseAngle(Sample p, Sample q) const {
@@ -100,7 +98,8 @@ std::optional<double> CrossingTracer::planesMeet(Sample p, Sample q) const {
     const ScreenTriangles::Plane atQ = plane(q);
     const double rp = atQ.w - (atP.w + (p.x == q.x ? atP.dy : atP.dx));
     const double rq = atP.w - (atQ.w - (p.x == q.x ? atQ.dy : atQ.dx));
-    const double footprints = orthographic_ ? focalLength_ : focalLength_ / std::max(atP.w, atQ.w);
+    const double focal = focalLengths_[p.x == q.x ? 1 : 0];
+    const double footprints = orthographic_ ? focal : focal / std::max(atP.w, atQ.w);
     const double bend = std::abs(rp + rq) * footprints;
     if (rp * rq < 0.0 || !(bend > minBend) || !std::isfinite(bend)) return {};  // faces seen edge-on have no plane
     return rq / (rp + rq);
@@ -241,7 +240,8 @@ bool CrossingTracer::isBend(const Step& step) const {
 bool CrossingTracer::isSeam(const Step& step) const {
     const auto& [one, other] = std::pair{step.way.exit, step.farWay.exit};
     if (!one || !other || one->end != End::Border || other->end != End::Border) return false;
-    const double perUnit = orthographic_ ? focalLength_ : focalLength_ * plane(step.near).w;
+    const double focal = focalLengths_[step.near.x == step.far.x ? 1 : 0];
+    const double perUnit = orthographic_ ? focal : focal * plane(step.near).w;
     if (std::abs(one->t + other->t - 1.0) > triangles_.seamWidth() * perUnit) return false;
     const auto goOn = triangles_.goOnAcrossSeam(triangle(step.near).instance, one->halfEdge,
                                                 triangle(step.far).instance, other->halfEdge);
@@ -252,11 +252,9 @@ bool CrossingTracer::isSeam(const Step& step) const {
 double CrossingTracer::gap(scene::SceneFace front, scene::SceneFace behind, glm::dvec2 at) const {
     const Plane nearer = triangles_.plane(front, at);
     const Plane plane = triangles_.plane(behind, at);
-    const Size whole = buffers_.tile.whole;
-    const glm::dvec2 fromCentre = at - 0.5 * glm::dvec2{whole.width, whole.height};
     const glm::dvec2 slope{plane.dx, plane.dy};
-    const glm::dvec3 normal{slope * focalLength_, orthographic_ ? 1.0 : plane.w - glm::dot(slope, fromCentre)};
-    return (nearer.w - plane.w) * focalLength_ / glm::length(normal);
+    const glm::dvec3 normal{slope * focalLengths_, orthographic_ ? 1.0 : plane.w - glm::dot(slope, at - centre_)};
+    return (nearer.w - plane.w) * focalLengths_.y / glm::length(normal);
 }
 
 // Whether a face that the surface of one sample ends on touches the surface of another one, at a share of the way.

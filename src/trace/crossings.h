@@ -122,7 +122,8 @@ private:
     const LineBuffers& buffers_;
     const ScreenTriangles& triangles_;
     bool orthographic_;
-    double focalLength_;
+    glm::dvec2 focalLengths_;
+    glm::dvec2 centre_;  // that the view axis meets
     double creaseCosine_;
     raster::Rectangle columns_;
     Image<std::uint16_t> types_;

@@ -10,7 +10,7 @@ public:
     PinholeFilter(LineBuffers& buffers, const Camera& camera, double unit)
         : buffers_{buffers},
           orthographic_{camera.orthographic()},
-          focalLength_{camera.focalLength(buffers.tile.whole) * (camera.orthographic() ? unit : 1.0)} {}
+          focalLengths_{camera.focalLengths(buffers.tile.whole) * (camera.orthographic() ? unit : 1.0)} {}
 
     void apply() {
         const Size size = buffers_.marks.size();
@@ -46,7 +46,7 @@ private:
         const int axis = dx != 0 ? 1 : 2;
         const double before = plane(x - dx, y - dy, 0) + plane(x - dx, y - dy, axis);
         const double after = plane(x + dx, y + dy, 0) - plane(x + dx, y + dy, axis);
-        const double k = orthographic_ ? focalLength_ : focalLength_ / std::max(before, after);
+        const double k = focalLengths_[axis - 1] / (orthographic_ ? 1.0 : std::max(before, after));
         const double slope = std::min(std::abs(plane(x - dx, y - dy, axis)), std::abs(plane(x + dx, y + dy, axis)));
         if (std::abs(before - after) * k > 1.0 + slope * k) return false;
         return plane(x, y, 3) == 0.0 || plane(x, y, 0) < std::min(before, after);
@@ -58,7 +58,7 @@ private:
 
     LineBuffers& buffers_;
     bool orthographic_;
-    double focalLength_;
+    glm::dvec2 focalLengths_;
 };
 
 }  // namespace

@@ -24,7 +24,8 @@ Values valuesFrom(const LineBuffers& buffers, SamplePosition from, SamplePositio
 
 class Marker {
 public:
-    Marker(LineBuffers& buffers, const raster::PlaneView& view) : buffers_{buffers}, view_{view} {}
+    Marker(LineBuffers& buffers, const raster::PlaneView& view, glm::dvec2 centre)
+        : buffers_{buffers}, view_{view}, centre_{centre} {}
 
     void markAround(SamplePosition s) {
         put(s, rightMarks | belowMarks, right(s) | below(s));
@@ -35,8 +36,8 @@ public:
 private:
     [[nodiscard]] raster::SeenPlane seen(SamplePosition s) const {
         const float* const p = &buffers_.planes(s.x, s.y);
-        const auto& [whole, drawn, kept] = buffers_.tile;
-        const glm::dvec2 fromCentre{s.x + drawn.x + 0.5 - 0.5 * whole.width, s.y + drawn.y + 0.5 - 0.5 * whole.height};
+        const raster::Rectangle& drawn = buffers_.tile.drawn;
+        const glm::dvec2 fromCentre = glm::dvec2{s.x + drawn.x + 0.5, s.y + drawn.y + 0.5} - centre_;
         return {static_cast<double>(p[0]), {p[1], p[2]}, static_cast<double>(p[3]), fromCentre};
     }
     [[nodiscard]] unsigned right(SamplePosition p) const { return pairMarks(seen(p), seen({p.x + 1, p.y}), 0, view_); }
@@ -50,11 +51,13 @@ private:
 
     LineBuffers& buffers_;
     const raster::PlaneView& view_;
+    glm::dvec2 centre_;
 };
 
 }  // namespace
 
-void replaceSamples(LineBuffers& buffers, const raster::PlaneView& view, std::span<const Replacement> replacements) {
+void replaceSamples(LineBuffers& buffers, const raster::PlaneView& view, glm::dvec2 centre,
+                    std::span<const Replacement> replacements) {
     const Size size = buffers.marks.size();
     const auto isInside = [&](SamplePosition s) {
         return s.x > 0 && s.y > 0 && s.x + 1 < size.width && s.y + 1 < size.height;
@@ -69,7 +72,7 @@ void replaceSamples(LineBuffers& buffers, const raster::PlaneView& view, std::sp
         std::copy_n(values[i].plane, 4, &buffers.planes(at.x, at.y));
         buffers.triangles(at.x, at.y) = values[i].triangle;
     }
-    Marker marker{buffers, view};
+    Marker marker{buffers, view, centre};
     for (const auto& [at, from] : replacements)
         if (isInside(at)) marker.markAround(at);
 }

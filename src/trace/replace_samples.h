@@ -21,7 +21,8 @@ struct Replacement {
 
 /// Replaces what samples see by what the surfaces that other samples see would show there, and finds the marks around
 /// them again. Samples at the border of the tile are left as they are.
-/// @param view  in the lengths of LineBuffers::planes
-void replaceSamples(LineBuffers&, const raster::PlaneView& view, std::span<const Replacement>);
+/// @param view    in the lengths of LineBuffers::planes
+/// @param centre  the sample of the whole picture that the view axis meets
+void replaceSamples(LineBuffers&, const raster::PlaneView& view, glm::dvec2 centre, std::span<const Replacement>);
 
 }  // namespace inkedge::trace

@@ -19,7 +19,7 @@ TracedLines traceLines(LineBuffers buffers, const Scene& scene, const ScreenTria
                        int samplesPerPixel, TraceIds ids) {
     TracedLines traced;
     const raster::Tile tile = buffers.tile;
-    const double focal = camera.focalLength(tile.whole) * (camera.orthographic() ? unit : 1.0);
+    const glm::dvec2 focal = camera.focalLengths(tile.whole) * (camera.orthographic() ? unit : 1.0);
     const raster::PlaneView view{focal, camera.orthographic(), std::cos(glm::radians(scene.creaseAngle()))};
     removePinholes(buffers, camera, unit);
     if (ids == TraceIds::Keep) traced.ids = raster::cropped(traceIds(buffers, scene, triangles), tile.keptInDrawn());
@@ -27,7 +27,7 @@ TracedLines traceLines(LineBuffers buffers, const Scene& scene, const ScreenTria
     std::vector<Replacement> replaced = findSlivers(buffers, triangles);
     const std::vector<Replacement> onThin = samplesOn(thinLines, buffers, triangles, camera, samplesPerPixel);
     replaced.insert(replaced.end(), onThin.begin(), onThin.end());
-    replaceSamples(buffers, view, replaced);
+    replaceSamples(buffers, view, camera.centre(tile.whole), replaced);
 
     CrossingTracer tracer{buffers, triangles, camera};
     const raster::Rectangle rows = aroundKept(tile);

@@ -49,7 +49,7 @@ TEST(ItemFrom, refusesWhatIsNone) {
 
 TEST(ItemFrom, refusesIdsThatLeadOutOrAreNoNames) {
     for (const std::string id : {"../a", "/a", "a/../b", ".", "a/./b", "a//b", "a/", ".hidden", "a\\\\b", "a\\nb",
-                                 "results.jsonl", "batch.json/a", "gallery.html"})
+                                 "results.jsonl", "results.3-of-8.jsonl", "batch.json/a", "gallery.html"})
         expectError(Kind::Input, AllOf(HasSubstr("id: expected names with / between them"), HasSubstr(", found ")),
                     [&] { static_cast<void>(itemFrom(R"({"model": "a.stl", "id": ")" + id + "\"}")); });
     expectError(Kind::Input, HasSubstr("found one of over 255 bytes in "),
@@ -126,6 +126,29 @@ TEST_F(ItemsOf, aFolderAreTheModelsInIt) {
     EXPECT_THAT(found("models"), expected);
     EXPECT_THAT(found("models/"), expected);
     EXPECT_THAT(found("behind"), expected);
+}
+
+TEST_F(ItemsOf, portionsAreAllOfThemAndEachOnce) {
+    std::string text = "{]\n";
+    for (int i = 0; i < 50; ++i) text += std::to_string(i) + ".stl\n";
+    put(folder_ / "list", text);
+    std::vector<std::string> all;
+    for (std::uint64_t index = 0; index < 3; ++index) {
+        Items items{folder_ / "list", folder_ / "out", {index, 3}};
+        for (std::uint64_t number = 0;;) {
+            try {
+                const auto item = items.next();
+                if (!item) break;
+                EXPECT_EQ(item->number, number++) << "counted in the portion, for shards";
+                all.push_back(item->id);
+            } catch (const Error&) {
+                all.emplace_back("error");
+            }
+        }
+    }
+    std::vector<std::string> expected = ids(folder_ / "list");
+    expected.front() = "error";
+    EXPECT_THAT(all, testing::UnorderedElementsAreArray(expected));
 }
 
 TEST_F(ItemsOf, somethingElseAreRefused) {

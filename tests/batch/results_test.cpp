@@ -107,6 +107,44 @@ TEST_F(ResultsTest, takeLinesOfSeveralProcesses) {
     EXPECT_EQ(std::ranges::count(found, "none"), 0);
 }
 
+TEST_F(ResultsTest, arePutTogetherWhilePortionsAreAtWork) {
+    constexpr std::uint64_t portions = 3;
+    constexpr int each = 200;
+    for (std::uint64_t p = 0; p < portions; ++p) {
+        if (::fork() != 0) continue;
+        Results results{resultsFile(folder_.path(), {p, portions})};
+        for (int i = 0; i < each; ++i) results.append(line(fmt::format("{}/{}", p, i), State::Drawn));
+        ::_exit(0);
+    }
+    const auto portionsFiles = [&] {
+        std::vector<std::filesystem::path> files = resultsFiles(folder_.path());
+        std::erase(files, file_);
+        return files;
+    };
+    for (std::uint64_t ended = 0; ended < portions;) {
+        Results{file_}.compact(portionsFiles());
+        while (::waitpid(-1, nullptr, WNOHANG) > 0) ++ended;
+    }
+    Results{file_}.compact(portionsFiles());
+    EXPECT_THAT(folder_.names(), ElementsAre("results.jsonl"));
+    std::vector<std::string> found = lines();
+    std::ranges::sort(found);
+    EXPECT_EQ(found.size(), portions * each);
+    EXPECT_EQ(std::ranges::adjacent_find(found), found.end());
+}
+
+TEST_F(ResultsTest, ofPortionsAreReadAsOne) {
+    Results{resultsFile(folder_.path(), {0, 2})}.append(line("a", State::Failed));
+    Results{resultsFile(folder_.path(), {1, 2})}.append(line("b", State::Drawn));
+    Results{resultsFile(folder_.path(), {2, 16})}.append(line("a", State::Drawn));
+    EXPECT_THAT(folder_.names(), ElementsAre("results.0-of-2.jsonl", "results.02-of-16.jsonl", "results.1-of-2.jsonl"));
+    std::vector<std::string> found;
+    readChosenResults(folder_.path(), [&](std::string_view each) {
+        found.push_back(fmt::format("{} {}", earlierResult(each)->id, startOf(each)->drawn));
+    });
+    EXPECT_THAT(found, UnorderedElementsAre("a true", "b true"));
+}
+
 TEST_F(ResultsTest, cannotBeWhereNoFileCanBe) {
     expectError(Error::Kind::Output, testing::HasSubstr("cannot be written: "),
                 [&] { const Results results{folder_ / "missing/results.jsonl"}; });

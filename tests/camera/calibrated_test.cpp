@@ -8,6 +8,7 @@
 
 #include "base/expect_error.h"
 #include "camera/framed_scenes.h"
+#include "raster/plane_pairs.h"
 #include "scenes.h"
 
 namespace inkedge::camera {
@@ -21,7 +22,8 @@ constexpr Size wide{640, 360};
 
 glm::dmat3 smallK() {
     glm::dmat3 k{1.0};
-    k[0][0] = k[1][1] = 500.0;
+    k[0][0] = 520.0;
+    k[1][1] = 500.0;
     k[2] = {300.25, 200.5, 1.0};
     return k;
 }
@@ -58,6 +60,29 @@ TEST(CalibratedCamera, givesItsMatricesBack) {
     for (int column = 0; column < 4; ++column) expectNear(toWorld[column], pose()[column]);
 }
 
+// Bends are measured between normals that are read off pixels: lines of pixels that are no squares lie where those of
+// squares do.
+TEST(CalibratedCamera, givesPlanesTheirNormalsWhateverItsPixels) {
+    const glm::dvec3 normal = glm::normalize(glm::dvec3{0.3, -0.4, 0.8});
+    for (const double focalX : {250.0, 500.0, 1000.0}) {
+        glm::dmat3 k = smallK();
+        k[0][0] = focalX;
+        const Camera camera = cameraFromIntrinsics(k, glm::dmat4{1.0}, CameraAxes::OpenGl, wide);
+        // 1 / depth where the ray of a pixel meets the plane n . p = -5.
+        const auto inverseDepth = [&](glm::dvec2 pixel) {
+            const glm::dvec2 fromCentre = pixel - camera.centre(wide);
+            const glm::dvec3 ray{fromCentre.x / k[0][0], -fromCentre.y / k[1][1], -1.0};
+            return glm::dot(normal, ray) / -5.0;
+        };
+        const glm::dvec2 at{400.5, 100.5};
+        const double w = inverseDepth(at);
+        const glm::dvec2 slope{inverseDepth(at + glm::dvec2{1, 0}) - w, inverseDepth(at + glm::dvec2{0, 1}) - w};
+        const glm::dvec3 found = glm::normalize(raster::normalOf(
+            {w, slope, 1.0, at - camera.centre(wide)}, {camera.focalLengths(wide), camera.orthographic(), 0.8}));
+        expectNear(glm::dvec3{-found.x, found.y, found.z}, normal);  // x and y count along the picture's axes
+    }
+}
+
 TEST(CalibratedCamera, isFoundFromOpenGlsMatrices) {
     Camera perspective;
     perspective.view = glm::inverse(pose());
@@ -92,18 +117,19 @@ TEST(CalibratedCamera, hasNoPlanesOfAnInfiniteProjection) {
     EXPECT_EQ(found.far, 0.0);
 }
 
-TEST(CalibratedCamera, refusesPixelsThatAreNoSquares) {
-    glm::dmat3 k = smallK();
-    k[0][0] = 500.05;  // the picture's edge moves by 0.03 pixels
-    EXPECT_NO_THROW((void)cameraFromIntrinsics(k, pose(), CameraAxes::OpenCv, wide));
-    k[0][0] = 501.0;
-    expectError(Error::Kind::Usage,
-                StartsWith("K: expected square pixels in a picture of 640 x 360, found them 1.002 times as high as "
-                           "wide; "),
-                [&] { (void)cameraFromIntrinsics(k, pose(), CameraAxes::OpenCv, wide); });
-    expectError(Error::Kind::Usage, HasSubstr("make it for the picture's aspect"), [&] {
-        (void)cameraFromMatrices(glm::dmat4{1.0}, Camera{.near = 1, .far = 2}.projection(square), wide);
-    });
+TEST(CalibratedCamera, refusesAProjectionForAPictureOfAnotherShape) {
+    Camera camera{.near = 1, .far = 2, .pixelAspect = 1.01};
+    EXPECT_NEAR(cameraFromMatrices(glm::dmat4{1.0}, camera.projection(wide), wide).pixelAspect, 1.01, nearlyExact);
+    expectError(
+        Error::Kind::Usage,
+        StartsWith("projection: expected one for a picture of 640 x 360, found one whose pixels are 0.5625 "
+                   "times as wide as high there; make it for the picture's aspect"),
+        [&] { (void)cameraFromMatrices(glm::dmat4{1.0}, Camera{.near = 1, .far = 2}.projection(square), wide); });
+    camera.orthographicHeight = 3.0;
+    glm::dmat4 stretched = camera.projection(wide);
+    stretched[0][0] *= 1.001;
+    expectError(Error::Kind::Usage, HasSubstr("make it for the picture's aspect"),
+                [&] { (void)cameraFromMatrices(glm::dmat4{1.0}, stretched, wide); });
 }
 
 TEST(CalibratedCamera, refusesWhatIsNoSuchMatrix) {

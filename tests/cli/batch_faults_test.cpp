@@ -131,6 +131,22 @@ TEST_F(BatchFaults, TwoCopiesMakeOneSet) {
     }
 }
 
+// As where a node falls silent: its task is started again, while the old one goes on.
+TEST_F(BatchFaults, TasksOfWhichEachRunsTwiceMakeOneSet) {
+    expectOne(runWith({}, batch("unbroken")));
+    std::vector<std::unique_ptr<Running>> running;
+    for (const char* const shard : {"0/2", "1/2"})
+        for (int copy = 0; copy < 2; ++copy)
+            running.push_back(
+                std::make_unique<Running>(INKEDGE_COMMAND, batch("tasks", {"--shard", shard}), folder_.path()));
+    int failed = 0;
+    for (const auto& each : running) failed += each->finish().exitCode;
+    EXPECT_EQ(failed, 2) << "of one task of the two, and both its copies";
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "tasks/results.jsonl"));
+    expectOne(runWith({}, batch("tasks")));  // puts the results together
+    EXPECT_EQ(everything("tasks"), everything("unbroken"));
+}
+
 bool hasEnded(const Running& running) {
     siginfo_t info{};
     const int failed = ::waitid(P_PID, static_cast<id_t>(running.process()), &info, WEXITED | WNOHANG | WNOWAIT);

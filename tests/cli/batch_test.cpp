@@ -265,6 +265,61 @@ std::string tarfile(const std::filesystem::path& folder, const std::string& code
     return outcome.out;
 }
 
+// The variables of a task of Slurm, as of --array=1-3:2.
+Environment arrayTask(const std::string& id) {
+    return {{"SLURM_ARRAY_TASK_ID", id},
+            {"SLURM_ARRAY_TASK_MIN", "1"},
+            {"SLURM_ARRAY_TASK_MAX", "3"},
+            {"SLURM_ARRAY_TASK_COUNT", "2"},
+            {"SLURM_ARRAY_TASK_STEP", "2"}};
+}
+
+TEST_F(BatchTest, TasksDrawTheirShardsAndTheGalleryShowsAll) {
+    std::vector<std::string> items;
+    for (const char* id : {"a", "b", "c", "d", "e", "f"}) items.push_back(item(asset("cube.glb"), id));
+    const Arguments arguments{"batch", list(items), "-o", "out", "--size", "8x8"};
+    std::size_t drawn = 0;
+    for (const auto& [id, shard] : {std::pair{"1", "0"}, {"3", "1"}}) {
+        const Outcome outcome = run(arguments, arrayTask(id));
+        expectSuccess(outcome);
+        EXPECT_THAT(outcome.error, HasSubstr(std::string{"items of shard "} + shard + "/2\n"));
+        drawn += std::stoul(outcome.out);
+    }
+    EXPECT_EQ(drawn, items.size());
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out/results.jsonl"));
+    EXPECT_THAT(run({"gallery", "out"}).out, HasSubstr(": 6 items"));
+    EXPECT_THAT(run(arguments, arrayTask("3")).out, HasSubstr(" 0 drawn, ")) << "a task that is started again";
+    EXPECT_THAT(run(arguments).out, StartsWith("6 items: 0 drawn, 6 drawn before")) << "by the tasks";
+    EXPECT_EQ(states().size(), 6U);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out/results.0-of-2.jsonl"));
+
+    expectFailure(run(arguments, arrayTask("2")), 2, HasSubstr("give --shard I/N"));
+    expectFailure(batch("list.jsonl", {"--shard", "2/2"}), 2, HasSubstr("--shard: expected I/N"));
+}
+
+TEST_F(BatchTest, TasksHaveShardsOfTheirOwn) {
+    std::vector<std::string> items;
+    for (const char* id : {"a", "b", "c", "d", "e", "f"}) items.push_back(item(asset("cube.glb"), id));
+    const std::string input = list(items);
+    const auto task = [&](const std::string& shard) {
+        return batch(input, {"--shard", shard, "--shards", "100", "-q"});
+    };
+    expectSuccess(task("0/2"));
+    expectSuccess(task("1/2"));
+    std::vector<std::string> names;
+    for (const auto& [name, content] : everything()) names.push_back(name);
+    EXPECT_THAT(names, ElementsAre("0-of-2.000000.tar", "1-of-2.000000.tar", "batch.json", "results.0-of-2.jsonl",
+                                   "results.1-of-2.jsonl"));
+    const json members = json::parse(tarfile(folder_ / "out", R"(
+names = [name for shard in (0, 1) for name in tarfile.open(f"{shard}-of-2.000000.tar").getnames()]
+print(json.dumps(sorted(name.split("/")[0] for name in names if name.endswith(".json"))))
+)"));
+    EXPECT_EQ(members, (json{"a", "b", "c", "d", "e", "f"}));
+    for (const Outcome& other : {task("0/3"), batch(input, {"--shards", "100", "-q"})})
+        expectFailure(other, 2, HasSubstr("--shard: expected the number of tasks that wrote the shards in out"));
+    expectFailure(run({"gallery", "out"}), 3, HasSubstr("found shards"));
+}
+
 TEST_F(BatchTest, WritesShardsThatOthersRead) {
     const std::string longId = "long/" + std::string(120, 'n') + "/\u00e4.v2";
     const std::string input = list({item(asset("cube.glb"), "a"), item(asset("bracket.glb"), longId), "missing.stl",

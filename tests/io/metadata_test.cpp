@@ -48,6 +48,10 @@ TEST(MetadataJson, hasTheCameraAsOpenCvHasIt) {
     maps.camera.axis = {0.5, -0.25};  // of a view that was cut out of a larger one
     const auto cut = nlohmann::json::parse(metadataJson(triangle(), maps, {})).at("camera");
     EXPECT_EQ(cut.at("K"), (nlohmann::json{{focal, 0.0, 479.5}, {0.0, focal, 299.5}, {0.0, 0.0, 1.0}}));
+    maps.camera.pixelAspect = 2.0;
+    const auto wide = nlohmann::json::parse(metadataJson(triangle(), maps, {})).at("camera");
+    EXPECT_EQ(wide.at("K"), (nlohmann::json{{focal / 2.0, 0.0, 479.5}, {0.0, focal, 299.5}, {0.0, 0.0, 1.0}}));
+    EXPECT_EQ(wide.at("pixel_aspect"), 2.0);
 }
 
 TEST(MetadataJson, namesModelViewFilesInstancesAndTheScaleOfDepth) {

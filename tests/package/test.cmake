@@ -1,6 +1,8 @@
-# Installs a build into a folder of its own, builds the project beside this file against it and runs both it and the
-# installed command. cmake -DBUILD=... -DWORK=... -DMODEL=... -DCXX_COMPILER=... -DCXX_FLAGS=... -P test.cmake
-# With -DPYTHON=... -DPYTHON_FOLDER=... the installed Python module draws, too.
+# Installs a build into a folder of its own, builds the project beside this file and the README's examples against it
+# and runs them and the installed command.
+# cmake -DBUILD=... -DWORK=... -DMODEL=... -DREADME=... [-DCXX_COMPILER=... -DC_COMPILER=... -DCXX_FLAGS=...] -P test.cmake
+# With -DPYTHON=... -DPYTHON_FOLDER=... the installed Python module draws, too. With -DPREFIX=/usr instead of -DBUILD
+# what is installed there is used.
 cmake_minimum_required(VERSION 3.24)
 
 function(run)
@@ -19,33 +21,47 @@ set(exr 762f3101)
 set(xml 3c3f786d)
 
 file(REMOVE_RECURSE ${WORK})
-run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/made)
-# Nothing may depend on where it was installed: move it.
-file(RENAME ${WORK}/made ${WORK}/prefix)
+if(PREFIX)
+  set(prefix ${PREFIX})
+else()
+  set(prefix ${WORK}/prefix)
+  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/made)
+  # Nothing may depend on where it was installed: move it.
+  file(RENAME ${WORK}/made ${prefix})
+endif()
+if(NOT CXX_COMPILER)
+  set(CXX_COMPILER c++)
+  set(C_COMPILER cc)
+endif()
 
-run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
-    -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_CXX_FLAGS=${CXX_FLAGS}
-    -DCMAKE_EXE_LINKER_FLAGS=${LINKED_BESIDE}
-    -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
-run(${CMAKE_COMMAND} --build ${WORK}/build)
+# Builds the project in a folder of sources.
+function(build sources folder)
+  run(${CMAKE_COMMAND} -S ${sources} -B ${folder} -G Ninja -DCMAKE_BUILD_TYPE=Release
+      -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_CXX_FLAGS=${CXX_FLAGS}
+      -DCMAKE_EXE_LINKER_FLAGS=${LINKED_BESIDE} -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+  run(${CMAKE_COMMAND} --build ${folder})
+endfunction()
+build(${CMAKE_CURRENT_LIST_DIR} ${WORK}/build)
 
 file(STRINGS ${WORK}/build/CMakeCache.txt found REGEX "^inkedge_DIR:")
-if(NOT found MATCHES "=${WORK}/prefix/")
-  message(FATAL_ERROR "expected find_package to find inkedge under ${WORK}/prefix, found ${found}")
+if(NOT found MATCHES "=${prefix}/")
+  message(FATAL_ERROR "expected find_package to find inkedge under ${prefix}, found ${found}")
 endif()
 
 # A library that may break with each MINOR has it in its name; inkedge.h is all headers.
-file(GLOB_RECURSE libraries ${WORK}/prefix/*/libinkedge.so.0.[0-9]*)
-file(GLOB headers RELATIVE ${WORK}/prefix/include ${WORK}/prefix/include/inkedge/*.h)
+file(GLOB library ${prefix}/lib/*/libinkedge.so ${prefix}/lib/libinkedge.so)
+get_filename_component(library "${library}" DIRECTORY)
+file(GLOB libraries ${library}/libinkedge.so.0.[0-9]*)
+file(GLOB headers RELATIVE ${prefix}/include ${prefix}/include/inkedge/*.h)
 list(REMOVE_ITEM headers inkedge/inkedge.h)
-file(READ ${WORK}/prefix/include/inkedge/inkedge.h all)
+file(READ ${prefix}/include/inkedge/inkedge.h all)
 foreach(header IN LISTS headers)
   if(NOT all MATCHES "#include <${header}>")
     message(FATAL_ERROR "expected inkedge.h to include ${header}, found that it does not")
   endif()
 endforeach()
 if(NOT libraries OR NOT headers)
-  message(FATAL_ERROR "expected libinkedge.so.0.MINOR and headers under ${WORK}/prefix, found '${libraries}', "
+  message(FATAL_ERROR "expected libinkedge.so.0.MINOR and headers under ${prefix}, found '${libraries}', "
                       "'${headers}'")
 endif()
 
@@ -54,26 +70,46 @@ expect_start(${WORK}/drawn.png ${png})
 expect_start(${WORK}/drawn.exr ${exr})
 expect_start(${WORK}/drawn.svg ${xml})
 
-# From C, by pkg-config alone; with the strictest standard, for the header must be C.
-file(GLOB_RECURSE packages ${WORK}/prefix/*/inkedge.pc)
-get_filename_component(packages "${packages}" DIRECTORY)
-execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${packages} pkg-config --cflags --libs inkedge
+# By pkg-config alone: from C with the strictest standard, for the header must be C.
+execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${library}/pkgconfig pkg-config --cflags --libs inkedge
                 OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
-separate_arguments(flags UNIX_COMMAND "${flags} ${CXX_FLAGS}")
-file(GLOB_RECURSE library ${WORK}/prefix/*/libinkedge.so)
-get_filename_component(library "${library}" DIRECTORY)
+separate_arguments(flags UNIX_COMMAND "${flags} ${CXX_FLAGS} ${LINKED_BESIDE}")
+list(APPEND flags -Wl,-rpath,${library})
 run(${C_COMPILER} -std=c90 -Wall -Wextra -Wpedantic -Wno-long-long -Werror ${CMAKE_CURRENT_LIST_DIR}/main.c
-    ${LINKED_BESIDE} -o ${WORK}/build/draw_c ${flags} -Wl,-rpath,${library})
+    -o ${WORK}/build/draw_c ${flags})
 run(${WORK}/build/draw_c ${MODEL} ${WORK}/c.png ${WORK}/c.svg)
 expect_start(${WORK}/c.png ${png})
 expect_start(${WORK}/c.svg ${xml})
 
-run(${WORK}/prefix/bin/inkedge render ${MODEL} --detector classic --size 64x64 --output ${WORK}/commanded.exr)
+# The README's examples, in a folder with the models that they name.
+set(readme ${WORK}/readme)
+file(MAKE_DIRECTORY ${readme})
+find_program(python NAMES ${PYTHON} python3 REQUIRED)
+run(${python} ${CMAKE_CURRENT_LIST_DIR}/readme.py ${README} ${readme})
+file(COPY_FILE ${MODEL} ${readme}/part.glb)
+file(WRITE ${readme}/part.ply "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+     "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+     "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+build(${readme} ${readme}/build)
+run(${CXX_COMPILER} -std=c++20 -Wall -Wextra -Wno-unused -o ${readme}/snippets ${readme}/snippets.cpp ${flags})
+run(${C_COMPILER} -Wall -Wextra -Werror -o ${readme}/outline_c ${readme}/outline.c ${flags})
+foreach(program IN ITEMS build/outline snippets outline_c)
+  run(${CMAKE_COMMAND} -E chdir ${readme} ./${program})
+endforeach()
+expect_start(${readme}/part.exr ${exr})
+expect_start(${readme}/part_90.exr ${exr})
+expect_start(${readme}/part.json 7b0a2020)
+
+run(${prefix}/bin/inkedge render ${MODEL} --detector classic --size 64x64 --output ${WORK}/commanded.exr)
 expect_start(${WORK}/commanded.exr ${exr})
 
 if(PYTHON)
   run(${CMAKE_COMMAND} -E env PYTHONPATH=${WORK}/prefix/${PYTHON_FOLDER} PYTHONDONTWRITEBYTECODE=1
       ${PYTHON} ${CMAKE_CURRENT_LIST_DIR}/draw.py ${MODEL} ${WORK}/prefix)
+endif()
+
+if(PREFIX)
+  return()
 endif()
 
 # Without its modules it still draws plain models, and says in one line what it lacks for the rest.

@@ -77,7 +77,8 @@ public:
         const Image<float> planes = gl::readFloats(gpu_.api, buffers.planes, 4);
         const double focal =
             0.5 * size.height * camera.projection(size)[1][1] * (camera.orthographic() ? frame.unit : 1.0);
-        const Image<std::uint8_t> expected = reference::detectLines(planes, focal, camera.orthographic(), creaseAngle);
+        const Image<std::uint8_t> expected = reference::detectLines(planes, focal, camera.orthographic(), creaseAngle,
+                                                                    camera.orthographic() ? 1.0 : camera.pixelAspect);
         EXPECT_EQ(marks.size(), size);
         Comparison result;
         if (marks.pixels().size() != expected.pixels().size()) return result;
@@ -125,7 +126,9 @@ TEST_P(DetectLines, equalTheReference) {
                     if (orthographic) cameraSettings.orthographicHeight = 0.0;
                     SCOPED_TRACE(testing::Message() << "scene " << s << ", " << size.width << " x " << size.height
                                                     << ", crease angle " << angle);
-                    const Comparison found = comparer.compare(frameCamera(all[s], cameraSettings, size), size, angle);
+                    Camera camera = frameCamera(all[s], cameraSettings, size);
+                    camera.pixelAspect = size.width == 161 ? 0.6 : 1.0;
+                    const Comparison found = comparer.compare(camera, size, angle);
                     EXPECT_LE(found.different, 2 + roundingShare * found.decisions);
                     sum.decisions += found.decisions;
                     sum.different += found.different;

@@ -127,7 +127,7 @@ private:
     }
 
     void mark() {
-        const raster::PlaneView view{camera().focalLength(size), true,
+        const raster::PlaneView view{camera().focalLengths(size), true,
                                      std::cos(scene_.creaseAngle() * std::numbers::pi / 180.0)};
         for (int y = 0; y < size.height; ++y) {
             for (int x = 0; x < size.width; ++x) {
