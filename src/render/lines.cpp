@@ -1,6 +1,9 @@
 #include "render/lines.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
 #include <utility>
 
 #include <inkedge/error.h>
@@ -29,7 +32,16 @@ Image<std::uint8_t> shadeOf(const Scene& scene, const Camera& camera, const Rend
     return std::move(tiles.maps.shade);
 }
 
-void openRays() { static_cast<void>(modules::failureToOpen(lines::embreeModule)); }
+void openRays() {
+    if (!modules::failureToOpen(lines::embreeModule).empty()) return;
+    // A first tree starts the library's threads and brings its code into memory.
+    static constexpr std::array corners{glm::vec3{0.0F}, glm::vec3{1.0F, 0.0F, 0.0F}, glm::vec3{0.0F, 1.0F, 0.0F}};
+    static constexpr std::array<std::uint32_t, 3> indices{0, 1, 2};
+    const lines::RayMesh triangle{corners, 1.0, indices, std::span{indices}.first(1)};
+    const lines::RayInstance instance{0, glm::mat4x3{1.0F}};
+    static_cast<void>(
+        modules::functionsOf<lines::embreeModule>(Error::Kind::Runtime).make({&triangle, 1}, {&instance, 1}));
+}
 
 Lines objectLines(const Scene& scene, const Camera& camera, const RenderSettings& settings, Kept& kept) {
     std::vector<StageTime> before;
