@@ -22,6 +22,7 @@ OWNERS = {  # of the other public headers
     "gl": ["backends"],
     "render": ["renderer"],
     "io": ["compare", "read_lines", "write"],
+    "diff": ["compare_lines"],
     "job": ["job"],
     "sheet": ["sheet"],
 }

@@ -70,6 +70,13 @@ std::vector<std::string> SettingsSources::unknownVariables() {
     return unknown;
 }
 
+std::vector<std::string_view> SettingsSources::flagsGiven() const {
+    std::vector<std::string_view> names;
+    for (const auto& [name, option] : options_)
+        if (option->count() > 0) names.push_back(name);
+    return names;
+}
+
 Settings SettingsSources::resolve() const {
     Settings settings;
     if (!preset_.empty()) setPreset(settings, preset_, "--preset");

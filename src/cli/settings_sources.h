@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -27,6 +28,9 @@ public:
 
     /// Variables of the environment that begin as those of settings do, and are none's.
     [[nodiscard]] static std::vector<std::string> unknownVariables();
+
+    /// The settings that have a flag on the command line, by their names.
+    [[nodiscard]] std::vector<std::string_view> flagsGiven() const;
 
     /// Empty if none is given.
     [[nodiscard]] const std::string& configFile() const noexcept { return configFile_; }

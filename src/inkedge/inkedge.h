@@ -5,6 +5,7 @@
 #include <inkedge/bounds.h>
 #include <inkedge/camera.h>
 #include <inkedge/compare.h>
+#include <inkedge/compare_lines.h>
 #include <inkedge/edge_kinds.h>
 #include <inkedge/encode_png.h>
 #include <inkedge/error.h>

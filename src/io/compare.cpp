@@ -3,12 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <inkedge/error.h>
@@ -17,9 +13,9 @@
 #include "base/file_key.h"
 #include "base/staged_files.h"
 #include "images/image_formats.h"
-#include "images/read_png.h"
 #include "io/output_formats.h"
 #include "io/picture.h"
+#include "io/read_picture.h"
 
 namespace fs = std::filesystem;
 
@@ -28,35 +24,6 @@ namespace {
 
 /// An 8-bit level n / 255 is not exact in float: the error of a difference of two such levels is under this.
 constexpr double integerRounding = 1e-6;
-
-[[noreturn]] void failToRead(const fs::path& file, std::string_view reason) {
-    throw Error{Error::Kind::Input, fmt::format("{}: cannot be read as a picture: {}", file.string(), reason)};
-}
-
-std::vector<std::uint8_t> readBytes(const fs::path& file) {
-    std::error_code error;
-    const fs::file_status status = fs::status(file, error);
-    if (fs::is_directory(status)) failToRead(file, "expected a file, found a folder; add a file's name");
-    if (status.type() == fs::file_type::not_found) failToRead(file, "expected a file, found none; check its name");
-    if (fs::exists(status) && !fs::is_regular_file(status))
-        failToRead(file, "expected a regular file, found a device, pipe or socket; write a file and name that");
-    std::ifstream stream{file, std::ios::binary};
-    std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>{stream}, {}};
-    if (!stream) {
-        const std::string reason = std::generic_category().message(errno);
-        failToRead(file, fmt::format("expected a file that may be read, found: {}; change its mode", reason));
-    }
-    return bytes;
-}
-
-images::ReadPicture read(const fs::path& file) {
-    const std::vector<std::uint8_t> bytes = readBytes(file);
-    if (bytes.empty()) failToRead(file, "expected a picture, found an empty file; write it again");
-    images::ReadPicture picture =
-        images::isPng(bytes) ? images::readPng(bytes) : images::imageFormats(Error::Kind::Input).read(file);
-    if (!picture.failure.empty()) failToRead(file, picture.failure);
-    return picture;
-}
 
 std::string shape(const Image<float>& image) {
     return fmt::format("{} x {} pixels of {} channel{}", image.size().width, image.size().height, image.channels(),
@@ -172,8 +139,8 @@ void expectLevelOfShares(const images::ReadPicture& a, const images::ReadPicture
 Comparison compare(const fs::path& a, const fs::path& b, const Tolerance& tolerance,
                    const std::optional<fs::path>& difference) {
     if (difference) expectUsable(*difference, a, b);
-    images::ReadPicture left = read(a);
-    images::ReadPicture right = read(b);
+    images::ReadPicture left = io::readPicture(a);
+    images::ReadPicture right = io::readPicture(b);
     expectSameShape(a, left.image, b, right.image);
     expectLevelOfShares(left, right, tolerance);
 

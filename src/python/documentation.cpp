@@ -130,6 +130,41 @@ times, warnings: as Maps has them
 
 The arrays are read-only. They are copies, so that each is contiguous, as OpenCV asks.)";
 
+const char* const linesComparison = R"(What became of lines.
+
+same: whether the share that changed is within the one that is allowed
+share: of the length of all lines, what changed
+changes: list of dicts, as "changes" of inkedge compare --lines --json
+write(path): draws them; str() says them, a line each)";
+
+const char* const pictureComparison = R"(How far two pictures differ.
+
+same: whether they are within the tolerances
+share: of the pixels that differ by more than the level
+maximum: the largest difference)";
+
+const char* const compareLines = R"(compare_lines(before, after, *, distance=1.5, share=0.0, speck=4.0)
+
+Which lines appeared, vanished, moved, or changed type or visibility: LinesComparison. The GIL is released meanwhile.
+
+before, after: Lines, or the path of lines as .json or .svg, or of a picture; both of one size
+distance: pixels; lines that run along each other this near are the same
+share: 0 to 1; of the length of all lines, how much may have changed
+speck: pixels; shorter changes are left out
+
+Raises InputError if a file cannot be read or the sizes differ, UsageError if a number is out of range.)";
+
+const char* const comparePictures = R"(compare_pictures(a, b, *, level=0.0, share=0.0, hard_limit=None, difference=None)
+
+How far the pictures of two files differ: PictureComparison. The GIL is released meanwhile.
+
+level: 0 to 1; differences up to this do not count
+share: 0 to 1; of the pixels, how many may differ by more
+hard_limit: 0 to 1; no pixel may differ by more. None: no limit where a share is allowed, else the level
+difference: path of a picture of the differences, or None
+
+Raises InputError if a file cannot be read or the sizes differ, OutputError if the difference cannot be written.)";
+
 const char* const backend = R"(What drew a picture.
 
 backend: "egl" or "osmesa"; empty while there is no context

@@ -16,6 +16,10 @@ extern const char* const renderer;
 extern const char* const maps;
 extern const char* const lines;
 extern const char* const backend;
+extern const char* const linesComparison;
+extern const char* const pictureComparison;
+extern const char* const compareLines;
+extern const char* const comparePictures;
 
 [[nodiscard]] std::string load();
 [[nodiscard]] std::string fromArrays();

@@ -13,6 +13,7 @@
 #include <inkedge/version.h>
 
 #include "python/cameras.h"
+#include "python/comparisons.h"
 #include "python/documentation.h"
 #include "python/errors.h"
 #include "python/keywords.h"
@@ -81,5 +82,6 @@ PYBIND11_MODULE(_inkedge, module) {
     addCameras(module);
     addMaps(module);
     addLines(module);
+    addComparisons(module);
     addRenderers(module);
 }

@@ -27,7 +27,8 @@ TEST_F(Help, OfEachVerbNamesItsFlags) {
     };
     expectFlags("render", {"MODEL", "-o,--output", "--metadata", "--json", "-q,--quiet", "-v,--verbose", "--preset",
                            "--config", "--print-config"});
-    expectFlags("compare", {"A", "B", "-o,--output", "--level", "--share", "--hard-limit", "--json", "-q,--quiet"});
+    expectFlags("compare", {"A", "B", "-o,--output", "--level", "--share", "--hard-limit", "--json", "-q,--quiet",
+                            "--lines", "--distance", "--speck", "--view"});
     expectFlags("doctor", {"--json"});
 }
 

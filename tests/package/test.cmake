@@ -70,6 +70,42 @@ expect_start(${WORK}/drawn.png ${png})
 expect_start(${WORK}/drawn.exr ${exr})
 expect_start(${WORK}/drawn.svg ${xml})
 
+# Image tests as README has them, and one of a map: without references they fail, accepted ones hold, and another model
+# fails with a picture of what changed.
+get_filename_component(source ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
+file(READ ${source}/README.md readme)
+if(NOT readme MATCHES "```cmake\n(find_package[^`]*inkedge_add_image_test[^`]*)```")
+  message(FATAL_ERROR "expected an example of inkedge_add_image_test in README.md, found none")
+endif()
+set(suite ${WORK}/suite)
+file(WRITE ${suite}/CMakeLists.txt "cmake_minimum_required(VERSION 3.24)\nproject(suite LANGUAGES CXX)\n"
+     "${CMAKE_MATCH_1}"
+     "inkedge_add_image_test(NAME bracket_depth MODEL bracket.glb SETTINGS --view iso --size 64x48 MAP depth "
+     "REFERENCE expected/bracket_depth.png)\n")
+file(COPY_FILE ${MODEL} ${suite}/bracket.glb)
+run(${CMAKE_COMMAND} -S ${suite} -B ${suite}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix
+    -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+function(expect_tests failing said_by_all)
+  execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${suite}/build --output-on-failure RESULT_VARIABLE status
+                  OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if(NOT status EQUAL failing OR NOT said MATCHES "${said_by_all}")
+    message(FATAL_ERROR "expected ctest to end with ${failing} and '${said_by_all}', found ${status}: ${said}")
+  endif()
+endfunction()
+expect_tests(8 "bracket_iso.png: expected a reference.*inkedge_accept_bracket_iso.*0% tests passed, 3 tests failed")
+run(${CMAKE_COMMAND} --build ${suite}/build --target inkedge_accept)
+expect_tests(0 "100% tests passed")
+file(COPY_FILE ${source}/assets/gear.glb ${suite}/bracket.glb)
+expect_tests(8 "vanished   .*bracket_lines.difference.svg.*0% tests passed, 3 tests failed")
+foreach(left IN ITEMS bracket_iso.png bracket_iso.difference.png bracket_lines.svg bracket_lines.difference.svg
+                      bracket_depth.png bracket_depth.difference.png)
+  if(NOT EXISTS ${suite}/build/image_tests/${left})
+    message(FATAL_ERROR "expected ${left} to be left, found none")
+  endif()
+endforeach()
+run(${CMAKE_COMMAND} --build ${suite}/build --target inkedge_accept_bracket_lines)
+expect_tests(8 "33% tests passed, 2 tests failed")
+
 # By pkg-config alone: from C with the strictest standard, for the header must be C.
 execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${library}/pkgconfig pkg-config --cflags --libs inkedge
                 OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)

@@ -38,7 +38,8 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT license)
 
 install(EXPORT inkedgeTargets NAMESPACE inkedge:: DESTINATION ${package_folder} COMPONENT development)
 configure_package_config_file(tools/cmake/inkedgeConfig.cmake.in ${PROJECT_BINARY_DIR}/inkedgeConfig.cmake
-                              INSTALL_DESTINATION ${package_folder})
+                              INSTALL_DESTINATION ${package_folder} PATH_VARS CMAKE_INSTALL_BINDIR)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/inkedgeConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/inkedgeConfig.cmake ${PROJECT_BINARY_DIR}/inkedgeConfigVersion.cmake
+        tools/cmake/inkedgeImageTest.cmake tools/cmake/inkedgeRunImageTest.cmake
         DESTINATION ${package_folder} COMPONENT development)

@@ -19,8 +19,10 @@ from ._inkedge import (
     InputError,
     Instance,
     Lines,
+    LinesComparison,
     Maps,
     OutputError,
+    PictureComparison,
     Renderer,
     RuntimeError,
     Scene,
@@ -30,12 +32,16 @@ from ._inkedge import (
     Warning,
     __doc__,
     __version__,
+    compare_lines,
+    compare_pictures,
     settings,
+    write_png,
 )
 
 LineType = _enum.IntFlag("LineType", {name.upper(): bit for name, bit in _inkedge.line_types.items()})
 LineType.__doc__ = 'What a line is: bits of maps["types"] and of lines.types.'
 
-for _type in (Backend, Camera, CameraMatrices, Instance, LineType, Lines, Maps, Renderer, Scene, Setting):
+for _type in (Backend, Camera, CameraMatrices, Instance, LineType, Lines, LinesComparison, Maps, PictureComparison,
+              Renderer, Scene, Setting):
     _type.__module__ = __name__
 _abc.Mapping.register(Maps)
