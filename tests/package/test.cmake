@@ -83,7 +83,7 @@ file(WRITE ${suite}/CMakeLists.txt "cmake_minimum_required(VERSION 3.24)\nprojec
      "inkedge_add_image_test(NAME bracket_depth MODEL bracket.glb SETTINGS --view iso --size 64x48 MAP depth "
      "REFERENCE expected/bracket_depth.png)\n")
 file(COPY_FILE ${MODEL} ${suite}/bracket.glb)
-run(${CMAKE_COMMAND} -S ${suite} -B ${suite}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix
+run(${CMAKE_COMMAND} -S ${suite} -B ${suite}/build -G Ninja -DCMAKE_PREFIX_PATH=${prefix}
     -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
 function(expect_tests failing said_by_all)
   execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${suite}/build --output-on-failure RESULT_VARIABLE status
