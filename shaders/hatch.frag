@@ -69,12 +69,13 @@ void main() {
         vec4 q = planeAt(pixel + step);
         vec3 nq = normalOf(q, fromCentre + vec2(step));
         int axis = 1 + (side & 1);
-        if (q.w == 0.0 || jumps(p.x, q.x, float(sign) * p[axis], float(sign) * q[axis], focalLengths[side & 1], 1.0)) continue;
+        float focal = focalLengths[side & 1];
+        if (q.w == 0.0 || jumps(p.x, q.x, float(sign) * p[axis], float(sign) * q[axis], focal, 1.0)) continue;
         ink = max(ink, mark(pixel, pixel, p, np, step, q, nq));
         // The next pair, if p's facet goes on to q.
         vec4 r = planeAt(pixel + 2 * step);
         vec3 nr = normalOf(r, fromCentre + 2.0 * vec2(step));
-        if (r.w == 0.0 || jumps(q.x, r.x, float(sign) * q[axis], float(sign) * r[axis], focalLengths[side & 1], 1.0)) continue;
+        if (r.w == 0.0 || jumps(q.x, r.x, float(sign) * q[axis], float(sign) * r[axis], focal, 1.0)) continue;
         if (bendOf(np, nq) < 0.5 * bendOf(nq, nr)) ink = max(ink, mark(pixel, pixel + step, q, nq, step, r, nr));
     }
 }

@@ -82,9 +82,9 @@ struct Watch {
     std::function<void(const std::string& message)> failed;  ///< an item, or a line of the file of items
 };
 
-/// Draws all items of a portion. OUTPUT/results.jsonl gets a line for each, or a file of the portion's own; what it says was drawn before, of the same model by the
-/// same settings and version, and is still there, is not drawn again. Files are whole or not there, whatever ends the
-/// process.
+/// Draws all items of a portion. OUTPUT/results.jsonl gets a line for each, or a file of the portion's own; what they
+/// say was drawn before, of the same model by the same settings and version, and is still there, is not drawn again.
+/// Files are whole or not there, whatever ends the process.
 /// @throws Error  (Kind::Usage, Kind::Input, Kind::Output) if the batch as a whole cannot be done; (Kind::Context) if
 ///                there is no OpenGL for it; (Kind::Runtime) if no worker can be started
 INKEDGE_API Progress runBatch(const Batch&, const Watch&);

@@ -41,8 +41,8 @@ struct Task {
     std::optional<std::uint64_t> count = {};
 };
 
-// Of a list, as --array=3,7,11, Slurm gives the number of tasks, the smallest and the largest id, and a step of 1: which
-// of them a task is cannot be known.
+// Of a list, as --array=3,7,11, Slurm gives the number of tasks, the smallest and the largest id, and a step of 1:
+// which of them a task is cannot be known.
 Task slurmTask(const Environment& environment) {
     const std::uint64_t id = numberOf(environment, "SLURM_ARRAY_TASK_ID");
     const std::uint64_t first = numberOf(environment, "SLURM_ARRAY_TASK_MIN");
