@@ -7,15 +7,16 @@ import pytest
 
 from conftest import SOURCE
 
-PATIENCE = 120  # seconds: the calls below would take longer
+PATIENCE = 120  # seconds: drawing would take longer, and what is loaded would be refused
 
 
 @pytest.fixture(scope="module")
 def slow_surface(tmp_path_factory):
-    """A model that takes minutes to be read."""
+    """A model of slow values and fine waves: over half a minute on it is refused, for it has too many vertices."""
     file = tmp_path_factory.mktemp("models") / "slow.implicit"
-    slow = "+".join(["sin(x)*exp(y)"] * 700)
-    file.write_text(f"bounds -1 -1 -1  1 1 1\nf = x^2 + y^2 + z^2 - 0.5 + 1e-9*({slow})\n")
+    slow = "+".join(["sin(x)*exp(y)"] * 680)
+    waves = "0.001*sin(400*x)*sin(400*y)*sin(400*z)"
+    file.write_text(f"bounds -1 -1 -1  1 1 1\nf = x^2 + y^2 + z^2 - 0.5 + {waves} + 1e-9*({slow})\n")
     return file
 
 
