@@ -21,6 +21,7 @@
 #include "python/documentation.h"
 #include "python/errors.h"
 #include "python/lines.h"
+#include "python/released.h"
 
 namespace inkedge::python {
 namespace {
@@ -35,8 +36,9 @@ ComparedLines linesOf(const Source& source) {
 }
 
 LinesComparison compareLinesOf(const Source& before, const Source& after, double distance, double share, double speck) {
-    const py::gil_scoped_release released;
-    return compareLines(linesOf(before), linesOf(after), {.distance = distance, .share = share, .speck = speck});
+    return released([&] {
+        return compareLines(linesOf(before), linesOf(after), {.distance = distance, .share = share, .speck = speck});
+    });
 }
 
 py::object changesOf(const LinesComparison& comparison) {
@@ -45,9 +47,8 @@ py::object changesOf(const LinesComparison& comparison) {
 
 Comparison comparePictures(const std::filesystem::path& a, const std::filesystem::path& b, double level, double share,
                            std::optional<double> hardLimit, const std::optional<std::filesystem::path>& difference) {
-    const py::gil_scoped_release released;
     const double limit = hardLimit.value_or(share > 0.0 ? std::numeric_limits<double>::max() : level);
-    return compare(a, b, {.level = level, .share = share, .hardLimit = limit}, difference);
+    return released([&] { return compare(a, b, {.level = level, .share = share, .hardLimit = limit}, difference); });
 }
 
 std::string saidOf(const Comparison& c) {
@@ -65,8 +66,7 @@ void writePng(const std::filesystem::path& path, const py::array_t<std::uint8_t,
     const Size size{static_cast<int>(pixels.shape(1)), static_cast<int>(pixels.shape(0))};
     const Image<std::uint8_t> picture{size, static_cast<int>(channels),
                                       std::vector<std::uint8_t>(pixels.data(), pixels.data() + pixels.size())};
-    const py::gil_scoped_release released;
-    writeFile(path, encodePng(picture));
+    released([&] { writeFile(path, encodePng(picture)); });
 }
 
 }  // namespace
