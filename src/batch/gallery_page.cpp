@@ -109,8 +109,9 @@ function card(item) {
   const text = make("div", {className: "text"}, make("div", {className: "id", textContent: item.id, title: item.id}),
                     make("div", {className: "facts", textContent: factsOf(item)}));
   if (item.state !== "drawn") text.append(make("div", {className: "bad", textContent: item.state}));
-  if (item.warnings.length > 0)
-    text.append(make("div", {className: "odd", textContent: `${item.warnings.length} warnings`}));
+  const warnings = item.warnings.length;
+  if (warnings > 0)
+    text.append(make("div", {className: "odd", textContent: warnings === 1 ? "1 warning" : `${warnings} warnings`}));
   return make("button", {className: "card", onclick: () => open(item)},
               make("div", {className: "picture"}, picture), text);
 }
