@@ -30,6 +30,11 @@
 
 namespace inkedge::benchmarks {
 
+using namespace ink;
+using namespace passes;
+using namespace raster;
+using namespace trace;
+
 inline constexpr Size sizes[]{{1024, 1024}, {1920, 1080}, {3840, 2160}};
 inline constexpr std::uint64_t triangleCounts[]{10'000, 100'000, 1'000'000};
 inline constexpr std::uint64_t usualTriangles = 100'000;  // where only the size varies

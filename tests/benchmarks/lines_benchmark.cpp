@@ -41,9 +41,7 @@ struct Model {
     friend auto operator<=>(const Model&, const Model&) = default;
 };
 
-std::string nameOf(Model model) {
-    return fmt::format("{}/{}", nameOf(model.shape), model.triangles);
-}
+std::string nameOf(Model model) { return fmt::format("{}/{}", nameOf(model.shape), model.triangles); }
 
 struct Prepared {
     explicit Prepared(Model model) : scene{dataOf(model)} {}
@@ -56,7 +54,7 @@ struct Prepared {
     }
 
     Scene scene;
-    MeshEdges edges = findEdges(scene.meshes()[0], topologyOf(scene, 0), scene.creaseAngle());
+    MeshEdges edges = findEdges(scene.meshes()[0], scene::topologyOf(scene, 0), scene.creaseAngle());
 };
 
 // One model at a time: the largest take hundreds of megabytes.
@@ -104,7 +102,7 @@ void addView(Model model) {
         const Scene& scene = prepared(model).scene;
         for (auto _ : state)
             benchmark::DoNotOptimize(
-                findEdges(scene.meshes()[0], topologyOf(scene, 0), scene.creaseAngle()).closed.data());
+                findEdges(scene.meshes()[0], scene::topologyOf(scene, 0), scene.creaseAngle()).closed.data());
     });
     add("ray-tree/" + nameOf(model), [model](benchmark::State& state) {
         const Scene& scene = prepared(model).scene;
@@ -138,15 +136,15 @@ void addView(Model model) {
 // it misses, by length.
 void timeFinder(benchmark::State& state, Model model, ContourFinder finder) {
     const Prepared& of = prepared(model);
-    const ContourSearch search{of.scene.meshes()[0], topologyOf(of.scene, 0), of.edges};
+    const ContourSearch search{of.scene.meshes()[0], scene::topologyOf(of.scene, 0), of.edges};
     const Mesh& mesh = of.scene.meshes()[0];
     const bool orthographic = finder == ContourFinder::Gauss;
     const auto lengthOf = [&](const std::vector<std::uint32_t>& edges) {
         double sum = 0.0;
         for (const std::uint32_t e : edges) {
             const std::uint32_t h = of.edges.shared.halfEdges[e];
-            sum +=
-                double{glm::distance(mesh.positions[mesh.indices[h]], mesh.positions[mesh.indices[nextHalfEdge(h)]])};
+            sum += double{
+                glm::distance(mesh.positions[mesh.indices[h]], mesh.positions[mesh.indices[mesh::nextHalfEdge(h)]])};
         }
         return sum;
     };
@@ -184,15 +182,15 @@ void addFinders(Model model) {
     for (const auto& [finder, name] :
          {std::pair{ContourFinder::Every, "every"}, std::pair{ContourFinder::Random, "random"},
           std::pair{ContourFinder::Gauss, "gauss"}}) {
-        add(fmt::format("prepare-finder/{}/{}", nameOf(model), name),
-            [model, finder = finder](benchmark::State& state) {
-                const Prepared& of = prepared(model);
-                std::size_t bytes = 0;
-                for (auto _ : state)
-                    bytes = ContourSearch{of.scene.meshes()[0], topologyOf(of.scene, 0), of.edges}.prepare(finder);
-                state.counters["edges"] = static_cast<double>(of.edges.shared.halfEdges.size());
-                state.counters["bytes"] = static_cast<double>(bytes);
-            });
+        add(fmt::format("prepare-finder/{}/{}", nameOf(model), name), [model,
+                                                                       finder = finder](benchmark::State& state) {
+            const Prepared& of = prepared(model);
+            std::size_t bytes = 0;
+            for (auto _ : state)
+                bytes = ContourSearch{of.scene.meshes()[0], scene::topologyOf(of.scene, 0), of.edges}.prepare(finder);
+            state.counters["edges"] = static_cast<double>(of.edges.shared.halfEdges.size());
+            state.counters["bytes"] = static_cast<double>(bytes);
+        });
     }
     // The yardstick of every: one pass over the arrays that it reads.
     add("read-arrays/" + nameOf(model), [model](benchmark::State& state) {

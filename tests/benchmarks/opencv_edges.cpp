@@ -39,7 +39,7 @@ OpenCvEdges::OpenCvEdges(const Image<float>& surface, Kernel kernel, Thresholds 
     : buffers_{std::make_unique<Buffers>()} {
     cv::setNumThreads(1);
     const cv::Mat interleaved(surface.size.height, surface.size.width, CV_32FC4,
-                              const_cast<float*>(surface.pixels.data()));  // split() only reads it
+                              const_cast<float*>(surface.pixels().data()));  // split() only reads it
     cv::split(interleaved, buffers_->channels.data());
     buffers_->thresholds = {thresholds.normal, thresholds.normal, thresholds.normal, thresholds.depth};
     const bool farid = kernel == Kernel::Farid;

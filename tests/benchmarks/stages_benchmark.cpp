@@ -116,6 +116,7 @@ DetectorSettings classicSettings(Kernel kernel) {
     return settings;
 }
 
+#ifdef INKEDGE_OPENCV
 // What detectEdges() finds, as one byte a pixel.
 Image<std::uint8_t> edgeMarks(Equipment& equipment, Kernel kernel, Size size) {
     Maps maps;
@@ -124,12 +125,14 @@ Image<std::uint8_t> edgeMarks(Equipment& equipment, Kernel kernel, Size size) {
                           classicSettings(kernel), Magnitudes::Drop),
               {.depth = true, .normal = true}, maps);
     Image<std::uint8_t> marks{size, 1};
-    for (std::size_t i = 0; i < marks.pixels.size(); ++i) {
-        marks.pixels[i] = static_cast<std::uint8_t>((maps.depthEdges.pixels[i] != 0 ? EdgeMarks::depthEdge : 0) |
-                                                    (maps.normalEdges.pixels[i] != 0 ? EdgeMarks::normalEdge : 0));
+    for (std::size_t i = 0; i < marks.pixels().size(); ++i) {
+        marks.mutablePixels()[i] =
+            static_cast<std::uint8_t>((maps.depthEdges.pixels()[i] != 0 ? EdgeMarks::depthEdge : 0) |
+                                      (maps.normalEdges.mutablePixels()[i] != 0 ? EdgeMarks::normalEdge : 0));
     }
     return marks;
 }
+#endif
 
 void addClassic(Equipment& equipment, Kernel kernel, const std::string& kernelName, Size size) {
     add("edges-" + kernelName + "/" + nameOf(size), [&equipment, kernel, size](benchmark::State& state) {
@@ -145,18 +148,19 @@ void addClassic(Equipment& equipment, Kernel kernel, const std::string& kernelNa
     add("opencv-" + kernelName + "/" + nameOf(size), [&equipment, kernel, size](benchmark::State& state) {
         Image<float> surface = gl::readFloats(equipment.api(), equipment.buffers(size).surface.surface, 4);
         const Camera camera = equipment.camera(usualModel, size);
-        for (std::size_t i = 3; i < surface.pixels.size(); i += 4) {
-            const double depth = (static_cast<double>(surface.pixels[i]) - camera.near) / (camera.far - camera.near);
-            surface.pixels[i] = static_cast<float>(depth);
+        for (std::size_t i = 3; i < surface.pixels().size(); i += 4) {
+            const double depth =
+                (static_cast<double>(surface.mutablePixels()[i]) - camera.near) / (camera.far - camera.near);
+            surface.mutablePixels()[i] = static_cast<float>(depth);
         }
         OpenCvEdges edges{surface, kernel, thresholds(classicSettings(kernel))};
         const std::uint8_t* found = nullptr;
         repeat(state, [&] { found = edges.detect(); });
         const Image<std::uint8_t> expected = edgeMarks(equipment, kernel, size);
-        state.counters["edge_pixels"] = static_cast<double>(
-            std::count_if(expected.pixels.begin(), expected.pixels.end(), [](std::uint8_t mark) { return mark != 0; }));
+        state.counters["edge_pixels"] = static_cast<double>(std::count_if(
+            expected.pixels().begin(), expected.pixels().end(), [](std::uint8_t mark) { return mark != 0; }));
         state.counters["differing_pixels"] =
-            std::inner_product(expected.pixels.begin(), expected.pixels.end(), found, 0.0, std::plus<>{},
+            std::inner_product(expected.pixels().begin(), expected.pixels().end(), found, 0.0, std::plus<>{},
                                [](std::uint8_t a, std::uint8_t b) { return a == b ? 0.0 : 1.0; });
     });
 #endif
@@ -172,7 +176,7 @@ public:
           blocks_{acquireBlocks(size), acquireBlocks(size)},
           targets_{gl::Framebuffer{gpu_.api, {&blocks_[0]}}, gl::Framebuffer{gpu_.api, {&blocks_[1]}}} {
         // Sets the program's uniforms.
-        benchmark::DoNotOptimize(equipment.findLines(equipment.buffers(size).planes, size).pixels.data());
+        benchmark::DoNotOptimize(equipment.findLines(equipment.buffers(size).planes, size).pixels().data());
     }
     void run() {
         turn_ = 1 - turn_;
@@ -194,7 +198,7 @@ private:
 void addPlanesDetector(Equipment& equipment, Size size) {
     add("lines/" + nameOf(size), [&equipment, size](benchmark::State& state) {
         const Buffers& buffers = equipment.buffers(size);
-        repeat(state, [&] { benchmark::DoNotOptimize(equipment.findLines(buffers.planes, size).pixels.data()); });
+        repeat(state, [&] { benchmark::DoNotOptimize(equipment.findLines(buffers.planes, size).pixels().data()); });
     });
     add("lines-pass/" + nameOf(size), [&equipment, size](benchmark::State& state) {
         LinesPass pass{equipment, size};
@@ -217,7 +221,7 @@ void addPlanesDetector(Equipment& equipment, Size size) {
         const Buffers& buffers = equipment.buffers(size);
         const PictureSettings picture = Equipment::pictureSettings(size);
         repeat(state, [&] {
-            benchmark::DoNotOptimize(paintStrokes(strokesOf(buffers.traced.pieces), picture).pixels.data());
+            benchmark::DoNotOptimize(paintStrokes(strokesOf(buffers.traced.pieces), picture).pixels().data());
         });
     });
 }
@@ -253,7 +257,7 @@ void addOutput(Equipment& equipment, Size size) {
     add("composite/" + nameOf(size), [&equipment, size](benchmark::State& state) {
         const Buffers& buffers = equipment.buffers(size);
         const PictureSettings picture = Equipment::pictureSettings(size);
-        repeat(state, [&] { benchmark::DoNotOptimize(composite(buffers.edges, picture).pixels.data()); });
+        repeat(state, [&] { benchmark::DoNotOptimize(composite(buffers.edges, picture).pixels().data()); });
     });
     add("read-back/" + nameOf(size), [&equipment, size](benchmark::State& state) {
         const PlaneBuffers& planes = equipment.buffers(size).planes;
