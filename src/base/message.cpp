@@ -6,6 +6,8 @@ namespace inkedge::base {
 
 void refuse(const std::string& message) { throw Error{Error::Kind::Input, message}; }
 
+void refuseUse(const std::string& message) { throw Error{Error::Kind::Usage, message}; }
+
 namespace {
 
 std::string escapeOf(char c) {

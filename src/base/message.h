@@ -12,6 +12,9 @@ namespace inkedge::base {
 /// @throws Error  (Kind::Input) always, with this message
 [[noreturn]] void refuse(const std::string& message);
 
+/// @throws Error  (Kind::Usage) always, with this message
+[[noreturn]] void refuseUse(const std::string& message);
+
 /// Text from outside as one line: control characters, those of Unicode and its line separators among them, become
 /// escapes: "\n", "\x1b", "\u2028". What is printable already stays as it is. The command calls it in the shared
 /// library; other programs are not offered it.

@@ -11,10 +11,10 @@
 #include <inkedge/camera.h>
 #include <inkedge/error.h>
 
+#include "base/message.h"
+
 namespace inkedge {
 namespace {
-
-[[noreturn]] void refuse(const std::string& message) { throw Error{Error::Kind::Usage, message}; }
 
 constexpr double rounding = 1e-4;  // of rotations that were written with few digits
 constexpr double noise = 1e-6;     // of entries that are 0 or 1
@@ -22,7 +22,8 @@ constexpr double square = 1e-9;    // of ratios that are 1
 
 void expectSize(Size size) {
     if (size.width < 1 || size.height < 1)
-        refuse(fmt::format("size: expected 1 pixel or more along each side, found {} x {}", size.width, size.height));
+        base::refuseUse(
+            fmt::format("size: expected 1 pixel or more along each side, found {} x {}", size.width, size.height));
 }
 
 // A rotation and a translation.
@@ -37,7 +38,7 @@ void expectRigid(const glm::dmat4& matrix, std::string_view name) {
     for (int row = 0; row < 3; ++row) moved += matrix[3][row];
     const bool affine = glm::row(matrix, 3) == glm::dvec4{0.0, 0.0, 0.0, 1.0};
     if (std::isfinite(moved) && affine && off <= rounding && glm::determinant(axes) > 0.0) return;
-    refuse(
+    base::refuseUse(
         fmt::format("{}: expected a rotation and a translation, its last row 0, 0, 0, 1, found a matrix that is "
                     "none; take scales and mirrors out of it",
                     name));
@@ -49,7 +50,7 @@ void expectAspect(double pixelAspect, Size size, bool orthographic) {
     constexpr double unseen = 0.05;     // pixels at the picture's edge
     const double ratio = std::max(pixelAspect, 1.0 / pixelAspect);
     if (ratio < calibrated && (!orthographic || (ratio - 1.0) * 0.5 * size.width <= unseen)) return;
-    refuse(
+    base::refuseUse(
         fmt::format("projection: expected one for a picture of {} x {}, found one whose pixels are {:.6g} times as "
                     "wide as high there; make it for the picture's aspect",
                     size.width, size.height, pixelAspect));
@@ -100,7 +101,7 @@ Camera cameraFromIntrinsics(const glm::dmat3& k, const glm::dmat4& pose, CameraA
     const double focalY = k[1][1];
     if (!isZeroBut(k, {{0, 0}, {1, 1}, {2, 0}, {2, 1}, {2, 2}}) || !isNear(k[2][2], 1.0) ||
         !(focalX > 0.0 && focalY > 0.0))
-        refuse(
+        base::refuseUse(
             "K: expected the rows (fx, 0, cx), (0, fy, cy) and (0, 0, 1), fx and fy over 0, found another matrix; "
             "undistort what it was made for");
     Camera camera;
@@ -122,7 +123,7 @@ Camera cameraFromMatrices(const glm::dmat4& view, const glm::dmat4& projection, 
     const bool orthographic =
         isZeroBut(p, {{0, 0}, {1, 1}, {2, 2}, {3, 0}, {3, 1}, {3, 2}, {3, 3}}) && isNear(p[3][3], 1.0);
     if (!(perspective || orthographic) || !(p[0][0] > 0.0 && p[1][1] > 0.0))
-        refuse("projection: expected OpenGL's, perspective or orthographic, found another matrix");
+        base::refuseUse("projection: expected OpenGL's, perspective or orthographic, found another matrix");
     Camera camera;
     camera.pixelAspect = pixelAspectOf(p[0][0] * size.width, p[1][1] * size.height);
     expectAspect(camera.pixelAspect, size, orthographic);
@@ -130,7 +131,7 @@ Camera cameraFromMatrices(const glm::dmat4& view, const glm::dmat4& projection, 
     (perspective ? setPerspective : setOrthographic)(camera, p);
     const bool fitted = camera.far == 0.0;
     if (!fitted && !(camera.near < camera.far && (orthographic || camera.near > 0.0)))
-        refuse(
+        base::refuseUse(
             fmt::format("projection: expected near and far planes that follow each other in front of the eye, found "
                         "{:.6g} and {:.6g}",
                         camera.near, camera.far));

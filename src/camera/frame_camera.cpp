@@ -11,6 +11,7 @@
 #include <inkedge/error.h>
 #include <inkedge/setting_table.h>
 
+#include "base/message.h"
 #include "camera/framing.h"
 #include "scene/extent.h"
 #include "settings/text.h"
@@ -25,8 +26,6 @@ constexpr double threeQuarterElevation = 20.0;
 constexpr double clearance = 0.1;
 constexpr double nearestShare = 1e-4;   // of far: the near plane of a camera inside or beside the model
 constexpr double boundsMargin = 1.001;  // keeps the outermost vertex off the near and far planes
-
-[[noreturn]] void refuse(const std::string& message) { throw Error{Error::Kind::Usage, message}; }
 
 // Right-handed: right, up, and forward, into the scene.
 struct Axes {
@@ -78,11 +77,12 @@ bool isAlong(glm::dvec3 unitForward, glm::dvec3 unitUp) { return glm::length(glm
 // Which way is up in the picture; it need not be across the view direction.
 glm::dvec3 upOf(const CameraSettings& settings, const ModelAxes& model, glm::dvec3 unitForward) {
     if (settings.viewUp) {
-        if (glm::length(*settings.viewUp) == 0.0) refuse("--camera-view-up: expected a direction, found 0,0,0");
+        if (glm::length(*settings.viewUp) == 0.0)
+            base::refuseUse("--camera-view-up: expected a direction, found 0,0,0");
         const glm::dvec3 up = glm::normalize(*settings.viewUp);
         if (!isAlong(unitForward, up)) return up;
         if (settings.direction || settings.position) {
-            refuse(
+            base::refuseUse(
                 fmt::format("--camera-view-up: expected a direction across the view direction {}, found one along "
                             "it",
                             settings::textOf(unitForward)));
@@ -115,14 +115,16 @@ glm::dmat4 viewFrom(glm::dvec3 position, const Axes& axes) {
 
 glm::dvec3 viewDirection(const CameraSettings& settings, const ModelAxes& model, glm::dvec3 focalPoint) {
     if (settings.direction) {
-        if (glm::length(*settings.direction) == 0.0) refuse("--camera-direction: expected a direction, found 0,0,0");
+        if (glm::length(*settings.direction) == 0.0)
+            base::refuseUse("--camera-direction: expected a direction, found 0,0,0");
         return *settings.direction;
     }
     if (settings.position) {
         const glm::dvec3 direction = focalPoint - *settings.position;
         if (glm::length(direction) == 0.0) {
-            refuse(fmt::format("--camera-position: expected a place other than the focal point, found both at {}",
-                               settings::textOf(focalPoint)));
+            base::refuseUse(
+                fmt::format("--camera-position: expected a place other than the focal point, found both at {}",
+                            settings::textOf(focalPoint)));
         }
         return direction;
     }
@@ -134,7 +136,7 @@ glm::dvec3 viewDirection(const CameraSettings& settings, const ModelAxes& model,
 void checkForContradictions(const CameraSettings& settings) {
     const bool angles = settings.azimuthAngle || settings.elevationAngle;
     const auto exclude = [](bool both, const char* one, const char* other) {
-        if (both) refuse(fmt::format("{}: expected it without {}, found both", one, other));
+        if (both) base::refuseUse(fmt::format("{}: expected it without {}, found both", one, other));
     };
     exclude(angles && settings.direction, "--camera-direction", "an azimuth or elevation angle");
     exclude(angles && settings.position, "--camera-position", "an azimuth or elevation angle");
@@ -183,9 +185,10 @@ void frameAll(Camera& camera, const Scene& scene, const Axes& axes, Size size) {
 void takeFileCamera(Camera& camera, const Scene& scene, int index) {
     if (static_cast<std::size_t>(index) >= scene.cameras().size()) {
         if (scene.cameras().empty())
-            refuse(fmt::format("--camera-index: expected a camera of the file, found {} for one that has none", index));
-        refuse(fmt::format("--camera-index: expected a camera of the file, 0 to below {}, found {}",
-                           scene.cameras().size(), index));
+            base::refuseUse(
+                fmt::format("--camera-index: expected a camera of the file, found {} for one that has none", index));
+        base::refuseUse(fmt::format("--camera-index: expected a camera of the file, 0 to below {}, found {}",
+                                    scene.cameras().size(), index));
     }
     const SceneCamera& source = scene.cameras()[static_cast<std::size_t>(index)];
     camera.view = glm::inverse(source.transform);

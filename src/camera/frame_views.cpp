@@ -10,6 +10,7 @@
 #include <inkedge/setting_table.h>
 #include <inkedge/views.h>
 
+#include "base/message.h"
 #include "camera/drawn_part.h"
 #include "camera/framing.h"
 #include "scene/extent.h"
@@ -20,8 +21,6 @@ namespace camera {
 namespace {
 
 constexpr double rounding = 1e-6;  // pixels: a length that is a whole number but for rounding
-
-[[noreturn]] void refuse(const std::string& message) { throw Error{Error::Kind::Usage, message}; }
 
 // What is asked of all pictures, in pixels.
 struct Wanted {
@@ -44,8 +43,8 @@ struct Wanted {
 int side(const Wanted& wanted, const PictureExtent& extent, double length) {
     const double pixels = extent.millimetres ? std::max(std::round(wanted.pixels(length)), 1.0) : length;
     if (pixels > PictureSettings::maxSide)
-        refuse(fmt::format("--size: expected at most {} pixels along each side, found {} mm at {} dpi",
-                           PictureSettings::maxSide, length, wanted.dpi));
+        base::refuseUse(fmt::format("--size: expected at most {} pixels along each side, found {} mm at {} dpi",
+                                    PictureSettings::maxSide, length, wanted.dpi));
     return static_cast<int>(pixels);
 }
 
@@ -91,7 +90,7 @@ Camera firstCamera(const Scene& scene, CameraSettings view, const Wanted& wanted
     const Size size = wanted.first();
     if (!wanted.pixelsPerUnit) return frameCamera(scene, view, size);
     const auto exclude = [](bool both, std::string_view other) {
-        if (both) refuse(fmt::format("--scale: expected it without {}, found both", other));
+        if (both) base::refuseUse(fmt::format("--scale: expected it without {}, found both", other));
     };
     exclude(view.viewAngle.has_value(), "--camera-view-angle, for it takes an orthographic view");
     exclude(view.index.has_value(), "--camera-index");
@@ -136,7 +135,7 @@ struct Window {
 int wholeSide(double pixels, const char* name) {
     const double side = std::max(std::ceil(pixels - rounding), 1.0);
     if (side > PictureSettings::maxSide)
-        refuse(
+        base::refuseUse(
             fmt::format("--size: expected a picture of at most {} pixels along each side, found a {} of {:.0f}, which "
                         "what is drawn asks for; give both sides, a smaller --scale or --dpi, or the model's --unit",
                         PictureSettings::maxSide, name, side));
@@ -146,7 +145,7 @@ int wholeSide(double pixels, const char* name) {
 double room(int side, double margin) {
     const double inner = side - 2.0 * margin;
     if (inner >= 1.0) return inner;
-    refuse(
+    base::refuseUse(
         fmt::format("--crop: expected room between two margins in {} pixels, found margins of {:.4g} with the lines' "
                     "width",
                     side, margin));
@@ -156,7 +155,7 @@ void expectToFit(const PicturePart& drawn, Size size, const Wanted& wanted) {
     const glm::dvec2 found = 2.0 * glm::max(glm::abs(drawn.low), glm::abs(drawn.high));
     if (found.x <= size.width + 1.0 && found.y <= size.height + 1.0) return;
     const double perPixel = 1.0 / wanted.pixels(1.0);
-    refuse(
+    base::refuseUse(
         fmt::format("--scale: expected what is drawn, {:.4g} x {:.4g} mm at this scale, to fit into a picture of "
                     "{:.4g} x {:.4g} mm, found it larger; make the scale smaller or the picture larger, or say the "
                     "model's --unit",
@@ -254,8 +253,9 @@ void expectOnPage(Size size, const Wanted& wanted, const std::optional<PageSize>
     if (!page || !wanted.onPaper) return;
     const double perPixel = 1.0 / wanted.pixels(1.0);
     if ((size.width - 1) * perPixel <= page->width && (size.height - 1) * perPixel <= page->height) return;
-    refuse(fmt::format("--page-size: expected a page that holds the picture, {:.4g} x {:.4g} mm, found {} x {} mm",
-                       size.width * perPixel, size.height * perPixel, page->width, page->height));
+    base::refuseUse(
+        fmt::format("--page-size: expected a page that holds the picture, {:.4g} x {:.4g} mm, found {} x {} mm",
+                    size.width * perPixel, size.height * perPixel, page->width, page->height));
 }
 
 FramedView framed(Camera camera, Size first, const Window& window, const Wanted& wanted, const Settings& settings) {

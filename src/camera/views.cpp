@@ -35,8 +35,6 @@ constexpr int maxViews = 1'000'000;
 constexpr int maxDepth = 4;  // lists and objects in each other: a list of objects with lists is 3
 constexpr std::uintmax_t maxFileSize = std::uintmax_t{1} << 28U;  // bytes
 
-[[noreturn]] void refuse(Error::Kind kind, const std::string& message) { throw Error{kind, message}; }
-
 // Numbers of equal length, so that files sort by them.
 std::string numbered(std::size_t i, std::size_t count) {
     const std::size_t digits = std::max<std::size_t>(3, std::to_string(count - 1).size());
@@ -47,8 +45,7 @@ int countOf(const std::string& text, std::string_view digits) {
     int count = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
     if (error != std::errc{} || end != digits.data() + digits.size() || count < 1 || count > maxViews)
-        refuse(Error::Kind::Usage,
-               fmt::format("--views: expected a number of views from 1 to {}, found '{}'", maxViews, text));
+        base::refuseUse(fmt::format("--views: expected a number of views from 1 to {}, found '{}'", maxViews, text));
     return count;
 }
 
@@ -74,8 +71,7 @@ std::uint64_t seedOf(const std::string& text, std::string_view digits) {
     std::uint64_t seed = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), seed);
     if (error != std::errc{} || end != digits.data() + digits.size())
-        refuse(Error::Kind::Usage,
-               fmt::format("--views: expected a whole number as the seed of random views, found '{}'", text));
+        base::refuseUse(fmt::format("--views: expected a whole number as the seed of random views, found '{}'", text));
     return seed;
 }
 
@@ -121,14 +117,12 @@ std::string itemForms() {
 void expectFreeDirection(const std::string& text, const CameraSettings& base, bool allNamed) {
     const bool free = !base.position && !base.direction && !base.index && !base.view;
     if (!free)
-        refuse(
-            Error::Kind::Usage,
+        base::refuseUse(
             fmt::format("--views: expected no --camera-position, --camera-direction, --camera-index or --view beside "
                         "'{}', found one",
                         text));
     if (allNamed && (base.azimuthAngle || base.elevationAngle))
-        refuse(Error::Kind::Usage,
-               fmt::format("--views: expected no azimuth or elevation angle beside '{}', found one", text));
+        base::refuseUse(fmt::format("--views: expected no azimuth or elevation angle beside '{}', found one", text));
 }
 
 // Named views and those that are numbered, in their order.
@@ -144,10 +138,10 @@ std::vector<View> listedViews(const std::string& text, CameraSettings base) {
     std::set<std::string_view> names;
     for (const std::string_view item : items) {
         if (views.size() >= maxViews)
-            refuse(Error::Kind::Usage, fmt::format("--views: expected at most {} views, found more", maxViews));
+            base::refuseUse(fmt::format("--views: expected at most {} views, found more", maxViews));
         if (const std::optional<NamedView> view = namedView(item)) {
             if (!names.insert(item).second)
-                refuse(Error::Kind::Usage, fmt::format("--views: expected each view once, found '{}' again", item));
+                base::refuseUse(fmt::format("--views: expected each view once, found '{}' again", item));
             views.push_back({std::string{item}, base});
             views.back().camera.view = view;
             views.back().camera.azimuthAngle.reset();
@@ -174,22 +168,21 @@ Json parse(const fs::path& file) {
     const std::uintmax_t size = fs::file_size(file, failure);
     std::ifstream stream{file, std::ios::binary};
     if (failure || !stream)
-        refuse(Error::Kind::Input, fmt::format("{}: expected {}, or a file of views, found none that can be read",
-                                               file.string(), itemForms()));
+        base::refuse(fmt::format("{}: expected {}, or a file of views, found none that can be read", file.string(),
+                                 itemForms()));
     if (size > maxFileSize)
-        refuse(Error::Kind::Input,
-               fmt::format("{}: expected at most {} bytes, found {}", file.string(), maxFileSize, size));
+        base::refuse(fmt::format("{}: expected at most {} bytes, found {}", file.string(), maxFileSize, size));
     try {
         return Json::parse(stream, [&](int depth, Json::parse_event_t, const Json&) {
             if (depth > maxDepth)
-                refuse(Error::Kind::Usage, fmt::format("{}: expected a JSON list of views, found lists or objects over "
-                                                       "{} deep",
-                                                       file.string(), maxDepth));
+                base::refuseUse(
+                    fmt::format("{}: expected a JSON list of views, found lists or objects over "
+                                "{} deep",
+                                file.string(), maxDepth));
             return true;
         });
     } catch (const Json::exception&) {
-        refuse(Error::Kind::Usage,
-               fmt::format("{}: expected a JSON list of views, found something else", file.string()));
+        base::refuseUse(fmt::format("{}: expected a JSON list of views, found something else", file.string()));
     }
 }
 
@@ -201,22 +194,23 @@ bool isName(const std::string& name) {
 
 View viewFrom(const Json& source, std::string name, const CameraSettings& base, const std::string& where) {
     if (!source.is_object())
-        refuse(Error::Kind::Usage, fmt::format("{}: expected an object, found {}", where, source.type_name()));
+        base::refuseUse(fmt::format("{}: expected an object, found {}", where, source.type_name()));
     Settings settings;
     settings.camera = base;
     for (const auto& [key, value] : source.items()) {
         if (key == "name") {
             name = value.is_string() ? value.get<std::string>() : std::string{};
             if (!isName(name))
-                refuse(Error::Kind::Usage, fmt::format("{}: name: expected letters, digits, -, _ and ., found {}",
-                                                       where, value.dump().substr(0, 80)));
+                base::refuseUse(fmt::format("{}: name: expected letters, digits, -, _ and ., found {}", where,
+                                            value.dump().substr(0, 80)));
             continue;
         }
         const SettingDescription* const row = findSetting(key);
         if (row == nullptr || row->group != "camera")
-            refuse(Error::Kind::Usage, fmt::format("{}: expected name or a camera setting, as azimuth or "
-                                                   "camera-position, found {}",
-                                                   where, base::quote(key)));
+            base::refuseUse(
+                fmt::format("{}: expected name or a camera setting, as azimuth or "
+                            "camera-position, found {}",
+                            where, base::quote(key)));
         set(settings, key, settings::textOfJson(value), where + ": " + key);
     }
     return {std::move(name), settings.camera};
@@ -225,17 +219,15 @@ View viewFrom(const Json& source, std::string name, const CameraSettings& base, 
 std::vector<View> readViews(const fs::path& file, const CameraSettings& base) {
     const Json list = parse(file);
     if (!list.is_array() || list.empty() || list.size() > maxViews)
-        refuse(Error::Kind::Usage,
-               fmt::format("{}: expected a JSON list of 1 to {} views, found {}", file.string(), maxViews,
-                           list.is_array() ? std::to_string(list.size()) : list.type_name()));
+        base::refuseUse(fmt::format("{}: expected a JSON list of 1 to {} views, found {}", file.string(), maxViews,
+                                    list.is_array() ? std::to_string(list.size()) : list.type_name()));
     std::vector<View> views;
     std::set<std::string> names;
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string where = fmt::format("{}: view {}", file.string(), i);
         views.push_back(viewFrom(list[i], numbered(i, list.size()), base, where));
         if (!names.insert(views.back().name).second)
-            refuse(Error::Kind::Usage,
-                   fmt::format("{}: expected a name of its own, found '{}' again", where, views.back().name));
+            base::refuseUse(fmt::format("{}: expected a name of its own, found '{}' again", where, views.back().name));
     }
     return views;
 }
@@ -247,7 +239,7 @@ std::vector<View> viewsOf(const std::string& text, const CameraSettings& base) {
     const auto wrong = std::ranges::find_if_not(items, isItem);
     if (wrong == items.end()) return listedViews(text, base);
     if (std::ranges::any_of(items, isItem))
-        refuse(Error::Kind::Usage, fmt::format("--views: expected {}, found '{}'", itemForms(), *wrong));
+        base::refuseUse(fmt::format("--views: expected {}, found '{}'", itemForms(), *wrong));
     return readViews(text, base);
 }
 

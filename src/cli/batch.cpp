@@ -29,7 +29,6 @@ namespace {
 
 using batch::Batch;
 using batch::Counts;
-using batch::Progress;
 
 struct BatchArguments {
     Batch batch;
@@ -94,7 +93,7 @@ std::string clock(double seconds) {
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-std::string progressLine(const Progress& progress) {
+std::string progressLine(const batch::Progress& progress) {
     const Counts& counts = progress.counts;
     std::string line = fmt::format("{}", counts.done());
     if (progress.items) line += fmt::format(" of {}", *progress.items);
@@ -108,7 +107,7 @@ class ProgressReport {
 public:
     explicit ProgressReport(bool quiet) : quiet_{quiet} {}
 
-    void show(const Progress& progress) {
+    void show(const batch::Progress& progress) {
         constexpr std::chrono::minutes betweenLines{1};
         if (quiet_) return;
         if (showsStatus()) return showStatus(progressLine(progress));
@@ -138,7 +137,7 @@ std::string failuresText(const Counts& counts) {
     return parts.empty() ? std::string{} : fmt::format(" ({})", fmt::join(parts, ", "));
 }
 
-void printSummary(const Progress& progress) {
+void printSummary(const batch::Progress& progress) {
     const Counts& counts = progress.counts;
     std::string line = fmt::format("{} items: {} drawn", counts.done(), counts.now.front());
     if (counts.before.front() > 0) line += fmt::format(", {} drawn before", counts.before.front());
@@ -147,7 +146,7 @@ void printSummary(const Progress& progress) {
                       clock(progress.seconds), rate));
 }
 
-void printJson(const Progress& progress) {
+void printJson(const batch::Progress& progress) {
     const Counts& counts = progress.counts;
     nlohmann::ordered_json json{{"items", counts.done()},
                                 {"failed", counts.failures()},
@@ -190,15 +189,15 @@ int runBatch(const BatchArguments& arguments) {
             report("", fmt::format("items of shard {}/{}", batch.portion.index, batch.portion.count));
     }
     ProgressReport shown{arguments.quiet};
-    const Progress end =
-        batch::runBatch(batch, {.progress = [&](const Progress& progress) { shown.show(progress); },
+    const batch::Progress end =
+        batch::runBatch(batch, {.progress = [&](const batch::Progress& progress) { shown.show(progress); },
                                 .failed = [&](const std::string& message) { shown.showFailure(message); }});
     shown.hide();
     arguments.json ? printJson(end) : printSummary(end);
     if (batch.maxFailures && end.counts.newFailures() > *batch.maxFailures)
         throw Error{Error::Kind::Runtime,
-                    fmt::format("expected at most {} failures, found {}; the results in {} say why",
-                                *batch.maxFailures, end.counts.newFailures(), batch.output.string())};
+                    fmt::format("expected at most {} failures, found {}; the results in {} say why", *batch.maxFailures,
+                                end.counts.newFailures(), batch.output.string())};
     return end.counts.failures() > 0 ? 1 : 0;
 }
 

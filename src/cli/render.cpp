@@ -75,7 +75,7 @@ void warn(const RenderArguments& arguments, const Job& job, const Scene& scene) 
     std::ranges::for_each(scene.warnings(), say);
 }
 
-void printSummary(const JobResult& result) {
+void printViews(const JobResult& result) {
     const BackendInfo& by = result.backend;
     report("", by.backend.empty()
                    ? std::string{"drawn without OpenGL"}
@@ -148,7 +148,7 @@ int render(const RenderArguments& arguments) {
     runJobs(jobs, options);
 
     if (arguments.json) printJson(arguments, results);
-    if (arguments.verbose) std::ranges::for_each(results, printSummary);
+    if (arguments.verbose) std::ranges::for_each(results, printViews);
     return 0;
 }
 

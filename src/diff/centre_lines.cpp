@@ -12,6 +12,7 @@
 
 #include "diff/ink_of_picture.h"
 #include "diff/join_ends.h"
+#include "diff/samples.h"
 #include "diff/skeleton.h"
 
 namespace inkedge {
@@ -19,7 +20,7 @@ namespace diff {
 namespace {
 
 // The neighbours of a pixel: those at its sides first, so that no step goes around a corner that it could cut.
-constexpr std::array<std::pair<int, int>, 8> around{
+constexpr std::array<std::pair<int, int>, 8> sidesThenCorners{
     {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
 // Follows the pixels of a skeleton from one end or fork to the next.
@@ -38,7 +39,7 @@ public:
         // From forks: each of their neighbours begins a line; then from ends; what is left are loops.
         each([&](int x, int y) {
             if (!forks_(x, y)) return;
-            for (const auto& [dx, dy] : around)
+            for (const auto& [dx, dy] : sidesThenCorners)
                 if (isOn(x + dx, y + dy) && !forks_(x + dx, y + dy)) keep(follow(x + dx, y + dy, {{x + 0.5, y + 0.5}}));
         });
         each([&](int x, int y) {
@@ -86,7 +87,7 @@ private:
             left_(x, y) = 0;
             const std::pair<int, int>* next = nullptr;
             const std::pair<int, int>* fork = nullptr;
-            for (const auto& step : around) {
+            for (const auto& step : sidesThenCorners) {
                 const int toX = x + step.first;
                 const int toY = y + step.second;
                 if (!isOn(toX, toY)) continue;
@@ -188,12 +189,6 @@ double widthOf(const Image<float>& ink, const Image<std::uint8_t>& skeleton) {
     for (const float value : ink.pixels()) area += value;
     for (const std::uint8_t value : skeleton.pixels()) length += value;
     return area / length;
-}
-
-double lengthOf(const ComparedLine& line) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < line.points.size(); ++i) length += glm::distance(line.points[i - 1], line.points[i]);
-    return length;
 }
 
 }  // namespace

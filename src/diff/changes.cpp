@@ -98,19 +98,13 @@ ComparedLine lineOf(const Side& side, std::size_t line, const Run& run) {
     return part;
 }
 
-double lengthOf(const ComparedLine& line) {
-    double length = line.closed ? glm::distance(line.points.back(), line.points.front()) : 0.0;
-    for (std::size_t i = 1; i < line.points.size(); ++i) length += glm::distance(line.points[i - 1], line.points[i]);
-    return length;
-}
-
-double lengthOf(const std::vector<ComparedLine>& lines) {
+double totalLength(const std::vector<ComparedLine>& lines) {
     double length = 0.0;
     for (const ComparedLine& line : lines) length += lengthOf(line);
     return length;
 }
 
-double lengthOf(const Side& side, HiddenChanges hidden) {
+double drawnLength(const Side& side, HiddenChanges hidden) {
     double length = 0.0;
     for (const Sample& sample : side.sampled.samples)
         if (hidden == HiddenChanges::Count || side.lines[side.sampled.lineOf(sample)].visible) length += sample.length;
@@ -161,7 +155,7 @@ void add(LinesComparison& comparison, LineChange change) {
     change.type = line.type;
     change.visible = line.visible;
     change.object = line.object;
-    change.length = std::max(lengthOf(change.before), lengthOf(change.after));
+    change.length = std::max(totalLength(change.before), totalLength(change.after));
     if (change.length < comparison.tolerance.speck) {
         ++comparison.specks;
         comparison.speckLength += change.length;
@@ -178,8 +172,8 @@ void collectChanges(const Side& before, const Side& after, const std::vector<Lin
     Parts old = partsOf(before, after, shortest);
     Parts now = partsOf(after, before, shortest);
     const HiddenChanges hidden = comparison.tolerance.hidden;
-    comparison.lengthBefore = lengthOf(before, hidden);
-    comparison.lengthAfter = lengthOf(after, hidden);
+    comparison.lengthBefore = drawnLength(before, hidden);
+    comparison.lengthAfter = drawnLength(after, hidden);
     comparison.unchanged = std::move(now.same);
     if (hidden == HiddenChanges::Ignore)
         std::erase_if(comparison.unchanged, [](const ComparedLine& line) { return !line.visible; });

@@ -12,6 +12,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "diff/samples.h"
+
 namespace inkedge::diff {
 namespace {
 
@@ -23,12 +25,6 @@ struct End {
     glm::dvec2 at;
     glm::dvec2 onward;
 };
-
-double lengthOf(const ComparedLine& line) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < line.points.size(); ++i) length += glm::distance(line.points[i - 1], line.points[i]);
-    return length;
-}
 
 // The point of a line that is so far along it from one of its ends.
 glm::dvec2 pointAt(const ComparedLine& line, bool last, double way) {

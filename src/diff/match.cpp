@@ -10,7 +10,7 @@
 namespace inkedge::diff {
 namespace {
 
-constexpr double cosOfTurn = 0.82;  // of 35 degrees: within it two lines run the same way
+constexpr double cosOfSameWay = 0.82;  // of 35 degrees: within it two lines run the same way
 
 bool alike(const ComparedLine& a, const ComparedLine& b) noexcept {
     if (!a.type || !b.type) return true;  // of a picture's lines neither type nor visibility is known
@@ -19,7 +19,7 @@ bool alike(const ComparedLine& a, const ComparedLine& b) noexcept {
 
 bool runsAlong(const Sample& a, const Sample& b) noexcept {
     const glm::dvec2 none{0.0};
-    return a.along == none || b.along == none || std::abs(glm::dot(a.along, b.along)) >= cosOfTurn;
+    return a.along == none || b.along == none || std::abs(glm::dot(a.along, b.along)) >= cosOfSameWay;
 }
 
 // The sample of the piece of a segment on which a point lies.

@@ -7,6 +7,13 @@
 #include <glm/geometric.hpp>
 
 namespace inkedge::diff {
+
+double lengthOf(const ComparedLine& line) {
+    double length = line.closed ? glm::distance(line.points.back(), line.points.front()) : 0.0;
+    for (std::size_t i = 1; i < line.points.size(); ++i) length += glm::distance(line.points[i - 1], line.points[i]);
+    return length;
+}
+
 namespace {
 
 constexpr int cellsAcross = 1024;

@@ -10,6 +10,9 @@
 
 namespace inkedge::diff {
 
+/// Pixels, with the way back to the start of a closed line.
+[[nodiscard]] double lengthOf(const ComparedLine&);
+
 /// A straight piece of a line.
 struct Segment {
     glm::dvec2 a;

@@ -9,7 +9,7 @@ namespace inkedge::diff {
 namespace {
 
 // The neighbours of a pixel, in a circle.
-constexpr std::array<std::pair<int, int>, 8> around{
+constexpr std::array<std::pair<int, int>, 8> ring{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
 // The ink, with a frame of one pixel without: no neighbour lies outside.
@@ -47,7 +47,7 @@ private:
         return static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x + 1);
     }
     [[nodiscard]] std::size_t neighbour(std::size_t i, int k) const {
-        const auto [x, y] = around[static_cast<std::size_t>(k & 7)];
+        const auto [x, y] = ring[static_cast<std::size_t>(k & 7)];
         return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + std::ptrdiff_t{y} * width_ + x);
     }
 

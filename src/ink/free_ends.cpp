@@ -91,9 +91,9 @@ bool meets(const End& end, const Piece& piece) {
 }
 
 // Ends of lines, sorted by rows of the picture, and from left to right in each row.
-class Rows {
+class EndRows {
 public:
-    Rows(std::vector<End> ends, Size size)
+    EndRows(std::vector<End> ends, Size size)
         : ends_{std::move(ends)}, lastRow_{std::floor(size.height / rowHeight) + rowsBeyond} {
         std::ranges::sort(ends_, {}, rowAndX);
     }
@@ -164,7 +164,7 @@ auto order(const LinePoint& p) { return std::tuple{p.pixel.x, p.pixel.y, p.posit
 }  // namespace
 
 FreeEnds::FreeEnds(const Lines& lines, const PictureSettings& picture, const LineSettings& settings) {
-    Rows rows{endsOf(lines, picture, settings), lines.size};
+    EndRows rows{endsOf(lines, picture, settings), lines.size};
     for (std::size_t i = 0; i < lines.lines.size(); ++i) {
         const Line& line = lines.lines[i];
         if (!settings::isDrawn(line, picture, settings)) continue;

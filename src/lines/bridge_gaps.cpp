@@ -12,7 +12,6 @@ constexpr double straightOn = 0.7;   // cosine
 constexpr double nearInSpace = 4.0;  // pixels across at the ends
 constexpr double samePixel = 1e-6;   // pixels
 constexpr double sameWidth = 0.1;    // of the pen's
-constexpr std::uint32_t noEnd = ~0U;
 
 // Ends of lines: 2 i is line i's first point, 2 i + 1 its last.
 class Bridger {
@@ -30,6 +29,8 @@ public:
     }
 
 private:
+    static constexpr std::uint32_t noEnd = ~0U;
+
     struct Pair {
         double distance;
         std::uint32_t a;

@@ -11,7 +11,6 @@ namespace inkedge::lines {
 namespace {
 
 constexpr double margin = 32.0;  // pixels: from there even the widest stroke does not reach the picture
-constexpr std::uint32_t noEnd = ~0U;
 
 bool clipToNear(Segment& segment, std::array<glm::dvec3, 2>& ends, const Screen& screen) {
     const double before[2]{screen.depth(ends[0]) - screen.near(), screen.depth(ends[1]) - screen.near()};
@@ -60,6 +59,8 @@ public:
     }
 
 private:
+    static constexpr std::uint32_t noEnd = ~0U;
+
     [[nodiscard]] std::tuple<Curve, bool, bool> kind(std::uint32_t end) const {
         const Segment& segment = segments_[end / 2];
         return {segment.curve, segment.marked, segment.hidden};

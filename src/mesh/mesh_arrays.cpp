@@ -11,12 +11,11 @@
 
 #include <inkedge/error.h>
 
+#include "base/message.h"
 #include "mesh/number_array.h"
 
 namespace inkedge {
 namespace {
-
-[[noreturn]] void refuse(const std::string& message) { throw Error{Error::Kind::Usage, message}; }
 
 using mesh::NumberArray;
 
@@ -26,14 +25,15 @@ void readPositions(const NumberArray& positions, Mesh& mesh) {
     positions.expectReal();
     positions.expectColumns(3);
     if (positions.rows() >= allNumbers)
-        refuse(fmt::format("positions: expected fewer than {}, found {}", allNumbers, positions.rows()));
+        base::refuseUse(fmt::format("positions: expected fewer than {}, found {}", allNumbers, positions.rows()));
     glm::dvec3 low{std::numeric_limits<double>::max()};
     glm::dvec3 high{std::numeric_limits<double>::lowest()};
     for (std::size_t i = 0; i < positions.rows(); ++i) {
         const glm::dvec3 p = positions.vector(i);
         const double size = glm::max(glm::abs(p.x), glm::max(glm::abs(p.y), glm::abs(p.z)));
         if (!(size <= double{std::numeric_limits<float>::max()}) || std::isnan(p.x + p.y + p.z))
-            refuse(fmt::format("positions: expected finite numbers, found ({}, {}, {}) in row {}", p.x, p.y, p.z, i));
+            base::refuseUse(
+                fmt::format("positions: expected finite numbers, found ({}, {}, {}) in row {}", p.x, p.y, p.z, i));
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
@@ -47,7 +47,8 @@ void readIndices(const NumberArray& indices, Mesh& mesh) {
     if (indices.empty()) {
         for (std::uint32_t i = 0; i < vertices; ++i) mesh.indices.push_back(i);
         if (vertices % 3 != 0)
-            refuse(fmt::format("positions: expected three a triangle, as there are no indices, found {}", vertices));
+            base::refuseUse(
+                fmt::format("positions: expected three a triangle, as there are no indices, found {}", vertices));
         return;
     }
     indices.expectWhole();
@@ -57,7 +58,7 @@ void readIndices(const NumberArray& indices, Mesh& mesh) {
         for (std::size_t column = 0; column < indices.columns(); ++column)
             mesh.indices.push_back(indices.whole(row, column, vertices));
     if (mesh.indices.size() % 3 != 0)
-        refuse(fmt::format("indices: expected three a triangle, found {}", mesh.indices.size()));
+        base::refuseUse(fmt::format("indices: expected three a triangle, found {}", mesh.indices.size()));
 }
 
 void readNormals(const NumberArray& normals, Mesh& mesh) {
@@ -69,7 +70,8 @@ void readNormals(const NumberArray& normals, Mesh& mesh) {
         const glm::dvec3 n = normals.vector(i);
         const double length = glm::length(n);
         if (!std::isfinite(length))
-            refuse(fmt::format("normals: expected finite numbers, found ({}, {}, {}) in row {}", n.x, n.y, n.z, i));
+            base::refuseUse(
+                fmt::format("normals: expected finite numbers, found ({}, {}, {}) in row {}", n.x, n.y, n.z, i));
         mesh.normals.emplace_back(length > 0.0 ? n / length : glm::dvec3{0.0});
     }
 }
@@ -82,7 +84,8 @@ void readCoordinates(const NumberArray& coordinates, Mesh& mesh) {
     for (std::size_t i = 0; i < coordinates.rows(); ++i) {
         const glm::dvec2 c{coordinates.real(i, 0), coordinates.real(i, 1)};
         if (const glm::vec2 f{c}; !std::isfinite(f.x) || !std::isfinite(f.y))
-            refuse(fmt::format("texture coordinates: expected finite numbers, found ({}, {}) in row {}", c.x, c.y, i));
+            base::refuseUse(
+                fmt::format("texture coordinates: expected finite numbers, found ({}, {}) in row {}", c.x, c.y, i));
         mesh.textureCoordinates.emplace_back(c);
     }
 }
@@ -96,7 +99,7 @@ void readColors(const NumberArray& colors, Mesh& mesh) {
         for (std::size_t c = 0; c < colors.columns(); ++c) {
             const double value = colors.real(i, c);
             if (!(value >= 0.0 && value <= 1.0))
-                refuse(fmt::format("colors: expected numbers from 0 to 1, found {} in row {}", value, i));
+                base::refuseUse(fmt::format("colors: expected numbers from 0 to 1, found {} in row {}", value, i));
             mesh.paint[i].color[static_cast<int>(c)] = static_cast<float>(value);
         }
 }

@@ -7,10 +7,10 @@
 
 #include <inkedge/error.h>
 
+#include "base/message.h"
+
 namespace inkedge::mesh {
 namespace {
-
-[[noreturn]] void refuse(const std::string& message) { throw Error{Error::Kind::Usage, message}; }
 
 bool isReal(NumberType type) { return type == NumberType::Float32 || type == NumberType::Float64; }
 
@@ -29,7 +29,7 @@ std::ptrdiff_t sizeOf(NumberType type) {
         case NumberType::Int64:
             return 8;
     }
-    refuse("expected a type of numbers that NumberType has, found another");
+    base::refuseUse("expected a type of numbers that NumberType has, found another");
 }
 
 }  // namespace
@@ -39,25 +39,27 @@ NumberArray::NumberArray(const ArrayView& view, std::string_view name)
       name_{name},
       columnStride_{view.columnStride != 0 ? view.columnStride : sizeOf(view.type)},
       rowStride_{view.rowStride != 0 ? view.rowStride : columnStride_ * static_cast<std::ptrdiff_t>(view.columns)} {
-    if (view.rows > 0 && view.data == nullptr) refuse(fmt::format("{}: expected data, found none", name));
+    if (view.rows > 0 && view.data == nullptr) base::refuseUse(fmt::format("{}: expected data, found none", name));
 }
 
 void NumberArray::expectReal() const {
-    if (!empty() && !isReal(view_.type)) refuse(fmt::format("{}: expected real numbers, found whole ones", name_));
+    if (!empty() && !isReal(view_.type))
+        base::refuseUse(fmt::format("{}: expected real numbers, found whole ones", name_));
 }
 
 void NumberArray::expectWhole() const {
-    if (!empty() && isReal(view_.type)) refuse(fmt::format("{}: expected whole numbers, found real ones", name_));
+    if (!empty() && isReal(view_.type))
+        base::refuseUse(fmt::format("{}: expected whole numbers, found real ones", name_));
 }
 
 void NumberArray::expectColumns(std::size_t columns) const {
     if (!empty() && view_.columns != columns)
-        refuse(fmt::format("{}: expected {} numbers a row, found {}", name_, columns, view_.columns));
+        base::refuseUse(fmt::format("{}: expected {} numbers a row, found {}", name_, columns, view_.columns));
 }
 
 void NumberArray::expectRows(std::size_t rows, std::string_view each) const {
     if (!empty() && view_.rows != rows)
-        refuse(fmt::format("{}: expected {} rows, one {}, found {}", name_, rows, each, view_.rows));
+        base::refuseUse(fmt::format("{}: expected {} rows, one {}, found {}", name_, rows, each, view_.rows));
 }
 
 double NumberArray::real(std::size_t row, std::size_t column) const {
@@ -68,9 +70,10 @@ std::uint32_t NumberArray::whole(std::size_t row, std::size_t column, std::uint6
     const bool isSigned = view_.type == NumberType::Int32 || view_.type == NumberType::Int64;
     const std::uint64_t value = bits(row, column);
     if (isSigned && static_cast<std::int64_t>(value) < 0)
-        refuse(fmt::format("{}: expected numbers from 0, found {} in row {}", name_, static_cast<std::int64_t>(value),
-                           row));
-    if (value >= end) refuse(fmt::format("{}: expected numbers below {}, found {} in row {}", name_, end, value, row));
+        base::refuseUse(fmt::format("{}: expected numbers from 0, found {} in row {}", name_,
+                                    static_cast<std::int64_t>(value), row));
+    if (value >= end)
+        base::refuseUse(fmt::format("{}: expected numbers below {}, found {} in row {}", name_, end, value, row));
     return static_cast<std::uint32_t>(value);
 }
 

@@ -82,9 +82,9 @@ private:
 };
 
 // Faces' patches are made when they are first asked for.
-class Limit final : public LimitSurface {
+class OpenSubdivLimit final : public LimitSurface {
 public:
-    explicit Limit(const ControlMesh& control)
+    explicit OpenSubdivLimit(const ControlMesh& control)
         : refiner_{makeRefiner(control)}, factory_{*refiner_, options()}, positions_{control.positions} {}
 
     [[nodiscard]] SurfaceDerivatives at(std::uint32_t face, std::uint32_t quad, glm::dvec2 uv) const override {
@@ -115,7 +115,7 @@ private:
 }  // namespace
 
 std::shared_ptr<const LimitSurface> limitSurface(const ControlMesh& control) {
-    return std::make_shared<const Limit>(control);
+    return std::make_shared<const OpenSubdivLimit>(control);
 }
 
 }  // namespace inkedge::mesh

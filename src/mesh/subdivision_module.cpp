@@ -99,9 +99,9 @@ private:
 };
 
 // Limit positions and normals of the last level's vertices, which are split where sharp edges separate their faces.
-class LimitSurface {
+class LastLevel {
 public:
-    LimitSurface(const Far::TopologyRefiner& refiner, const ControlMesh& control)
+    LastLevel(const Far::TopologyRefiner& refiner, const ControlMesh& control)
         : loop_{control.scheme == SubdivisionScheme::Loop},
           level_{refiner.GetLevel(refiner.GetMaxLevel())},
           points_{positionsOfLastLevel(refiner, control)},
@@ -315,7 +315,7 @@ RefinedFaces refine(const ControlMesh& control, int levels) {
     Far::TopologyRefiner::UniformOptions options{levels};
     options.fullTopologyInLastLevel = true;
     refiner->RefineUniform(options);
-    RefinedFaces faces = LimitSurface{*refiner, control}.faces();
+    RefinedFaces faces = LastLevel{*refiner, control}.faces();
     faces.parents = controlFaces(*refiner);
     faces.coordinates = refinedCoordinates(*refiner, control);
     faces.paint = refinedPaint(*refiner, control);

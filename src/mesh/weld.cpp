@@ -10,7 +10,7 @@
 namespace inkedge::mesh {
 namespace {
 
-constexpr std::uint32_t none = ~0U;
+constexpr std::uint32_t noPoint = ~0U;
 
 struct Bounds {
     glm::dvec3 low{0.0};
@@ -38,7 +38,7 @@ public:
           low_{bounds.low},
           cells_{1.0 / (cellWidth * tolerance)},
           squaredTolerance_{tolerance * tolerance},
-          heads_(std::bit_ceil(positions.size() + positions.size() / 2 + 1), none),
+          heads_(std::bit_ceil(positions.size() + positions.size() / 2 + 1), noPoint),
           shift_{64 - std::countr_zero(heads_.size())} {
         points_.reserve(positions.size());
     }
@@ -63,13 +63,13 @@ public:
         const glm::uvec3 low{glm::max(cell.scaled - margin, 0.0)};
         const glm::uvec3 high{cell.scaled + margin};
         const glm::vec3 p = positions_[position];
-        std::uint32_t near = firstNear(cell.slot, p, none);
+        std::uint32_t near = firstNear(cell.slot, p, noPoint);
         if (low != high) {
             for (std::uint32_t x = low.x; x <= high.x; ++x)
                 for (std::uint32_t y = low.y; y <= high.y; ++y)
                     for (std::uint32_t z = low.z; z <= high.z; ++z) near = firstNear(slot({x, y, z}), p, near);
         }
-        if (near != none) return near;
+        if (near != noPoint) return near;
         const auto point = static_cast<std::uint32_t>(points_.size());
         points_.push_back({position, heads_[cell.slot]});
         heads_[cell.slot] = point;
@@ -88,7 +88,7 @@ private:
 
     [[nodiscard]] std::uint32_t firstNear(std::uint64_t slot, glm::vec3 p, std::uint32_t otherwise) const {
         std::uint32_t first = otherwise;
-        for (std::uint32_t point = heads_[slot]; point != none; point = points_[point].next) {
+        for (std::uint32_t point = heads_[slot]; point != noPoint; point = points_[point].next) {
             const glm::dvec3 apart = glm::dvec3{positions_[points_[point].position]} - glm::dvec3{p};
             if (glm::dot(apart, apart) <= squaredTolerance_) first = std::min(first, point);
         }

@@ -20,14 +20,14 @@ py::list instanceNames(const DrawnMaps& maps) {
     return listOf(names);
 }
 
-py::list materialNames(const DrawnMaps& maps) {
+py::list materialNamesOfMaps(const DrawnMaps& maps) {
     py::list names;
     names.append(py::str{});
     for (const std::string& name : maps.rest.names.materials) names.append(textOf(name));
     return names;
 }
 
-std::string represent(const DrawnMaps& maps) {
+std::string representMaps(const DrawnMaps& maps) {
     std::string names;
     for (const auto& [name, array] : maps.arrays)
         names += fmt::format("{}{}", names.empty() ? "" : ", ", name.cast<std::string>());
@@ -96,11 +96,11 @@ void addMaps(py::module_& module) {
                                    return CameraMatrices{m.rest.camera, m.size};
                                })
         .def_property_readonly("instance_names", instanceNames)
-        .def_property_readonly("material_names", materialNames)
+        .def_property_readonly("material_names", materialNamesOfMaps)
         .def_property_readonly("backend", [](const DrawnMaps& m) { return m.rest.backend; })
         .def_property_readonly("times", [](const DrawnMaps& m) { return dictOf(m.rest.times); })
         .def_property_readonly("warnings", [](const DrawnMaps& m) { return listOf(m.rest.warnings); })
-        .def("__repr__", represent);
+        .def("__repr__", representMaps);
 }
 
 }  // namespace inkedge::python

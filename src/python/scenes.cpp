@@ -41,7 +41,7 @@ py::list materialNames(const Scene& scene) {
     return names;
 }
 
-std::string represent(const Scene& scene) {
+std::string representScene(const Scene& scene) {
     return fmt::format("<inkedge.Scene of {} triangles, {} instances>", scene.triangleCount(),
                        scene.instances().size());
 }
@@ -70,7 +70,7 @@ void addScenes(py::module_& module) {
         .def_property_readonly("instances", [](const Scene& s) { return namesOf(s).instances; })
         .def_property_readonly("material_names", materialNames)
         .def_property_readonly("warnings", [](const Scene& s) { return listOf(s.warnings()); })
-        .def("__repr__", represent);
+        .def("__repr__", representScene);
 }
 
 }  // namespace inkedge::python

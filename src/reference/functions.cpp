@@ -13,6 +13,7 @@
 #include <inkedge/error.h>
 
 #include "reference/raster.h"
+#include "reference/srgb.h"
 #include "scene/extent.h"
 
 namespace inkedge::reference {
@@ -42,8 +43,6 @@ struct Given {
 };
 
 double stepsIn(double steps) { return std::floor(steps + 1e-3); }
-
-double toSrgb(double c) { return c > 0.0031308 ? 1.055 * std::pow(c, 1.0 / 2.4) - 0.055 : 12.92 * c; }
 
 double wave(glm::dvec3 p) {
     return std::sin(3.1 * p.x + 1.7 * p.z) * std::sin(2.3 * p.y + 0.9 * p.x) + 0.5 * std::sin(4.7 * p.z - 1.3 * p.y);

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "reference/raster.h"
+#include "reference/srgb.h"
 
 namespace inkedge::reference {
 namespace {
@@ -17,9 +18,6 @@ constexpr glm::dvec3 warm{0.3, 0.3, 0.0};
 constexpr double coolShare = 0.35;  // of the base colour
 constexpr double warmShare = 0.65;
 constexpr double ambient = 0.2;
-
-double toSrgb(double c) { return c > 0.0031308 ? 1.055 * std::pow(c, 1.0 / 2.4) - 0.055 : 12.92 * c; }
-double toLinear(double c) { return c > 0.04045 ? std::pow((c + 0.055) / 1.055, 2.4) : c / 12.92; }
 
 // The normals of the faces that pixels see: view space, unit, turned to the eye.
 Image<double> drawFaceNormals(const Scene& scene, const Camera& camera, Size size) {

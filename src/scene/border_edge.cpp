@@ -31,14 +31,21 @@ std::optional<BorderEdge> borderEdgeOf(const InstancedMeshes& instanced, std::ui
 }
 
 std::optional<SharedLength> runAlong(const BorderEdge& one, const BorderEdge& other, double tolerance) {
-    const double lengths[2]{glm::length(one.b - one.a), glm::length(other.b - other.a)};
-    const bool swap = lengths[0] < lengths[1];
+    const glm::dvec3 ways[2]{one.b - one.a, other.b - other.a};
+    const double squares[2]{glm::dot(ways[0], ways[0]), glm::dot(ways[1], ways[1])};
+    const bool swap = squares[0] < squares[1];
     const BorderEdge& longer = swap ? other : one;
     const BorderEdge& shorter = swap ? one : other;
-    const double longLength = std::max(lengths[0], lengths[1]);
-    const glm::dvec3 along = (longer.b - longer.a) / longLength;
-    const auto distance = [&](glm::dvec3 p) { return glm::length(glm::cross(p - longer.a, along)); };
-    if (distance(shorter.a) > tolerance || distance(shorter.b) > tolerance) return {};
+    const glm::dvec3& way = ways[swap ? 1 : 0];
+    // Squares, as most pairs end here: the area of the parallelogram with p is its distance times the length.
+    const double most = tolerance * tolerance * std::max(squares[0], squares[1]);
+    const auto isFar = [&](glm::dvec3 p) {
+        const glm::dvec3 area = glm::cross(p - longer.a, way);
+        return glm::dot(area, area) > most;
+    };
+    if (isFar(shorter.a) || isFar(shorter.b)) return {};
+    const double longLength = glm::length(way);
+    const glm::dvec3 along = way / longLength;
     const double s = glm::dot(shorter.a - longer.a, along);
     const double e = glm::dot(shorter.b - longer.a, along);
     const double begin = std::max(std::min(s, e), 0.0);

@@ -15,7 +15,7 @@ public:
     /// O(n log n)
     explicit BoxTree(std::span<const Box> boxes);
 
-    /// Calls visit(i) for each box i that shares a point with this one.
+    /// Calls visit(i, box) for each box i that shares a point with this one.
     /// @param stepsLeft  boxes that may still be looked at; the search ends when none are left
     template <class Visit>
     void forEachOverlap(const Box& box, std::uint64_t& stepsLeft, Visit&& visit) const {
@@ -45,7 +45,7 @@ private:
         }
         for (std::size_t i = begin; i < end && stepsLeft > 0; ++i) {
             --stepsLeft;
-            if (overlap(boxes_[i], box)) visit(order_[i]);
+            if (overlap(boxes_[i], box)) visit(order_[i], boxes_[i]);
         }
     }
 

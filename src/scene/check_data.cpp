@@ -8,10 +8,10 @@
 
 #include <inkedge/error.h>
 
+#include "base/message.h"
+
 namespace inkedge::scene {
 namespace {
-
-[[noreturn]] void refuse(const std::string& message) { throw Error{Error::Kind::Input, message}; }
 
 bool finite(glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
@@ -19,7 +19,7 @@ bool finite(glm::dvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && s
 void checkSizes(const Mesh& mesh, const std::string& who) {
     const auto expect = [&](std::size_t found, std::size_t expected, std::string_view what, std::string_view each) {
         if (found != 0 && found != expected)
-            refuse(fmt::format("{}: expected {} {}, one {}, found {}", who, expected, what, each, found));
+            base::refuse(fmt::format("{}: expected {} {}, one {}, found {}", who, expected, what, each, found));
     };
     const std::size_t positions = mesh.positions.size();
     const std::size_t triangles = mesh.indices.size() / 3;
@@ -37,35 +37,36 @@ void checkValues(const Mesh& mesh, const std::string& who) {
     for (std::size_t i = 0; i < mesh.textureCoordinates.size(); ++i) {
         const glm::vec2 c = mesh.textureCoordinates[i];
         if (!finite(glm::dvec3{c, 0.0F}))
-            refuse(
+            base::refuse(
                 fmt::format("{}: expected finite texture coordinates, found ({}, {}) at vertex {}", who, c.x, c.y, i));
     }
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         const glm::vec3 p = mesh.positions[i];
         if (!finite(p))
-            refuse(
+            base::refuse(
                 fmt::format("{}: expected finite positions, found vertex {} at ({}, {}, {})", who, i, p.x, p.y, p.z));
     }
     for (std::size_t i = 0; i < mesh.lines.size(); ++i) {
         const glm::vec3 p = mesh.lines[i];
         if (!finite(p))
-            refuse(fmt::format("{}: expected finite positions of lines, found position {} at ({}, {}, {})", who, i, p.x,
-                               p.y, p.z));
+            base::refuse(fmt::format("{}: expected finite positions of lines, found position {} at ({}, {}, {})", who,
+                                     i, p.x, p.y, p.z));
     }
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
         if (mesh.indices[i] >= mesh.positions.size())
-            refuse(fmt::format("{}: expected indices below {}, found {} at {}", who, mesh.positions.size(),
-                               mesh.indices[i], i));
+            base::refuse(fmt::format("{}: expected indices below {}, found {} at {}", who, mesh.positions.size(),
+                                     mesh.indices[i], i));
     }
 }
 
 void check(const Mesh& mesh, std::size_t number) {
     const std::string who = fmt::format("mesh {} '{}'", number, mesh.name);
-    if (!finite(mesh.origin)) refuse(fmt::format("{}: expected a finite origin, found one that is not", who));
+    if (!finite(mesh.origin)) base::refuse(fmt::format("{}: expected a finite origin, found one that is not", who));
     if (mesh.indices.size() % 3 != 0)
-        refuse(fmt::format("{}: expected three indices a triangle, found {} indices", who, mesh.indices.size()));
+        base::refuse(fmt::format("{}: expected three indices a triangle, found {} indices", who, mesh.indices.size()));
     if (mesh.lines.size() % 2 != 0)
-        refuse(fmt::format("{}: expected two positions a piece of a line, found {} positions", who, mesh.lines.size()));
+        base::refuse(
+            fmt::format("{}: expected two positions a piece of a line, found {} positions", who, mesh.lines.size()));
     checkSizes(mesh, who);
     checkValues(mesh, who);
 }
@@ -73,17 +74,18 @@ void check(const Mesh& mesh, std::size_t number) {
 void check(const Instance& instance, std::size_t number, const Scene::Data& data) {
     const std::string who = fmt::format("instance {} '{}'", number, instance.name);
     if (instance.mesh >= data.meshes.size())
-        refuse(fmt::format("{}: expected a mesh below {}, found {}", who, data.meshes.size(), instance.mesh));
+        base::refuse(fmt::format("{}: expected a mesh below {}, found {}", who, data.meshes.size(), instance.mesh));
     if (instance.node != noNode && instance.node >= data.nodes.size())
-        refuse(fmt::format("{}: expected a node below {}, found {}", who, data.nodes.size(), instance.node));
+        base::refuse(fmt::format("{}: expected a node below {}, found {}", who, data.nodes.size(), instance.node));
     for (int column = 0; column < 4; ++column)
         if (!finite(glm::dvec3{instance.transform[column]}))
-            refuse(fmt::format("{}: expected a finite transform, found one that is not", who));
+            base::refuse(fmt::format("{}: expected a finite transform, found one that is not", who));
 }
 
 void check(const SceneNode& node, std::size_t number) {
     if (node.parent != noNode && node.parent >= number)
-        refuse(fmt::format("node {} '{}': expected a parent before it, found {}", number, node.name, node.parent));
+        base::refuse(
+            fmt::format("node {} '{}': expected a parent before it, found {}", number, node.name, node.parent));
 }
 
 }  // namespace

@@ -109,6 +109,8 @@ private:
                             settings.only.empty() ? "hide" : "only", found, fmt::join(some, ", "), more)};
 }
 
+}  // namespace
+
 void dropUnusedMeshes(Scene::Data& data) {
     std::vector<std::uint32_t> renumbered(data.meshes.size(), unused);
     for (const Instance& instance : data.instances) renumbered[instance.mesh] = 0;
@@ -121,8 +123,6 @@ void dropUnusedMeshes(Scene::Data& data) {
     data.meshes = std::move(kept);
     for (Instance& instance : data.instances) instance.mesh = renumbered[instance.mesh];
 }
-
-}  // namespace
 
 void chooseNodes(Scene::Data& data, const LoadSettings& settings) {
     if ((settings.only.empty() && settings.hide.empty()) || data.instances.empty()) return;

@@ -9,4 +9,7 @@ namespace inkedge::scene {
 /// @throws Error  (Kind::Usage) if nothing is left; the message lists names that there are
 void chooseNodes(Scene::Data&, const LoadSettings&);
 
+/// Leaves out the meshes that no instance has.
+void dropUnusedMeshes(Scene::Data&);
+
 }  // namespace inkedge::scene

@@ -6,26 +6,9 @@
 
 #include "base/message.h"
 #include "mesh/distort.h"
+#include "scene/choose_nodes.h"
 
 namespace inkedge::scene {
-namespace {
-
-// Drops the meshes that no instance uses any more.
-void dropUnusedMeshes(Scene::Data& data) {
-    constexpr std::uint32_t dropped = ~0U;
-    std::vector<std::uint32_t> renumbered(data.meshes.size(), dropped);
-    for (const Instance& instance : data.instances) renumbered[instance.mesh] = 0;
-    std::vector<Mesh> kept;
-    for (std::size_t i = 0; i < data.meshes.size(); ++i) {
-        if (renumbered[i] == dropped) continue;
-        renumbered[i] = static_cast<std::uint32_t>(kept.size());
-        kept.push_back(std::move(data.meshes[i]));
-    }
-    data.meshes = std::move(kept);
-    for (Instance& instance : data.instances) instance.mesh = renumbered[instance.mesh];
-}
-
-}  // namespace
 
 void bakeDistortedInstances(Scene::Data& data, std::uint64_t maxElements) {
     std::uint64_t elements = 0;

@@ -15,7 +15,7 @@
 namespace inkedge::scene {
 namespace {
 
-glm::vec4 planeOf(const std::array<glm::dvec3, 3>& corners, double radius) {
+glm::vec4 floatPlaneOf(const std::array<glm::dvec3, 3>& corners, double radius) {
     const glm::dvec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double length = glm::length(across);
     if (!(length > 0.0)) return glm::vec4{0.0F};
@@ -101,7 +101,7 @@ std::vector<FaceEdges> faceEdgesOf(const Scene& scene) {
         const bool mirrored = glm::determinant(glm::dmat3{instance.transform}) < 0.0;
         for (std::uint32_t t = 0; t < triangles.count(); ++t) {
             FaceEdges& face = faces.emplace_back();
-            face.plane = planeOf(triangles.triangle(t), radius);
+            face.plane = floatPlaneOf(triangles.triangle(t), radius);
             if (mirrored) setFlag(face, EdgeFlag::Mirrored);
             if (t < oneSidedTriangles(scene, instance.mesh)) setFlag(face, EdgeFlag::OneSided);
             connect(topology, first, t, face);

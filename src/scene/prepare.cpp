@@ -12,6 +12,7 @@
 #include <inkedge/error.h>
 #include <inkedge/setting_table.h>
 
+#include "base/message.h"
 #include "base/stage_clock.h"
 #include "mesh/arrange.h"
 #include "mesh/closed_surface.h"
@@ -26,15 +27,13 @@
 namespace inkedge::scene {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw Error{Error::Kind::Input, message}; }
-
 void dropEmptyInstances(Scene::Data& data) {
     std::erase_if(data.instances, [&](const Instance& i) {
         return data.meshes[i.mesh].indices.empty() && data.meshes[i.mesh].lines.empty();
     });
     if (!data.instances.empty()) return;
     const std::string there = data.undrawn.empty() ? "" : fmt::format(": {}", fmt::join(data.undrawn, ", "));
-    refuse("expected at least one triangle or line to draw, found none" + there);
+    base::refuse("expected at least one triangle or line to draw, found none" + there);
 }
 
 // Unlike triangles, lines are copied for each instance when they are drawn.
@@ -43,8 +42,8 @@ void checkLineCount(const Scene::Data& data, std::uint64_t limit) {
     for (const Instance& instance : data.instances) {
         ends += data.meshes[instance.mesh].lines.size();
         if (ends > limit)
-            refuse(fmt::format("expected at most {} ends of lines in all instances, found more; raise max-vertices",
-                               limit));
+            base::refuse(fmt::format(
+                "expected at most {} ends of lines in all instances, found more; raise max-vertices", limit));
     }
 }
 
@@ -82,7 +81,7 @@ Box boxOf(const Mesh& mesh) {
 Sphere sphereAround(const Box& box, const InstancedBoxes& instanced) {
     const glm::dvec3 centre = 0.5 * (box.min + box.max);
     const Sphere sphere{centre, farthestDistance(instanced, centre)};
-    if (!std::isfinite(sphere.radius)) refuse("expected finite bounds, found coordinates that overflow");
+    if (!std::isfinite(sphere.radius)) base::refuse("expected finite bounds, found coordinates that overflow");
     return sphere;
 }
 

@@ -13,8 +13,6 @@
 namespace inkedge {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw Error{Error::Kind::Usage, message}; }
-
 glm::dmat4 transformOf(const mesh::NumberArray& numbers, std::size_t row) {
     glm::dmat4 transform;
     bool finite = true;
@@ -26,7 +24,7 @@ glm::dmat4 transformOf(const mesh::NumberArray& numbers, std::size_t row) {
     const bool affine =
         transform[0][3] == 0.0 && transform[1][3] == 0.0 && transform[2][3] == 0.0 && transform[3][3] == 1.0;
     if (!finite || !affine)
-        refuse(fmt::format(
+        base::refuseUse(fmt::format(
             "transforms: expected finite matrices whose last row is 0, 0, 0, 1, found another: number {}", row));
     return transform;
 }
@@ -44,7 +42,8 @@ std::vector<glm::dmat4> transformsOf(const ArrayView& view) {
 void add(Scene::Data& data, const InstancedArrays& arrays) {
     const std::vector<glm::dmat4> transforms = transformsOf(arrays.transforms);
     if (!arrays.names.empty() && arrays.names.size() != transforms.size())
-        refuse(fmt::format("names: expected {}, one an instance, found {}", transforms.size(), arrays.names.size()));
+        base::refuseUse(
+            fmt::format("names: expected {}, one an instance, found {}", transforms.size(), arrays.names.size()));
     const auto number = static_cast<std::uint32_t>(data.meshes.size());
     data.meshes.push_back(makeMesh(arrays.mesh));
     for (std::size_t i = 0; i < transforms.size(); ++i)

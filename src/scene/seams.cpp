@@ -9,7 +9,7 @@ namespace inkedge::scene {
 namespace {
 
 // Only very many unconnected faces that overlap each other need more steps. Seams that are then missed are drawn.
-std::uint64_t maximumSteps(std::size_t borders) { return 40'000'000 + 100 * std::uint64_t{borders}; }
+std::uint64_t stepsFor(std::size_t borders) { return 40'000'000 + 100 * std::uint64_t{borders}; }
 
 std::vector<BorderEdge> collectBorders(
     const InstancedMeshes& instanced,
@@ -43,7 +43,7 @@ Borders::Borders(const InstancedMeshes& instanced,
       tolerance_{seamTolerance * instanced.bounds.radius},
       boxes_{boxesOf(edges_)},
       tree_{boxes_},
-      stepsLeft_{maximumSteps(edges_.size())} {}
+      stepsLeft_{stepsFor(edges_.size())} {}
 
 void joinAcrossSeams(const InstancedMeshes& instanced, const std::vector<std::uint32_t>& base,
                      const LoadSettings& settings, base::UnionFind& joined) {
@@ -51,16 +51,17 @@ void joinAcrossSeams(const InstancedMeshes& instanced, const std::vector<std::ui
                         return instanced.topologies[mesh].faceNormals;
                     }};
     const SeamCreases creases{instanced, settings};
-    const auto patchOf = [&](const BorderEdge& edge) {
-        return base[edge.instance] + instanced.topologyOf(edge.instance).patches[edge.halfEdge / 3];
-    };
+    std::vector<std::uint32_t> patches;
+    patches.reserve(borders.edges().size());
+    for (const BorderEdge& edge : borders.edges())
+        patches.push_back(base[edge.instance] + instanced.topologyOf(edge.instance).patches[edge.halfEdge / 3]);
     for (std::uint32_t i = 0; i < borders.edges().size(); ++i) {
         const BorderEdge& border = borders.edges()[i];
         borders.forEachNear(i, [&](std::uint32_t j) {
+            if (joined.root(patches[i]) == joined.root(patches[j])) return;
             const BorderEdge& other = borders.edges()[j];
-            if (joined.root(patchOf(border)) == joined.root(patchOf(other))) return;
             const auto shared = runAlong(border, other, borders.tolerance());
-            if (shared && !creases.meetInCrease(border, other, *shared)) joined.unite(patchOf(border), patchOf(other));
+            if (shared && !creases.meetInCrease(border, other, *shared)) joined.unite(patches[i], patches[j]);
         });
     }
 }

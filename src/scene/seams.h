@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <vector>
+
+#include <glm/geometric.hpp>
 
 #include <inkedge/settings.h>
 
@@ -24,17 +27,29 @@ public:
     /// seamTolerance in scene units.
     [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
 
-    /// Calls visit(j) for the borders j > i near border i. Where very many unconnected faces overlap each other the
-    /// search ends early, and some are missed.
+    /// Calls visit(j) for the borders j > i that may run along border i, all that do among them. Where very many
+    /// unconnected faces overlap each other the search ends early, and some are missed.
     template <class Visit>
     void forEachNear(std::uint32_t i, Visit&& visit) {
         const Box box{boxes_[i].min - tolerance_, boxes_[i].max + tolerance_};
-        tree_.forEachOverlap(box, stepsLeft_, [&](std::uint32_t j) {
-            if (j > i) visit(j);
+        tree_.forEachOverlap(box, stepsLeft_, [&](std::uint32_t j, const Box& other) {
+            if (j > i && mayBeParallel(boxes_[i], other)) visit(j);
         });
     }
 
 private:
+    // Decided by the boxes alone, which the search has at hand. Of a segment along a longer one no end is further off
+    // than the tolerance, so that its direction is off by twice that at most; and the sides of boxes, which are the
+    // sizes of directions, are no further off each other than the directions are.
+    [[nodiscard]] bool mayBeParallel(const Box& one, const Box& other) const noexcept {
+        const glm::dvec3 a = one.max - one.min;
+        const glm::dvec3 b = other.max - other.min;
+        const glm::dvec3 area = glm::cross(a, b);
+        constexpr double rounding = 1.001;
+        return glm::dot(area, area) <=
+               rounding * 4.0 * tolerance_ * tolerance_ * std::max(glm::dot(a, a), glm::dot(b, b));
+    }
+
     std::vector<BorderEdge> edges_;
     double tolerance_;
     std::vector<Box> boxes_;

@@ -13,7 +13,6 @@ namespace inkedge::trace {
 namespace {
 
 constexpr double minBend = 0.05;  // pixel footprints over a step: planes that bend by less do not say where they meet
-constexpr unsigned rightMarks = 0x0F;
 
 }  // namespace
 

@@ -11,6 +11,10 @@
 
 namespace inkedge::trace {
 
+/// The halves of a sample's marks: of the edge to the sample at its right, and to the one below.
+inline constexpr unsigned rightMarks = 0x0F;
+inline constexpr unsigned belowMarks = 0xF0;
+
 /// What the detector found, in samples: one a pixel, or 2 x 2 or 4 x 4. Row 0 is the tile's top row.
 struct LineBuffers {
     raster::Tile tile;                         ///< what they show

@@ -25,9 +25,6 @@ public:
     }
 
 private:
-    static constexpr unsigned rightMarks = 0x0F;
-    static constexpr unsigned belowMarks = 0xF0;
-
     [[nodiscard]] bool standsAlone(int x, int y) const {
         const unsigned own = buffers_.marks(x, y);
         return (own & rightMarks) != 0 && (own & belowMarks) != 0 && (buffers_.marks(x - 1, y) & rightMarks) != 0 &&

@@ -6,9 +6,6 @@
 namespace inkedge::trace {
 namespace {
 
-constexpr unsigned rightMarks = 0x0F;
-constexpr unsigned belowMarks = 0xF0;
-
 struct Values {
     float plane[4];
     std::uint32_t triangle;

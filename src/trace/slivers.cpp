@@ -9,8 +9,6 @@ namespace inkedge::trace {
 namespace {
 
 constexpr double narrow = 0.02;  // samples: several steps of the grid of 1/256 that vertices snap to
-constexpr unsigned rightMarks = 0x0F;
-constexpr unsigned belowMarks = 0xF0;
 
 class SliverFinder {
 public:

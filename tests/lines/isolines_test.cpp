@@ -14,7 +14,7 @@ namespace {
 using testing::IsEmpty;
 
 // n x n cells of two triangles over the unit square; u and v are x and y less an offset, times a scale.
-Mesh sheet(std::uint32_t n, glm::dvec2 offset = {0, 0}, double scale = 1.0) {
+Mesh parametrised(std::uint32_t n, glm::dvec2 offset = {0, 0}, double scale = 1.0) {
     Mesh mesh;
     for (std::uint32_t j = 0; j <= n; ++j) {
         for (std::uint32_t i = 0; i <= n; ++i) {
@@ -57,7 +57,7 @@ std::size_t openChains(const std::vector<IsolineSegment>& segments) {
 
 TEST(Isolines, StandAtEachStepAcrossAllFaces) {
     // Offset by a thousandth, so that no step lies on an edge: 0.25, 0.5, 0.75 and 1 are passed, at x = u - 0.001.
-    const auto segments = isolinesOf(sheet(10, {0.001, 0.0}), {4, 0});
+    const auto segments = isolinesOf(parametrised(10, {0.001, 0.0}), {4, 0});
     EXPECT_NEAR(totalLength(segments), 4.0, 1e-5);
     EXPECT_EQ(openChains(segments), 4U);
     for (const IsolineSegment& s : segments) {
@@ -69,7 +69,7 @@ TEST(Isolines, StandAtEachStepAcrossAllFaces) {
 
 TEST(Isolines, AlongEdgesAreThereOnce) {
     // Steps of a quarter on cells of an eighth: every line follows edges, the sheet's borders included.
-    const auto segments = isolinesOf(sheet(8), {4, 2});
+    const auto segments = isolinesOf(parametrised(8), {4, 2});
     EXPECT_NEAR(totalLength(segments), 5.0 + 3.0, 1e-5);
     EXPECT_EQ(segments.size(), 8U * 8U);
     EXPECT_EQ(openChains(segments), 8U);
@@ -77,7 +77,7 @@ TEST(Isolines, AlongEdgesAreThereOnce) {
 
 TEST(Isolines, PassThroughCorners) {
     // A step for each point of the diagonals of cells whose u is x + y: lines go from corner to corner or along edges.
-    Mesh mesh = sheet(4);
+    Mesh mesh = parametrised(4);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
         mesh.textureCoordinates[i].x = mesh.positions[i].x - mesh.positions[i].y;
     const auto segments = isolinesOf(mesh, {4, 0});
@@ -86,7 +86,7 @@ TEST(Isolines, PassThroughCorners) {
 }
 
 TEST(Isolines, HaveTheirPositionInTheFace) {
-    const Mesh mesh = sheet(3, {0.1, 0.2}, 1.7);
+    const Mesh mesh = parametrised(3, {0.1, 0.2}, 1.7);
     const auto segments = isolinesOf(mesh, {5, 7});
     ASSERT_GT(segments.size(), 20U);
     for (const IsolineSegment& s : segments) {
@@ -108,8 +108,8 @@ TEST(Isolines, HaveTheirPositionInTheFace) {
 TEST(Isolines, GoOnAcrossASeamWhereBothSidesAgree) {
     // Two halves with vertices of their own; u goes on in the second, or starts anew.
     for (const bool agree : {true, false}) {
-        Mesh mesh = sheet(4, {0.001, 0.001});
-        Mesh other = sheet(4, {0.001, agree ? 1.001 : 0.1});
+        Mesh mesh = parametrised(4, {0.001, 0.001});
+        Mesh other = parametrised(4, {0.001, agree ? 1.001 : 0.1});
         for (glm::vec3& p : other.positions) p.y += 1.0F;
         if (!agree)
             for (glm::vec2& c : other.textureCoordinates) c.x += 0.1F;
@@ -123,22 +123,22 @@ TEST(Isolines, GoOnAcrossASeamWhereBothSidesAgree) {
 }
 
 TEST(Isolines, AreNoneWithoutCoordinatesOrChange) {
-    Mesh mesh = sheet(4);
+    Mesh mesh = parametrised(4);
     std::ranges::fill(mesh.textureCoordinates, glm::vec2{0.5F, 0.0F});
     EXPECT_THAT(isolinesOf(mesh, {2, 2}), IsEmpty());
     mesh.textureCoordinates.clear();
     EXPECT_THAT(isolinesOf(mesh, {2, 2}), IsEmpty());
-    EXPECT_THAT(isolinesOf(sheet(4), {0, 0}), IsEmpty());
+    EXPECT_THAT(isolinesOf(parametrised(4), {0, 0}), IsEmpty());
 }
 
 TEST(Isolines, TooManyForAFaceAreLeftOut) {
-    EXPECT_THAT(isolinesOf(sheet(1, {0, 0}, 1e30), {1000, 1000}), IsEmpty());
-    EXPECT_THAT(isolinesOf(sheet(1, {0, 0}, 1e9), {1000, 1000}), IsEmpty());
-    EXPECT_FALSE(isolinesOf(sheet(1), {1000, 0}).empty());
+    EXPECT_THAT(isolinesOf(parametrised(1, {0, 0}, 1e30), {1000, 1000}), IsEmpty());
+    EXPECT_THAT(isolinesOf(parametrised(1, {0, 0}, 1e9), {1000, 1000}), IsEmpty());
+    EXPECT_FALSE(isolinesOf(parametrised(1), {1000, 0}).empty());
 }
 
 TEST(Isolines, OfRepeatedFacesAreThereOnce) {
-    Mesh mesh = sheet(4, {0.01, 0.01});
+    Mesh mesh = parametrised(4, {0.01, 0.01});
     const double once = totalLength(isolinesOf(mesh, {3, 3}));
     mesh.indices.insert(mesh.indices.end(), mesh.indices.begin(), mesh.indices.begin() + 30);
     EXPECT_NEAR(totalLength(isolinesOf(mesh, {3, 3})), once, 1e-12);

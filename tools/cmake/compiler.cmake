@@ -1,6 +1,10 @@
 # inkedge_compiler: the warnings and sanitizers that all of our own code is built with.
 add_library(inkedge_compiler INTERFACE)
 target_compile_options(inkedge_compiler INTERFACE -Wall -Wextra -Wconversion -Wshadow)
+# Several sources at once are no header, and a name that one of them has for itself is shadowed nowhere else.
+target_compile_options(inkedge_compiler INTERFACE
+  $<$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>:-Wno-shadow>
+  $<$<AND:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # It takes "text" + std::string for an overlap: bug 105651.
   target_compile_options(inkedge_compiler INTERFACE -Wno-restrict)

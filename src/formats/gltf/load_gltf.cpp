@@ -165,6 +165,7 @@ private:
         const auto number = static_cast<std::size_t>(index);
         const tinygltf::Mesh& source = model_.meshes[number];
         const bool isNew = seen_.insert(index).second;
+        base::within(base::label("mesh", number, source.name), [&] { checkVertices(source); });
         Shape shape;
         for (std::size_t i = 0; i < source.primitives.size(); ++i) {
             const std::string where = base::label("mesh", number, source.name) + ", " + base::label("primitive", i);
@@ -183,6 +184,21 @@ private:
         if (shape.indices.empty() && shape.lines.empty()) return {};
         data_.meshes.push_back(meshOf(std::move(shape), source.name));
         return static_cast<std::uint32_t>(data_.meshes.size() - 1);
+    }
+
+    // Refuses a mesh of more vertices than may still be read, before any of them is.
+    void checkVertices(const tinygltf::Mesh& source) {
+        std::uint64_t vertices = 0;
+        for (const tinygltf::Primitive& primitive : source.primitives) {
+            const Mode mode{primitive.mode};
+            const auto position = primitive.attributes.find("POSITION");
+            if ((!drawsTriangles(mode) && !drawsLines(mode)) || isIgnored(materialOf(file_, primitive)) ||
+                position == primitive.attributes.end())
+                continue;
+            if (const auto accessor = static_cast<std::size_t>(position->second); accessor < model_.accessors.size())
+                vertices += model_.accessors[accessor].count;
+            if (vertices > elementsLeft_) refuseElements();
+        }
     }
 
     void leaveOut(const tinygltf::Primitive& primitive) {
@@ -360,14 +376,17 @@ private:
     }
 
     void spend(std::size_t elements) {
-        if (elements > elementsLeft_ && elementLimit(model_) < settings_.limits.vertices)
+        if (elements > elementsLeft_) refuseElements();
+        elementsLeft_ -= elements;
+    }
+
+    [[noreturn]] void refuseElements() const {
+        if (elementLimit(model_) < settings_.limits.vertices)
             base::refuse(fmt::format("expected at most {} vertices and indices from so small a file, found more",
                                      elementLimit(model_)));
-        if (elements > elementsLeft_)
-            base::refuse(
-                fmt::format("expected at most {} vertices and indices in the scene, found more; raise max-vertices",
-                            settings_.limits.vertices));
-        elementsLeft_ -= elements;
+        base::refuse(
+            fmt::format("expected at most {} vertices and indices in the scene, found more; raise max-vertices",
+                        settings_.limits.vertices));
     }
 
     void warnOfPoints() {

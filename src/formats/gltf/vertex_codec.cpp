@@ -16,15 +16,15 @@ constexpr std::size_t groupSize = 16;      // elements whose deltas have one bit
 constexpr std::size_t channelSize = 4;     // bytes whose deltas are taken in one way
 constexpr std::size_t maximumBlock = 256;  // elements
 
-using Bytes = std::span<const std::uint8_t>;
+using ByteSpan = std::span<const std::uint8_t>;
 using BlockDeltas = std::array<std::uint8_t, maximumBlock>;  // of one byte of the elements
 
-// Bytes that are taken one after the other.
+// ByteSpan that are taken one after the other.
 class Stream {
 public:
-    explicit Stream(Bytes bytes) : bytes_{bytes} {}
+    explicit Stream(ByteSpan bytes) : bytes_{bytes} {}
 
-    Bytes take(std::size_t count) {
+    ByteSpan take(std::size_t count) {
         if (count > bytes_.size() - at_)
             base::refuse(fmt::format("expected {} bytes of vertex data from byte {}, found {}", count, at_,
                                      bytes_.size() - at_));
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
 
 private:
-    Bytes bytes_;
+    ByteSpan bytes_;
     std::size_t at_ = 0;
 };
 
@@ -44,7 +44,7 @@ void readGroup(Stream& stream, unsigned bits, std::uint8_t* deltas) {
         std::fill_n(deltas, groupSize, std::uint8_t{0});
         return;
     }
-    const Bytes packed = stream.take(groupSize * bits / 8);
+    const ByteSpan packed = stream.take(groupSize * bits / 8);
     if (bits == 8) {
         std::ranges::copy(packed, deltas);
         return;
@@ -67,7 +67,7 @@ void readDeltas(Stream& stream, unsigned control, std::size_t count, BlockDeltas
         return;
     }
     const std::size_t groups = (count + groupSize - 1) / groupSize;
-    const Bytes lengths = stream.take((groups + 3) / 4);
+    const ByteSpan lengths = stream.take((groups + 3) / 4);
     for (std::size_t group = 0; group < groups; ++group) {
         const unsigned length = static_cast<unsigned>(lengths[group / 4]) >> 2 * (group % 4) & 3U;
         readGroup(stream, bitLengths[control][length], &deltas[group * groupSize]);
@@ -105,17 +105,17 @@ void addDeltas(std::uint8_t mode, const std::array<std::uint8_t, channelSize>& d
     }
 }
 
-void checkModes(Bytes modes) {
+void checkModes(ByteSpan modes) {
     for (const std::uint8_t mode : modes)
         if (const unsigned kind = mode & 15U; kind > 2 || (kind < 2 && mode != kind))
             base::refuse(fmt::format("expected channel modes 0, 1 and 2, found 0x{:02x}", mode));
 }
 
 // Reads a block, whose elements continue from the last one.
-void readBlock(Stream& stream, Bytes modes, std::span<std::uint8_t> last, std::span<std::uint8_t> elements) {
+void readBlock(Stream& stream, ByteSpan modes, std::span<std::uint8_t> last, std::span<std::uint8_t> elements) {
     const std::size_t stride = last.size();
     const std::size_t count = elements.size() / stride;
-    const Bytes controls = stream.take(stride / channelSize);
+    const ByteSpan controls = stream.take(stride / channelSize);
     std::array<BlockDeltas, channelSize> deltas;
     for (std::size_t channel = 0; channel < modes.size(); ++channel) {
         for (std::size_t k = 0; k < channelSize; ++k)
@@ -136,8 +136,8 @@ std::vector<std::uint8_t> decodeVertices(std::span<const std::uint8_t> data, std
     const std::size_t padded = std::max(tail, smallestTail);
     if (data.size() < 1 + padded)
         base::refuse(fmt::format("expected at least {} bytes of vertex data, found {}", 1 + padded, data.size()));
-    const Bytes first = data.last(tail).first(stride);
-    const Bytes modes = data.last(stride / channelSize);
+    const ByteSpan first = data.last(tail).first(stride);
+    const ByteSpan modes = data.last(stride / channelSize);
     checkModes(modes);
 
     Stream stream{data.subspan(1, data.size() - 1 - padded)};

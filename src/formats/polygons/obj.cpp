@@ -25,9 +25,9 @@ struct Vertex {
     std::uint32_t next = 0;  // another of the same position, counted from 1
 };
 
-class Reader {
+class ObjReader {
 public:
-    Reader(std::string_view content, Coordinates coordinates, std::uint64_t limit)
+    ObjReader(std::string_view content, Coordinates coordinates, std::uint64_t limit)
         : rest_{content},
           coordinates_{coordinates},
           limit_{limit},
@@ -276,7 +276,7 @@ PolygonFile readObj(std::string_view content, Coordinates coordinates, std::uint
     if (formats::isUtf16(content)) base::refuse("expected OBJ, found UTF-16 text: save it as UTF-8");
     if (const std::size_t zero = content.find('\0'); zero != std::string_view::npos)
         base::refuse(fmt::format("expected OBJ, found a zero byte at byte {}", zero));
-    return Reader{formats::withoutByteOrderMark(content), coordinates, maxElements}.read();
+    return ObjReader{formats::withoutByteOrderMark(content), coordinates, maxElements}.read();
 }
 
 }  // namespace inkedge::polygons

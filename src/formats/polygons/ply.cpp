@@ -290,9 +290,9 @@ std::uint32_t toIndex(std::int64_t number) {
 }
 
 template <class Data>
-class Reader {
+class PlyReader {
 public:
-    Reader(Data data, Coordinates coordinates, std::uint64_t maxElements)
+    PlyReader(Data data, Coordinates coordinates, std::uint64_t maxElements)
         : data_{data}, coordinates_{coordinates}, maxElements_{maxElements} {}
 
     PolygonFile read(Header& header, bool finerThanFloat) {
@@ -436,8 +436,8 @@ PolygonFile readPly(std::string_view content, Coordinates coordinates, std::uint
     checkHeader(header);
     expectHeaderWithin(header, maxElements);
     if (header.encoding == Encoding::Text)
-        return Reader{TextData{content}, coordinates, maxElements}.read(header, true);
-    return Reader{BinaryData{content, *header.encoding}, coordinates, maxElements}.read(header, hasDoubles(header));
+        return PlyReader{TextData{content}, coordinates, maxElements}.read(header, true);
+    return PlyReader{BinaryData{content, *header.encoding}, coordinates, maxElements}.read(header, hasDoubles(header));
 }
 
 void expectPlyWithin(std::string_view start, std::uint64_t maxElements) {

@@ -48,9 +48,9 @@ void numberEnds(SideCrossings& crossing, double tolerance) {
     crossing.nodeCount = weld.pointCount - 1;
 }
 
-class Finder {
+class IntersectionFinder {
 public:
-    Finder(const Scene& scene, std::span<const MeshEdges> edges)
+    IntersectionFinder(const Scene& scene, std::span<const MeshEdges> edges)
         : scene_{scene},
           edges_{edges},
           trees_(edges.size()),
@@ -142,7 +142,7 @@ private:
         std::uint64_t stepsLeft = 100'000'000 + 1000 * std::uint64_t{boxes.size()};
         for (std::size_t i = 0; i < boxes.size(); ++i) {
             const std::size_t before = pairs_.size();
-            tree.forEachOverlap(boxes[i], stepsLeft, [&](std::uint32_t j) {
+            tree.forEachOverlap(boxes[i], stepsLeft, [&](std::uint32_t j, const Box&) {
                 if (j > i) pairs_.push_back({instances[i], instances[j]});
             });
             std::sort(pairs_.begin() + static_cast<std::ptrdiff_t>(before), pairs_.end(),
@@ -228,7 +228,7 @@ private:
 }  // namespace
 
 std::vector<IntersectionSegment> findIntersections(const Scene& scene, std::span<const MeshEdges> edges) {
-    return Finder{scene, edges}.find();
+    return IntersectionFinder{scene, edges}.find();
 }
 
 }  // namespace inkedge::lines

@@ -17,9 +17,9 @@ struct EdgePoint {
     double share;  // of the way from the lesser to the greater point
 };
 
-class Finder {
+class IsolineFinder {
 public:
-    Finder(const Mesh& mesh, const mesh::MeshTopology& topology) : mesh_{mesh}, topology_{topology} {}
+    IsolineFinder(const Mesh& mesh, const mesh::MeshTopology& topology) : mesh_{mesh}, topology_{topology} {}
 
     std::vector<IsolineSegment> find(Isolines steps) {
         for (std::uint32_t t = 0; t < topology_.originals.size(); ++t) {
@@ -152,7 +152,7 @@ private:
 
 std::vector<IsolineSegment> findIsolines(const Mesh& mesh, const mesh::MeshTopology& topology, Isolines steps) {
     if (mesh.textureCoordinates.empty()) return {};
-    return Finder{mesh, topology}.find(steps);
+    return IsolineFinder{mesh, topology}.find(steps);
 }
 
 }  // namespace inkedge::lines
