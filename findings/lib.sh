@@ -19,9 +19,15 @@ need() {
 
 # unpack SUITE PACKAGE=VERSION...: packages of that Debian suite, into $work/SUITE. One named without a version is only
 # what the others stand on (the C library and the like): the suite's current one serves.
-unpack() {
-  local suite=$1 state=$work/apt-$1 uri package
-  shift
+unpack() { fetch_and_unpack download "$@"; }
+
+# unpack_whole SUITE PACKAGE=VERSION...: the same with everything that they depend on, where that is much.
+unpack_whole() { fetch_and_unpack 'install --yes --download-only --no-install-recommends' "$@"; }
+
+fetch_and_unpack() {
+  local how suite=$2 state=$work/apt-$2 uri package
+  read -ra how <<<"$1"
+  shift 2
   # The archive is the one that this machine takes its own Debian suite from.
   # shellcheck disable=SC2016  # apt fills these in
   uri=$(apt-get indextargets --format '$(RELEASE) $(REPO_URI)' 'Created-By: Packages' |
@@ -35,9 +41,10 @@ unpack() {
     echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $uri $suite main" >"$state/sources.list"
     "${apt[@]}" update --error-on=any >"$state/log" 2>&1 || skip "no package lists of $suite"
   fi
-  (cd "$state" && "${apt[@]}" download "$@" >"$state/log" 2>&1) || skip "not to be had from $suite: $*"
-  for package in "$state"/*.deb; do
-    dpkg-deb -W --showformat="$suite: \${Package} \${Version}\n" "$package"
+  (cd "$state" && "${apt[@]}" "${how[@]}" "$@" >"$state/log" 2>&1) || skip "not to be had from $suite: $*"
+  for package in "$state"/{,archives/}*.deb; do
+    [[ -e $package ]] || continue
+    [[ ${how[0]} == install ]] || dpkg-deb -W --showformat="$suite: \${Package} \${Version}\n" "$package"
     dpkg-deb -x "$package" "$work/$suite"
     rm "$package"
   done
@@ -49,6 +56,14 @@ run() {
   shift
   "$ground/$libraries/ld-linux-x86-64.so.2" \
     --library-path "$own/usr/$libraries:$own/$libraries:$ground/$libraries" "$@"
+}
+
+# run_whole SUITE PROGRAM...: on the C library that came with unpack_whole.
+run_whole() {
+  local own=$work/$1 folders
+  shift
+  folders=$(find "$own" -name '*.so.*' -printf '%h\n' | sort -u | paste -sd:)
+  "$(find "$own" -name 'ld-linux-x86-64.so.2' ! -path '*/lib64/*' | head -n 1)" --library-path "$folders" "$@"
 }
 
 # expect FILE SUITE: the lines that FILE must hold are on standard input. It prints FILE, and fails where they differ.

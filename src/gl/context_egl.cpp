@@ -135,14 +135,21 @@ private:
     EGLDisplay handle_;
 };
 
-std::shared_ptr<Display> openDisplay(EGLenum platform, void* nativeDisplay) {
+EGLDisplay displayOf(EGLenum platform, void* nativeDisplay) {
     const EGLDisplay handle = egl().getPlatformDisplay(platform, nativeDisplay, nullptr);
     if (handle == EGL_NO_DISPLAY) {
         throw Error{Error::Kind::Context, fmt::format("expected an EGL display, found {}", lastError())};
     }
+    return handle;
+}
+
+// The one of these displays that the fewest contexts use, the first of several.
+std::shared_ptr<Display> openDisplay(const std::vector<EGLDisplay>& handles) {
     static std::mutex mutex;
     static std::map<EGLDisplay, std::weak_ptr<Display>> open;
     const std::scoped_lock lock{mutex};
+    const EGLDisplay handle =
+        *std::ranges::min_element(handles, {}, [](EGLDisplay each) { return open[each].use_count(); });
     std::shared_ptr<Display> display = open[handle].lock();
     if (!display) {
         display = std::make_shared<Display>(handle);
@@ -241,18 +248,29 @@ private:
     Binding before_{};
 };
 
+bool hasSurfaceless() {
+    return listed(egl().queryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), "EGL_MESA_platform_surfaceless");
+}
+
+// Contexts of one display of llvmpipe rasterise one after the other. Where it is the only device, both platforms lead
+// to it, and two contexts draw at a time.
 std::unique_ptr<Context> createOnDevice(const Candidate& candidate) {
-    const EGLDeviceEXT device = devices().at(static_cast<std::size_t>(*candidate.device));
-    return std::make_unique<EglContext>(candidate.info, openDisplay(EGL_PLATFORM_DEVICE_EXT, device));
+    const std::vector<EGLDeviceEXT> all = devices();
+    const EGLDeviceEXT device = all.at(static_cast<std::size_t>(*candidate.device));
+    std::vector<EGLDisplay> displays{displayOf(EGL_PLATFORM_DEVICE_EXT, device)};
+    if (candidate.info.software && all.size() == 1 && hasSurfaceless())
+        displays.push_back(displayOf(EGL_PLATFORM_SURFACELESS_MESA, nullptr));
+    return std::make_unique<EglContext>(candidate.info, openDisplay(displays));
 }
 
 std::unique_ptr<Context> createSurfaceless(const Candidate& candidate) {
-    if (!listed(egl().queryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), "EGL_MESA_platform_surfaceless")) {
+    if (!hasSurfaceless()) {
         throw Error{Error::Kind::Context,
                     "expected the EGL extension EGL_MESA_platform_surfaceless, found none; "
                     "install Mesa (Debian: apt-get install libegl-mesa0 libgl1-mesa-dri)"};
     }
-    return std::make_unique<EglContext>(candidate.info, openDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr));
+    return std::make_unique<EglContext>(candidate.info,
+                                        openDisplay({displayOf(EGL_PLATFORM_SURFACELESS_MESA, nullptr)}));
 }
 
 }  // namespace
