@@ -165,7 +165,7 @@ private:
         const auto number = static_cast<std::size_t>(index);
         const tinygltf::Mesh& source = model_.meshes[number];
         const bool isNew = seen_.insert(index).second;
-        base::within(base::label("mesh", number, source.name), [&] { checkVertices(source); });
+        base::within(base::label("mesh", number, source.name), [&] { checkElements(source); });
         Shape shape;
         for (std::size_t i = 0; i < source.primitives.size(); ++i) {
             const std::string where = base::label("mesh", number, source.name) + ", " + base::label("primitive", i);
@@ -186,18 +186,23 @@ private:
         return static_cast<std::uint32_t>(data_.meshes.size() - 1);
     }
 
-    // Refuses a mesh of more vertices than may still be read, before any of them is.
-    void checkVertices(const tinygltf::Mesh& source) {
-        std::uint64_t vertices = 0;
+    // Refuses a mesh of more vertices and indices than may still be read, before any of them is.
+    void checkElements(const tinygltf::Mesh& source) const {
+        const auto countOf = [&](int accessor) {
+            const auto number = static_cast<std::size_t>(accessor);
+            return number < model_.accessors.size() ? std::uint64_t{model_.accessors[number].count} : 0;
+        };
+        std::uint64_t elements = 0;
         for (const tinygltf::Primitive& primitive : source.primitives) {
             const Mode mode{primitive.mode};
             const auto position = primitive.attributes.find("POSITION");
             if ((!drawsTriangles(mode) && !drawsLines(mode)) || isIgnored(materialOf(file_, primitive)) ||
                 position == primitive.attributes.end())
                 continue;
-            if (const auto accessor = static_cast<std::size_t>(position->second); accessor < model_.accessors.size())
-                vertices += model_.accessors[accessor].count;
-            if (vertices > elementsLeft_) refuseElements();
+            elements += countOf(position->second);
+            if (mode == Mode::Triangles)
+                elements += countOf(primitive.indices != -1 ? primitive.indices : position->second) / 3 * 3;
+            if (elements > elementsLeft_) refuseElements();
         }
     }
 
