@@ -1,7 +1,7 @@
-// The command asks for large pages under its large arrays, as the kernel gives them in its usual setting to who asks
-// (madvise(2), MADV_HUGEPAGE): a mesh of millions of triangles is read at random, and would miss the processor's list
-// of pages at most of its accesses. A library does not replace its caller's operator new, so that this is the command's
-// alone.
+// Large pages under large arrays that lie beyond the heap of process/large_pages.h, as those of millions of triangles
+// do: these are read at random, and with pages of 4 KiB the processor would look up most accesses' pages anew. The
+// kernel's usual setting is to give them to who asks (madvise(2)). A library does not replace its caller's operator new,
+// so that this is the command's alone.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
