@@ -38,10 +38,10 @@ std::optional<SharedLength> runAlong(const BorderEdge& one, const BorderEdge& ot
     const BorderEdge& shorter = swap ? one : other;
     const glm::dvec3& way = ways[swap ? 1 : 0];
     // Squares, as most pairs end here: the area of the parallelogram with p is its distance times the length.
-    const double most = tolerance * tolerance * std::max(squares[0], squares[1]);
+    const double limit = tolerance * tolerance * std::max(squares[0], squares[1]);
     const auto isFar = [&](glm::dvec3 p) {
         const glm::dvec3 area = glm::cross(p - longer.a, way);
-        return glm::dot(area, area) > most;
+        return glm::dot(area, area) > limit;
     };
     if (isFar(shorter.a) || isFar(shorter.b)) return {};
     const double longLength = glm::length(way);

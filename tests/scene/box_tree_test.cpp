@@ -38,7 +38,7 @@ TEST(BoxTree, findsEveryBoxThatOverlapsAndNoOther) {
                 if (overlap(boxes[i], box)) expected.insert(i);
             std::set<std::uint32_t> found;
             std::uint64_t steps = 1'000'000;
-            tree.forEachOverlap(box, steps, [&](std::uint32_t i) { EXPECT_TRUE(found.insert(i).second); });
+            tree.forEachOverlap(box, steps, [&](std::uint32_t i, const Box&) { EXPECT_TRUE(found.insert(i).second); });
             EXPECT_EQ(found, expected) << count;
         }
     }
@@ -49,7 +49,7 @@ TEST(BoxTree, endsWhenNoStepsAreLeft) {
     const BoxTree tree{boxes};
     std::uint64_t steps = 100;
     std::size_t found = 0;
-    tree.forEachOverlap(boxes[0], steps, [&](std::uint32_t) { ++found; });
+    tree.forEachOverlap(boxes[0], steps, [&](std::uint32_t, const Box&) { ++found; });
     EXPECT_EQ(steps, 0U);
     EXPECT_GT(found, 50U);
     EXPECT_LE(found, 100U);
