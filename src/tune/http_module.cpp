@@ -1,0 +1,62 @@
+// HTTP by cpp-httplib.
+#include <exception>
+
+#include <httplib.h>
+
+#include <inkedge/export.h>
+
+#include "modules/failure.h"
+#include "tune/http.h"
+
+namespace inkedge::tune {
+namespace {
+
+constexpr std::size_t largestBody = std::size_t{1} << 20U;  // bytes: settings are a few thousand
+constexpr std::size_t threads = 8;                          // requests at the same time
+
+HttpRequest requestOf(const httplib::Request& from) {
+    HttpRequest request{from.method, from.path, from.get_header_value("Host"), from.get_header_value("Origin"),
+                        from.get_header_value("X-Inkedge-Token"), from.body};
+    if (request.token.empty() && from.has_param("token")) request.token = from.get_param_value("token");
+    return request;
+}
+
+std::string serve(int port, const std::function<HttpAnswer(const HttpRequest&)>& answer,
+                  const std::function<void(int)>& waiting) {
+    httplib::Server server;
+    server.new_task_queue = [] { return new httplib::ThreadPool(threads); };
+    server.set_payload_max_length(largestBody);
+    server.set_keep_alive_max_count(10'000);
+    const auto handle = [&](const httplib::Request& from, httplib::Response& to) {
+        const HttpAnswer given = answer(requestOf(from));
+        to.status = given.status;
+        for (const auto& [name, value] : given.headers) to.set_header(name, value);
+        to.set_content(given.body.data(), given.body.size(), given.type);
+    };
+    server.Get(".*", handle);
+    server.Post(".*", handle);
+    if (port == 0) {
+        port = server.bind_to_any_port("127.0.0.1");
+        if (port < 0) return "no port of 127.0.0.1 is free";
+    } else if (!server.bind_to_port("127.0.0.1", port)) {
+        return "port " + std::to_string(port) + " of 127.0.0.1 is taken";
+    }
+    waiting(port);
+    server.listen_after_bind();
+    return "it waits no longer";
+}
+
+}  // namespace
+
+extern "C" INKEDGE_API const HttpFunctions* inkedge_http_1() noexcept {
+    static constexpr HttpFunctions functions{[](int port, const auto& answer, const auto& waiting) {
+        try {
+            return serve(port, answer, waiting);
+        } catch (const std::exception& exception) {
+            return modules::oneLine(exception.what());
+        }
+    }};
+    return &functions;
+}
+
+}  // namespace inkedge::tune
