@@ -4,6 +4,7 @@
 
 #include <inkedge/error.h>
 
+#include "base/message.h"
 #include "cli/checks.h"
 #include "cli/model_argument.h"
 #include "cli/settings_sources.h"
@@ -20,13 +21,16 @@ struct TuneArguments {
     SettingsSources settings;
 };
 
-int tune(const TuneArguments& arguments) {
+int runTune(const TuneArguments& arguments) {
     const std::string& model = arguments.model.names().front();
     if (model == "-") throw Error{Error::Kind::Usage, "MODEL: expected a file, found -; it is read as often as needed"};
-    tune::serve({.model = model,
-                 .settings = arguments.settings.resolve(),
-                 .port = arguments.port,
-                 .waiting = [](const std::string& address) { print(address + "\n"); }});
+    for (const std::string& name : SettingsSources::unknownVariables())
+        report("warning: ", fmt::format("{} does nothing: no setting has this name", base::printable(name)));
+    const auto waiting = [](const std::string& address) {
+        print(address + "\n");
+        report("", "open this address in a browser of this machine; Ctrl-C ends the page");
+    };
+    tune::serve({.model = model, .settings = arguments.settings.resolve(), .port = arguments.port, .waiting = waiting});
 }
 
 }  // namespace
@@ -39,7 +43,7 @@ void addTune(CLI::App& app, Action& action) {
         ->check(numberFrom(0, 65535))
         ->type_name("N");
     arguments->settings.addTo(*verb);
-    verb->callback([arguments, &action] { action = [arguments] { return tune(*arguments); }; });
+    verb->callback([arguments, &action] { action = [arguments] { return runTune(*arguments); }; });
 }
 
 }  // namespace inkedge::cli

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,10 +13,10 @@ namespace inkedge::tune {
 
 struct HttpRequest {
     std::string method;
-    std::string path;    ///< without what comes after "?"
-    std::string host;    ///< headers; empty: not there
+    std::string path;  ///< without what comes after "?"
+    std::string host;  ///< headers; empty: not there
     std::string origin;
-    std::string token;   ///< the header X-Inkedge-Token, or what the address says of "token"
+    std::string token;  ///< the header X-Inkedge-Token, or what the address says of "token"
     std::string body;
 };
 
@@ -32,7 +31,7 @@ struct HttpFunctions {
     /// Waits at a port of 127.0.0.1 and answers requests, several at the same time, until the process ends.
     /// @param port     0: any that is free
     /// @param answer   called on several threads; throws nothing
-    /// @param waiting  called once requests are taken, with the port
+    /// @param waiting  called once the port is taken, with its number; requests are answered after it
     /// @return         why it ended; there is always a reason
     std::string (*serve)(int port, const std::function<HttpAnswer(const HttpRequest&)>& answer,
                          const std::function<void(int port)>& waiting);

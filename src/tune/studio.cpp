@@ -1,117 +1,105 @@
 #include "tune/studio.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 #include <utility>
 
 #include <inkedge/setting_table.h>
 #include <inkedge/views.h>
 
 #include "base/stop.h"
-#include "job/draw_view.h"
 #include "job/file_names.h"
+#include "tune/half_size.h"
+#include "tune/layers.h"
 
 namespace inkedge::tune {
 namespace {
 
-constexpr std::string_view anyPicture = "picture.png";
+constexpr const char* anyPicture = "picture.png";
 
-Settings forDetail(Settings settings, Detail detail) {
-    if (detail == Detail::Full) return settings;
-    Size& size = settings.picture.size;
-    size = {std::max(size.width / 2, 1), std::max(size.height / 2, 1)};
-    settings.picture.supersampling = 1;
-    return settings;
+std::vector<std::uint8_t> bytesOf(const job::DrawnView& drawn, const Job& job) {
+    std::vector<std::uint8_t> bytes;
+    (void)job::encode(drawn, job, job::viewsOf(job).front(),
+                      [&](const auto&, auto encoded) { bytes.assign(encoded.begin(), encoded.end()); });
+    return bytes;
 }
 
-// The settings that decide how a model is loaded, and maybe others. Those of the camera decide how fine CAD files and
-// implicit surfaces become, which may wait until nothing moves.
-std::string keyOf(const Settings& settings, Detail detail) {
-    std::string key;
-    for (const SettingDescription& row : settingTable()) {
-        if (row.group == "backend" || row.name == "background" || row.name == "line-color" || row.name == "line-style")
-            continue;
-        if (detail == Detail::Half && (row.group == "camera" || row.name == "size" || row.name == "supersampling"))
-            continue;
-        key += row.get(settings) + '\n';
+// The types of the lines at a pixel and those beside it: the types of a line stand on its nearer side alone.
+LineTypes typesAround(const Image<std::uint16_t>& types, int x, int y) {
+    LineTypes found;
+    for (int atY = std::max(y - 1, 0); atY <= std::min(y + 1, types.size().height - 1); ++atY) {
+        for (int atX = std::max(x - 1, 0); atX <= std::min(x + 1, types.size().width - 1); ++atX)
+            found |= LineTypes::fromBits(types(atX, atY));
     }
-    return key;
-}
-
-// Whether its triangles stand for smooth surfaces, as finely as the picture needs.
-bool isCurved(const Scene& scene) {
-    constexpr std::array<std::string_view, 4> formats{"STEP", "IGES", "BREP", "implicit surface"};
-    return std::ranges::find(formats, scene.source().format) != formats.end();
+    return found;
 }
 
 }  // namespace
 
-const Scene& Studio::sceneOf(const Job& job, Detail detail) {
-    const std::string moving = keyOf(job.settings, Detail::Half);
-    const bool refines = scene_ && isCurved(*scene_);
-    const std::string key = moving + (refines ? keyOf(job.settings, Detail::Full) : "");
-    const bool fits = scene_ && (key == sceneKey_ || (detail == Detail::Half && sceneKey_.starts_with(moving)));
-    if (!fits) {
-        scene_.reset();
-        hovered_.reset();
-        scene_ = job::sceneOf(job, job::viewsOf(job));
-        sceneKey_ = moving + (isCurved(*scene_) ? keyOf(job.settings, Detail::Full) : "");
-    }
-    return *scene_;
-}
-
 Scene Studio::scene(const Settings& settings) {
-    const std::scoped_lock lock{drawing_};
-    return sceneOf({.model = model_, .settings = settings}, Detail::Full);
+    return scenes_.of({.model = model_, .settings = settings}, Fineness::AsForPicture);
 }
 
-StudioFile Studio::draw(Settings settings, const std::string& output, std::optional<Map> map, Detail detail,
-                        const std::stop_token& stop) {
-    const base::StopScope stops{[&] { return stop.stop_requested(); }};
-    settings = forDetail(std::move(settings), detail);
-    settings.maps.clear();
-    if (map) settings.maps = {*map};
-    const Job job{.model = model_, .settings = settings, .outputs = {output}};
-    validate(settings);
+Studio::Drawn Studio::drawJob(const Job& job, Fineness fineness) {
+    validate(job.settings);
+    Scene scene = scenes_.of(job, fineness);
     const auto lock = base::lockUnlessStopped(drawing_);
-    const Scene& scene = sceneOf(job, detail);
     const std::vector<View> views = job::viewsOf(job);
-    const FramedView framed = frameViews(scene, views, settings).front();
-    const job::DrawnView drawn = job::draw(job, views.front(), framed, scene, renderer_.of(settings.backend));
-    StudioFile file{{}, framed.camera, framed.picture.size};
-    (void)job::encode(drawn, job, views.front(), [&](const auto&, auto bytes) {
-        file.bytes.assign(bytes.begin(), bytes.end());  // of several, the map comes last
-    });
-    return file;
+    const FramedView framed = frameViews(scene, views, job.settings).front();
+    try {
+        return {job::draw(job, views.front(), framed, scene, renderer_.of(job.settings.backend)), scene};
+    } catch (const Error& error) {
+        if (error.kind() == Error::Kind::Runtime) renderer_.giveUp();  // its context may be lost
+        throw;
+    }
 }
 
-Hovered Studio::hover(const Settings& given, int x, int y) {
-    const std::scoped_lock lock{drawing_};
-    Settings settings = given;
-    settings.maps = {Map::Types, Map::Ids};
-    settings.picture.supersampling = 1;
-    const Job job{.model = model_, .settings = settings, .outputs = {std::string{anyPicture}}};
-    const Scene& scene = sceneOf(job, Detail::Half);
-    if (const std::string key = configText(settings); !hovered_ || key != hoveredKey_) {
-        const FramedView framed = frameViews(scene, job::viewsOf(job), settings).front();
-        settings.picture = framed.picture;
-        hovered_ = renderer_.of(settings.backend).render(scene, framed.camera, settings);
-        hoveredKey_ = key;
+StudioPicture Studio::draw(const Settings& settings, Detail detail, const std::stop_token& stop) {
+    const base::StopScope stops{[&] { return stop.stop_requested(); }};
+    const bool half = detail == Detail::Half;
+    Job job{.model = model_, .settings = half ? halfSize(settings) : settings, .outputs = {anyPicture}};
+    const auto [drawn, scene] = drawJob(job, half ? Fineness::Any : Fineness::AsForPicture);
+    const Maps& maps = *drawn.maps;
+    StudioPicture picture{{}, {}, maps.camera, maps.picture.size(), scene, maps.warnings};
+    for (const Map map : settings.maps) {
+        base::stopIfAsked();
+        picture.layers.emplace_back(map, layerPicture(maps, map));
     }
+    job.settings.maps.clear();  // they are no files here
+    picture.png = bytesOf(drawn, job);
+    return picture;
+}
+
+std::vector<std::uint8_t> Studio::file(const Settings& settings, const std::string& output,
+                                       const std::stop_token& stop) {
+    const base::StopScope stops{[&] { return stop.stop_requested(); }};
+    Job job{.model = model_, .settings = settings, .outputs = {output}};
+    job.settings.maps.clear();
+    return bytesOf(drawJob(job, Fineness::AsForPicture).view, job);
+}
+
+std::shared_ptr<const Maps> Studio::hoverMaps(const Settings& settings) {
+    const std::string key = configText(settings);
+    {
+        const auto lock = base::lockUnlessStopped(drawing_);
+        if (hovered_ && hoveredKey_ == key) return hovered_;
+    }
+    Job job{.model = model_, .settings = settings, .outputs = {anyPicture}};
+    job.settings.maps = {Map::Types, Map::Ids};
+    job.settings.picture.supersampling = 1;
+    auto maps = std::make_shared<const Maps>(std::move(*drawJob(job, Fineness::AsForPicture).view.maps));
+    const auto lock = base::lockUnlessStopped(drawing_);
+    hovered_ = maps;
+    hoveredKey_ = key;
+    return maps;
+}
+
+Hovered Studio::hover(const Settings& settings, int x, int y, const std::stop_token& stop) {
+    const base::StopScope stops{[&] { return stop.stop_requested(); }};
+    const std::shared_ptr<const Maps> drawn = hoverMaps(settings);
+    const Maps& maps = *drawn;
     Hovered found;
-    const Maps& maps = *hovered_;
     if (x < 0 || y < 0 || x >= maps.ids.size().width || y >= maps.ids.size().height) return found;
-    // A line is a few pixels wide; its types stand on those in its middle.
-    LineTypes types;
-    for (int dy = -1; dy <= 1; ++dy) {
-        for (int dx = -1; dx <= 1; ++dx) {
-            const int atX = std::clamp(x + dx, 0, maps.types.size().width - 1);
-            const int atY = std::clamp(y + dy, 0, maps.types.size().height - 1);
-            types |= LineTypes::fromBits(maps.types(atX, atY));
-        }
-    }
-    for (const LineType type : types) found.types.emplace_back(name(type));
+    for (const LineType type : typesAround(maps.types, x, y)) found.types.emplace_back(name(type));
     found.patch = maps.ids(x, y, 0);
     const std::uint32_t object = maps.ids(x, y, 2);
     const auto named = std::ranges::find(maps.names.instances, object, &NamedInstance::id);

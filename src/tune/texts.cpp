@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <inkedge/setting_table.h>
 #include <inkedge/version.h>
@@ -18,8 +19,6 @@ namespace inkedge::tune {
 namespace {
 
 using io::Json;
-
-Json vectorJson(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 Json numberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
@@ -48,23 +47,41 @@ struct ConstraintJson {
         json["choices"] = list.names;
     }
     void operator()(const Custom& custom) const {
-        json["kind"] = custom.form.starts_with("COLOR") ? "color" : "text";
+        json["kind"] = kindOf(custom.form);
         json["unit"] = custom.form;
+    }
+    static std::string_view kindOf(std::string_view form) {
+        if (form.starts_with("COLOR")) return "color";
+        if (form.starts_with("TYPE:")) return "pens";
+        return form == "PX" ? "length" : "text";
     }
 };
 
+std::vector<std::string_view> namesOf(LineTypes types) {
+    std::vector<std::string_view> names;
+    for (const LineType type : types) names.push_back(name(type));
+    return names;
+}
+
 Json settingJson(const SettingDescription& row, const Settings& settings) {
-    Json json{{"name", row.name},         {"short", row.shortName},        {"group", row.group},
-              {"help", row.help},         {"range", row.range()},          {"default", row.defaultValue()},
-              {"begin", row.get(Settings{})}, {"value", row.get(settings)}};
+    Json json{{"name", row.name},
+              {"short", row.shortName},
+              {"group", row.group},
+              {"help", row.help},
+              {"range", row.range()},
+              {"default", row.defaultValue()},
+              {"begin", row.get(Settings{})},
+              {"value", row.get(settings)}};
     std::visit(ConstraintJson{json}, row.constraint);
+    if (row.name == "lines") json["words"] = {{"standard", namesOf(standardLineTypes)}, {"all", namesOf(allLineTypes)}};
     return json;
 }
 
 // A word of a POSIX shell.
 std::string shellWord(std::string_view text) {
     const bool plain = !text.empty() && std::ranges::all_of(text, [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) || std::string_view{"-_./,:=+%@"}.find(c) != std::string_view::npos;
+        return std::isalnum(static_cast<unsigned char>(c)) ||
+               std::string_view{"-_./,:=+%@"}.find(c) != std::string_view::npos;
     });
     if (plain) return std::string{text};
     std::string word = "'";
@@ -76,67 +93,82 @@ std::vector<const SettingDescription*> changed(const Settings& settings) {
     std::vector<const SettingDescription*> rows;
     const Settings defaults;
     for (const SettingDescription& row : settingTable())
-        if (row.name != "maps" && row.get(settings) != row.get(defaults)) rows.push_back(&row);
+        if (row.get(settings) != row.get(defaults)) rows.push_back(&row);
     return rows;
 }
 
+constexpr const char* drawnFile = "drawing.png";
+
+// A name that begins with - would be a flag.
+std::string modelText(const std::string& model) { return model.starts_with('-') ? "./" + model : model; }
+
 std::string commandText(const std::string& model, const Settings& settings) {
-    // A name that begins with - would be a flag.
-    std::string text = fmt::format("inkedge render {} -o drawing.png", shellWord(model));
+    std::string text = fmt::format("inkedge render {} -o {}", shellWord(modelText(model)), drawnFile);
     for (const SettingDescription* row : changed(settings))
-        text += fmt::format(" --{}", shellWord(fmt::format("{}={}", row->name, row->get(settings))));
+        text += fmt::format(" --{}={}", row->name, shellWord(row->get(settings)));
     return text;
+}
+
+std::string configFileText(const std::string& model, const Settings& settings) {
+    return fmt::format("# inkedge render {} -o {} --config THIS_FILE\n{}", shellWord(modelText(model)), drawnFile,
+                       configText(settings));
 }
 
 std::string pythonString(std::string_view text) { return Json(io::validText(text)).dump(); }
 
-std::string pythonText(const std::string& model, const Settings& settings) {
-    std::vector<std::string> load;
-    std::vector<std::string> frame;
-    std::vector<std::string> draw;
+// "line_width=\"3\", size=\"64x64\"" of the settings of these groups.
+std::string keywords(const Settings& settings, std::initializer_list<std::string_view> groups) {
+    std::string text;
     for (const SettingDescription* row : changed(settings)) {
+        if (std::ranges::find(groups, row->group) == groups.end()) continue;
         std::string keyword{row->name};
         std::ranges::replace(keyword, '-', '_');
-        const std::string argument = fmt::format(", {}={}", keyword, pythonString(row->get(settings)));
-        if (row->group == "camera") {
-            frame.push_back(argument);
-        } else if (row->group == "model" || row->group == "limits") {
-            load.push_back(argument);
-        } else if (row->group != "backend") {
-            draw.push_back(argument);
-        }
+        text += fmt::format("{}{}={}", text.empty() ? "" : ", ", keyword, pythonString(row->get(settings)));
     }
+    return text;
+}
+
+std::string pythonText(const std::string& model, const Settings& settings) {
+    const std::string load = keywords(settings, {"model", "limits"});
     return fmt::format(
-        "import inkedge\n\nscene = inkedge.Scene.load({}{}{})\ncamera = inkedge.Camera.frame(scene{})\n"
-        "with inkedge.Renderer(backend={}) as renderer:\n    maps = renderer.render(scene, camera{})\n"
-        "inkedge.write_png(\"drawing.png\", maps[\"picture\"])\n",
-        pythonString(model), fmt::join(load, ""), fmt::join(draw, ""), fmt::join(frame, ""),
-        pythonString(findSetting("backend")->get(settings)), fmt::join(draw, ""));
+        "import inkedge\n\n"
+        "view = dict({})\n"
+        "drawing = dict({})\n"
+        "scene = inkedge.Scene.load({}{}{}, **view, **drawing)\n"
+        "camera = inkedge.Camera.frame(scene, **view)\n"
+        "with inkedge.Renderer({}) as renderer:\n"
+        "    maps = renderer.render(scene, camera, **drawing)\n"
+        "inkedge.write_png(\"{}\", maps[\"picture\"])\n",
+        keywords(settings, {"camera"}), keywords(settings, {"output", "picture", "lines", "style", "detector"}),
+        pythonString(modelText(model)), load.empty() ? "" : ", ", load, keywords(settings, {"backend"}), drawnFile);
+}
+
+// By name, why the setting does nothing.
+Json idleOf(const Settings& settings) {
+    Json idle = Json::object();
+    const OutputKinds picture{.pictures = true};
+    const Settings defaults;
+    for (const SettingDescription& row : settingTable()) {
+        if (row.idle == nullptr || row.get(settings) == row.get(defaults)) continue;
+        if (const std::string_view why = row.idle(settings, picture); !why.empty()) idle[std::string{row.name}] = why;
+    }
+    return idle;
 }
 
 }  // namespace
 
 std::string beginningJson(const Scene& scene, const std::string& model, const Settings& settings) {
     Json rows = Json::array();
-    for (const SettingDescription& row : settingTable())
-        if (row.name != "maps" && row.name != "tile-size") rows.push_back(settingJson(row, settings));
+    for (const SettingDescription& row : settingTable()) rows.push_back(settingJson(row, settings));
     Json presetRows = Json::array();
     for (const Preset& preset : presets()) {
         Json values = Json::object();
-        for (const auto& [name, text] : preset.values)
-            if (name != "maps") values[std::string{name}] = text;
+        for (const auto& [name, text] : preset.values) values[std::string{name}] = text;
         presetRows.push_back({{"name", preset.name}, {"help", preset.help}, {"values", std::move(values)}});
     }
-    const Json json{{"model", io::validText(model)},
-                    {"version", version()},
-                    {"triangles", scene.triangleCount()},
-                    {"centre", vectorJson(scene.bounds().centre)},
-                    {"radius", scene.bounds().radius},
-                    {"up", vectorJson(scene.up())},
-                    {"warnings", scene.warnings()},
-                    {"maps", std::get<List>(findSetting("maps")->constraint).names},
-                    {"presets", std::move(presetRows)},
-                    {"settings", std::move(rows)}};
+    const Json json{{"model", io::validText(model)},      {"version", version()},
+                    {"triangles", scene.triangleCount()}, {"warnings", scene.warnings()},
+                    {"presets", std::move(presetRows)},   {"settings", std::move(rows)}};
     return io::textOf(json, -1);
 }
 
@@ -148,9 +180,9 @@ Settings settingsOf(const std::map<std::string, std::string>& texts) {
 
 std::string takeAwayJson(const std::string& model, const Settings& settings) {
     const Json json{{"command", io::validText(commandText(model, settings))},
-                    {"config", configText(settings)},
+                    {"config", io::validText(configFileText(model, settings))},
                     {"python", pythonText(model, settings)},
-                    {"idle", idleSettings(settings, OutputKinds{.pictures = true})}};
+                    {"idle", idleOf(settings)}};
     return io::textOf(json, -1);
 }
 

@@ -2,28 +2,25 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <cstdint>
-#include <map>
-#include <memory>
-#include <mutex>
+#include <cmath>
 #include <new>
-#include <optional>
 #include <random>
 #include <stop_token>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <inkedge/error.h>
-#include <inkedge/setting_table.h>
 
 #include "io/metadata.h"
-#include "io/parse_json.h"
 #include "tune/http.h"
+#include "tune/latest_wins.h"
 #include "tune/page.h"
+#include "tune/request.h"
 #include "tune/studio.h"
 #include "tune/texts.h"
 
@@ -46,90 +43,77 @@ bool isSame(std::string_view a, std::string_view b) noexcept {
     return difference == 0;
 }
 
-// The pictures that each tab of a browser asks for. The last one of a tab is drawn, and ends those before it.
-class LatestWins {
-public:
-    /// Asks what a tab asked for before to stop.
-    std::stop_token begin(const std::string& tab) {
-        const std::scoped_lock lock{guard_};
-        std::stop_source& source = tabs_[tab];
-        source.request_stop();
-        source = std::stop_source{};
-        if (tabs_.size() > maxTabs) tabs_.erase(tabs_.begin()->first == tab ? std::prev(tabs_.end()) : tabs_.begin());
-        return source.get_token();
-    }
+Json jsonOf(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-private:
-    static constexpr std::size_t maxTabs = 256;
-    std::mutex guard_;
-    std::map<std::string, std::stop_source> tabs_;
-};
-
-// What a request asks for.
-struct Asked {
-    std::string tab;
-    Settings settings;
-    std::optional<Map> map = {};
-    Detail detail = Detail::Full;
-    std::string output = "drawing.png";
-    int x = 0;
-    int y = 0;
-};
-
-Asked askedBy(const std::string& body, const Settings& own) {
-    const io::ParsedJson json = io::parseJson(body, {"", {}}, {.depth = 4, .values = 4096});
-    std::map<std::string, std::string> texts;
-    for (const auto& [name, text] : json.at("settings").items()) texts[name] = text.get<std::string>();
-    Asked asked{.tab = json.value("tab", ""), .settings = settingsOf(texts)};
-    asked.settings.backend = own.backend;
-    asked.detail = json.value("half", false) ? Detail::Half : Detail::Full;
-    asked.output = json.value("output", asked.output);
-    asked.x = json.value("x", 0);
-    asked.y = json.value("y", 0);
-    if (const std::string map = json.value("map", ""); !map.empty()) {
-        Settings withMap;
-        set(withMap, "maps", map, "map");
-        asked.map = withMap.maps.front();
-    }
-    return asked;
+// What the page turns, moves and zooms from.
+Json cameraJson(const StudioPicture& picture) {
+    const glm::dmat4 axes = glm::inverse(picture.camera.view);
+    const glm::dvec3 back{axes[2]};
+    const glm::dvec3 up = picture.scene.up();
+    const glm::dvec3 front = picture.scene.front();
+    const double elevation = std::asin(std::clamp(glm::dot(back, up), -1.0, 1.0));
+    const double azimuth = std::atan2(glm::dot(back, glm::cross(up, front)), glm::dot(back, front));
+    return {{"right", jsonOf(glm::dvec3{axes[0]})},
+            {"up", jsonOf(glm::dvec3{axes[1]})},
+            {"back", jsonOf(back)},
+            {"eye", jsonOf(glm::dvec3{axes[3]})},
+            {"modelUp", jsonOf(up)},
+            {"modelFront", jsonOf(front)},
+            {"centre", jsonOf(picture.scene.bounds().centre)},
+            {"azimuth", glm::degrees(azimuth)},
+            {"elevation", glm::degrees(elevation)},
+            {"orthographic", picture.camera.orthographic()},
+            {"focal", picture.camera.focalLength(picture.size)}};
 }
 
-// Files that may be asked for: no name leads anywhere, for nothing is written.
-void expectKnownOutput(const std::string& output) {
-    constexpr std::array<std::string_view, 5> known{"drawing.png", "drawing.svg", "drawing.pdf", "drawing.dxf",
-                                                    "drawing.json"};
-    if (std::ranges::find(known, output) == known.end())
-        throw Error{Error::Kind::Usage, "output: expected drawing.png, .svg, .pdf, .dxf or .json, found another"};
+// The picture and its layers follow each other in the body; this says how long each is.
+HttpAnswer answerOf(const StudioPicture& picture) {
+    Json layers = Json::array();
+    std::string body{picture.png.begin(), picture.png.end()};
+    for (const auto& [map, png] : picture.layers) {
+        layers.push_back({{"map", name(map)}, {"bytes", png.size()}});
+        body.append(png.begin(), png.end());
+    }
+    const Json about{{"bytes", picture.png.size()},
+                     {"layers", std::move(layers)},
+                     {"size", {picture.size.width, picture.size.height}},
+                     {"camera", cameraJson(picture)},
+                     {"warnings", picture.warnings}};
+    return {.type = "application/octet-stream",
+            .body = std::move(body),
+            .headers = {{"X-Inkedge-Picture", about.dump(-1, ' ', true, Json::error_handler_t::replace)}}};
 }
 
-std::string cameraHeader(const StudioFile& file) {
-    Json view = Json::array();
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 4; ++column) view.push_back(file.camera.view[column][row]);
-    const Json json{{"view", std::move(view)},
-                    {"focal", file.camera.focalLength(file.size)},
-                    {"orthographic", file.camera.orthographic()},
-                    {"size", {file.size.width, file.size.height}}};
-    return json.dump();
+HttpAnswer refusal(int status, std::string_view message) {
+    return {.status = status, .body = Json{{"error", io::validText(message)}}.dump()};
+}
+
+HttpAnswer page() {
+    return {.type = "text/html; charset=utf-8",
+            .body = std::string{pageText},
+            .headers = {{"Content-Security-Policy",
+                         "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: "
+                         "data:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"}}};
 }
 
 class Server {
 public:
     explicit Server(const TuneOptions& options)
-        : options_{options}, studio_{options.model},
+        : options_{options},
+          studio_{options.model},
           beginning_{beginningJson(studio_.scene(options.settings), options.model.string(), options.settings)} {}
 
     [[noreturn]] void serve() {
         const std::string failure = modules::functionsOf<httpModule>(Error::Kind::Runtime)
                                         .serve(
                                             options_.port, [&](const HttpRequest& request) { return answer(request); },
-                                            [&](int port) { wait(port); });
+                                            [&](int port) { open(port); });
         throw Error{Error::Kind::Runtime,
                     fmt::format("--port: expected one that is free, found: {}; leave it out", failure)};
     }
 
 private:
-    void wait(int port) {
+    void open(int port) {
         hosts_ = {fmt::format("127.0.0.1:{}", port), fmt::format("localhost:{}", port)};
         if (options_.waiting) options_.waiting(fmt::format("http://{}/?token={}", hosts_[0], token_));
     }
@@ -142,66 +126,49 @@ private:
     }
 
     HttpAnswer answer(const HttpRequest& request) {
+        HttpAnswer given = isAllowed(request)
+                               ? answerAllowed(request)
+                               : refusal(403, "expected the address that inkedge tune prints, found another");
+        given.headers.insert(
+            given.headers.end(),
+            {{"Cache-Control", "no-store"}, {"Referrer-Policy", "no-referrer"}, {"X-Content-Type-Options", "nosniff"}});
+        return given;
+    }
+
+    HttpAnswer answerAllowed(const HttpRequest& request) {
         try {
-            if (!isAllowed(request)) return refusal(403, "expected the address that inkedge tune prints, found another");
             if (request.method == "GET" && request.path == "/") return page();
             if (request.method == "GET" && request.path == "/beginning") return {.body = beginning_};
-            if (request.method == "POST" && request.path == "/picture") return picture(request.body);
-            if (request.method == "POST" && request.path == "/file") return file(request.body);
-            if (request.method == "POST" && request.path == "/texts") return texts(request.body);
-            if (request.method == "POST" && request.path == "/hover") return hover(request.body);
+            if (request.method == "POST" && request.path == "/picture") return picture(requestOf(request.body));
+            if (request.method == "POST" && request.path == "/hover") return hover(requestOf(request.body));
+            if (request.method == "POST" && request.path == "/texts")
+                return {.body = takeAwayJson(options_.model.string(), requestOf(request.body).settings)};
+            if (request.method == "POST" && request.path == "/file") return file(requestOf(request.body));
             return refusal(404, "expected what the page asks for, found another path");
         } catch (const Error& error) {
             if (error.kind() == Error::Kind::Stopped) return {.status = 204};
             return refusal(400, error.what());
         } catch (const std::bad_alloc&) {
             return refusal(500, "expected enough memory, found too little; ask for a smaller --size");
-        } catch (const nlohmann::json::exception& error) {
-            return refusal(400, error.what());
         } catch (const std::exception& error) {
             return refusal(500, error.what());
         }
     }
 
-    static HttpAnswer refusal(int status, std::string_view message) {
-        return {.status = status, .body = Json{{"error", io::validText(message)}}.dump()};
+    HttpAnswer picture(const Request& asked) {
+        const std::stop_token stop = latest_.begin(asked.tab, asked.work, asked.number);
+        return answerOf(studio_.draw(asked.settings, asked.detail, stop));
     }
 
-    static HttpAnswer page() {
-        return {.type = "text/html; charset=utf-8",
-                .body = std::string{pageText},
-                .headers = {{"Content-Security-Policy",
-                             "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: "
-                             "data:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
-                            {"Referrer-Policy", "no-referrer"},
-                            {"X-Content-Type-Options", "nosniff"},
-                            {"Cache-Control", "no-store"}}};
-    }
-
-    HttpAnswer picture(const std::string& body) {
-        const Asked asked = askedBy(body, options_.settings);
-        const std::stop_token stop = latest_.begin(asked.tab);
-        const StudioFile drawn = studio_.draw(asked.settings, "drawing.png", asked.map, asked.detail, stop);
-        return {.type = "image/png",
-                .body = std::string{drawn.bytes.begin(), drawn.bytes.end()},
-                .headers = {{"X-Inkedge-Camera", cameraHeader(drawn)}, {"Cache-Control", "no-store"}}};
-    }
-
-    HttpAnswer file(const std::string& body) {
-        const Asked asked = askedBy(body, options_.settings);
-        expectKnownOutput(asked.output);
-        const StudioFile drawn = studio_.draw(asked.settings, asked.output, {}, Detail::Full, {});
-        return {.type = "application/octet-stream", .body = std::string{drawn.bytes.begin(), drawn.bytes.end()}};
-    }
-
-    HttpAnswer texts(const std::string& body) {
-        return {.body = takeAwayJson(options_.model.string(), askedBy(body, options_.settings).settings)};
-    }
-
-    HttpAnswer hover(const std::string& body) {
-        const Asked asked = askedBy(body, options_.settings);
-        const Hovered found = studio_.hover(asked.settings, asked.x, asked.y);
+    HttpAnswer hover(const Request& asked) {
+        const std::stop_token stop = latest_.begin(asked.tab, Work::Hover, asked.number);
+        const Hovered found = studio_.hover(asked.settings, asked.x, asked.y, stop);
         return {.body = io::textOf(Json{{"types", found.types}, {"object", found.object}, {"patch", found.patch}}, -1)};
+    }
+
+    HttpAnswer file(const Request& asked) {
+        const std::vector<std::uint8_t> bytes = studio_.file(asked.settings, asked.output, {});
+        return {.type = "application/octet-stream", .body = std::string{bytes.begin(), bytes.end()}};
     }
 
     TuneOptions options_;

@@ -1,10 +1,8 @@
-# httplib::httplib, found by hand: Debian's package brings no files for CMake.
-find_path(HTTPLIB_INCLUDE_DIR httplib.h)
-find_library(HTTPLIB_LIBRARY cpp-httplib)
-mark_as_advanced(HTTPLIB_INCLUDE_DIR HTTPLIB_LIBRARY)
-if(NOT HTTPLIB_INCLUDE_DIR OR NOT HTTPLIB_LIBRARY)
-  message(FATAL_ERROR "INKEDGE_TUNE: expected cpp-httplib, found none; install libcpp-httplib-dev")
+# PkgConfig::httplib, with the definitions that the library was built with: sizes of its classes hang on them.
+find_package(PkgConfig QUIET)
+if(PkgConfig_FOUND)
+  pkg_check_modules(httplib QUIET IMPORTED_TARGET cpp-httplib)
 endif()
-add_library(httplib::httplib SHARED IMPORTED)
-set_target_properties(httplib::httplib PROPERTIES
-  IMPORTED_LOCATION "${HTTPLIB_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${HTTPLIB_INCLUDE_DIR}")
+if(NOT httplib_FOUND)
+  message(FATAL_ERROR "expected cpp-httplib, found none; install libcpp-httplib-dev, or set INKEDGE_TUNE to OFF")
+endif()
