@@ -34,6 +34,11 @@ std::string serve(int port, const std::function<HttpAnswer(const HttpRequest&)>&
     server.set_payload_max_length(largestBody);
     server.set_keep_alive_max_count(requestsOfConnection);
     server.set_tcp_nodelay(true);
+    // cpp-httplib's own option, SO_REUSEPORT, lets another server have the same port.
+    server.set_socket_options([](socket_t socket) {
+        const int yes = 1;
+        (void)setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
     const httplib::Server::Handler handle = [&](const httplib::Request& from, httplib::Response& to) {
         const HttpAnswer given = answer(requestOf(from));
         to.status = given.status;

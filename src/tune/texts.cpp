@@ -22,6 +22,12 @@ using io::Json;
 
 Json numberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+std::vector<std::string_view> namesOf(LineTypes types) {
+    std::vector<std::string_view> names;
+    for (const LineType type : types) names.push_back(name(type));
+    return names;
+}
+
 // What a control needs to know.
 struct ConstraintJson {
     Json& json;
@@ -49,6 +55,9 @@ struct ConstraintJson {
     void operator()(const Custom& custom) const {
         json["kind"] = kindOf(custom.form);
         json["unit"] = custom.form;
+        if (json["kind"] != "pens") return;
+        json["choices"] = namesOf(allLineTypes);
+        json["choices"].push_back("hidden");
     }
     static std::string_view kindOf(std::string_view form) {
         if (form.starts_with("COLOR")) return "color";
@@ -56,12 +65,6 @@ struct ConstraintJson {
         return form == "PX" ? "length" : "text";
     }
 };
-
-std::vector<std::string_view> namesOf(LineTypes types) {
-    std::vector<std::string_view> names;
-    for (const LineType type : types) names.push_back(name(type));
-    return names;
-}
 
 Json settingJson(const SettingDescription& row, const Settings& settings) {
     Json json{{"name", row.name},

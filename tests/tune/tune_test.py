@@ -135,7 +135,7 @@ class Requests:
     def check_taken_port(self):
         with Tune(self.command, self.model) as tune:
             second = subprocess.run([self.command, "tune", self.model, "--port", str(tune.port)], capture_output=True,
-                                    text=True, check=False)
+                                    text=True, check=False, timeout=20)
             assert second.returncode == 1 and "is taken" in second.stderr and second.stderr.count("\n") == 1, second
 
     def check_ends(self):
@@ -190,7 +190,8 @@ class Page:
         return box[0] + box[2] / 2, box[1] + box[3] / 2
 
     def copied(self, kind):
-        self.browser.run("document.querySelector(`[data-kind=${arguments[0]}]`).click(); $('copy').click()", kind)
+        self.browser.click(f"[data-kind={kind}]")
+        self.browser.click("#copy")
         self.browser.wait("a copy", "$('copy').textContent === 'Copied'")
         text = self.browser.run_async("navigator.clipboard.readText().then(arguments[0])")
         self.browser.wait("the button as it was", "$('copy').textContent === 'Copy'")
@@ -269,12 +270,13 @@ class Page:
         for output in ("drawing.png", "drawing.svg", "drawing.pdf"):
             if os.path.exists(output):
                 os.remove(output)
-            self.browser.run("document.querySelector(`[data-file='${arguments[0]}']`).click()", output)
+            self.browser.click(f"[data-file='{output}']")
             wait_for(lambda name=output: os.path.exists(name) and os.path.getsize(name) > 0, f"{output} to be there")
             flags = shlex.split(self.copied("command"))[3:]
-            flags[flags.index("-o") + 1] = "own" + output[7:]
+            os.makedirs("own", exist_ok=True)
+            flags[flags.index("-o") + 1] = "own/" + output
             subprocess.run([self.command, "render", self.model, *flags], check=True)
-            assert read(output) == read("own" + output[7:]), output
+            assert read(output) == read("own/" + output), output
 
     def check_layers(self):
         self.browser.run("""const chip = text => [...document.querySelectorAll('.strip button')]

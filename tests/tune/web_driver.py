@@ -120,6 +120,12 @@ class Browser:
         mouse = {"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": steps}
         self.call("POST", "actions", {"actions": [mouse]})
 
+    def click(self, selector):
+        self.point(self.run("""const element = document.querySelector(arguments[0]);
+            element.scrollIntoView({block: "nearest"});
+            const box = element.getBoundingClientRect();
+            return [box.left + box.width / 2, box.top + box.height / 2]""", selector), "down", "up")
+
     def keys(self, *keys):
         """Types keys, those of a tuple held together."""
         steps = []
