@@ -5,13 +5,18 @@ let kind = "command";
 let texts = {};
 let asking = 0;
 
+/// Returns whether the settings are such that they can be taken away.
 async function takeTexts() {
   try {
     const answer = await ask("/texts", values);
     texts = await answer.json();
     $("text").textContent = texts[kind];
     markIdle(texts.idle);
-  } catch { /* the picture says what is wrong */ }
+    return true;
+  } catch (error) {
+    mark(error);
+    return false;
+  }
 }
 
 for (const button of document.querySelectorAll("#kinds button")) {
@@ -25,7 +30,7 @@ for (const button of document.querySelectorAll("#kinds button")) {
 
 $("copy").onclick = async () => {
   clearTimeout(asking);
-  await takeTexts();
+  if (!await takeTexts()) return;
   try {
     await navigator.clipboard.writeText(texts[kind]);
   } catch {

@@ -15,8 +15,8 @@ function listed(setting, text) {
 }
 
 function isDefault(setting, text) {
-  if (text === setting.begin) return true;
-  if (setting.kind !== "list") return text === "";
+  if (text === "" || text === setting.begin) return true;
+  if (setting.kind !== "list") return false;
   const [a, b] = [listed(setting, text), listed(setting, setting.begin)];
   return a.size === b.size && [...a].every(name => b.has(name));
 }

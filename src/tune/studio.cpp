@@ -1,6 +1,7 @@
 #include "tune/studio.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include <inkedge/setting_table.h>
@@ -23,13 +24,26 @@ std::vector<std::uint8_t> bytesOf(const job::DrawnView& drawn, const Job& job) {
     return bytes;
 }
 
-// The types of the lines at a pixel and those beside it: the types of a line stand on its nearer side alone.
-LineTypes typesAround(const Image<std::uint16_t>& types, int x, int y) {
+constexpr int reach = 4;  // pixels: a line is hit where its ink is, not only in its middle
+
+// The types on the square of pixels around one that are so far away.
+LineTypes typesAt(const Image<std::uint16_t>& types, int x, int y, int away) {
     LineTypes found;
-    for (int atY = std::max(y - 1, 0); atY <= std::min(y + 1, types.size().height - 1); ++atY) {
-        for (int atX = std::max(x - 1, 0); atX <= std::min(x + 1, types.size().width - 1); ++atX)
-            found |= LineTypes::fromBits(types(atX, atY));
+    for (int dy = -away; dy <= away; ++dy) {
+        const int step = std::abs(dy) == away ? 1 : 2 * away;
+        for (int dx = -away; dx <= away; dx += std::max(step, 1)) {
+            const int atX = x + dx;
+            const int atY = y + dy;
+            if (atX >= 0 && atY >= 0 && atX < types.size().width && atY < types.size().height)
+                found |= LineTypes::fromBits(types(atX, atY));
+        }
     }
+    return found;
+}
+
+LineTypes nearestTypes(const Image<std::uint16_t>& types, int x, int y) {
+    LineTypes found;
+    for (int away = 0; away <= reach && found.empty(); ++away) found = typesAt(types, x, y, away);
     return found;
 }
 
@@ -99,7 +113,7 @@ Hovered Studio::hover(const Settings& settings, int x, int y, const std::stop_to
     const Maps& maps = *drawn;
     Hovered found;
     if (x < 0 || y < 0 || x >= maps.ids.size().width || y >= maps.ids.size().height) return found;
-    for (const LineType type : typesAround(maps.types, x, y)) found.types.emplace_back(name(type));
+    for (const LineType type : nearestTypes(maps.types, x, y)) found.types.emplace_back(name(type));
     found.patch = maps.ids(x, y, 0);
     const std::uint32_t object = maps.ids(x, y, 2);
     const auto named = std::ranges::find(maps.names.instances, object, &NamedInstance::id);

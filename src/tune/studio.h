@@ -38,7 +38,7 @@ struct StudioPicture {
 
 /// What a pixel shows.
 struct Hovered {
-    std::vector<std::string> types;  ///< of lines there or a pixel beside it
+    std::vector<std::string> types;  ///< of the nearest lines within 4 pixels
     std::string object;              ///< its name; empty: background, or it has none
     std::uint32_t patch = 0;         ///< as in Maps::ids; 0: background
 };

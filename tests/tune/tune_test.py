@@ -325,7 +325,7 @@ class Page:
         self.browser.run("$('reset').click()")
         assert self.browser.run("return document.querySelectorAll('.row.changed').length") == 0
         self.browser.run("put({size: '320x240', 'line-width': '99'})")
-        self.browser.wait("an error", "document.querySelector('.row.wrong').dataset.name === 'line-width'")
+        self.browser.wait("an error", "(document.querySelector('.row.wrong') || {dataset: {}}).dataset.name === 'line-width'")
         self.browser.run("put({'line-width': ''})")
         self.settled()
         assert not self.browser.run("return document.querySelector('.row.wrong')")

@@ -107,7 +107,8 @@ class Browser:
             if value := self.run(f"return {condition}", *arguments):
                 return value
             time.sleep(0.03)
-        raise AssertionError(f"expected {what} within {seconds} s, found {self.run('return document.body.innerText')}")
+        raise AssertionError(f"expected {what} within {seconds} s, found none; "
+                             f"the page says: {self.run('return document.getElementById(arguments[0]).innerText', 'status')}")
 
     def point(self, *actions):
         """Moves and presses a mouse: texts "down", "up" and positions (x, y) in the window."""
