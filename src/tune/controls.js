@@ -34,7 +34,8 @@ function textField(setting, id) {
 
 function choiceControl(setting, id) {
   const box = make("select", {id, title: setting.range});
-  if (!setting.choices.includes(setting.begin)) box.append(make("option", {value: "", textContent: setting.default || "none"}));
+  if (!setting.choices.includes(setting.begin))
+    box.append(make("option", {value: "", textContent: setting.default || "none"}));
   box.append(...setting.choices.map(choice => make("option", {value: choice, textContent: choice})));
   box.onchange = () => put({[setting.name]: box.value});
   return {parts: [box], refresh: () => { box.value = textOf(setting.name); }};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <utility>
@@ -37,11 +38,15 @@ struct HttpFunctions {
                          const std::function<void(int port)>& waiting);
 };
 
+/// Requests at the same time. A connection that a tab keeps open has a thread to itself, and a browser keeps six.
+inline std::size_t httpThreads() { return 48; }
+
 inline constexpr modules::ModuleOf<HttpFunctions> httpModule{{.purpose = "the live page",
                                                               .file = "inkedge_http.so",
                                                               .symbol = "inkedge_http_1",
                                                               .library = "cpp-httplib",
                                                               .option = "INKEDGE_TUNE",
-                                                              .remedy = "draw with inkedge render"}};
+                                                              .remedy = "draw with inkedge render",
+                                                              .threads = httpThreads}};
 
 }  // namespace inkedge::tune

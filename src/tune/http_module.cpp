@@ -12,8 +12,6 @@ namespace inkedge::tune {
 namespace {
 
 constexpr std::size_t largestBody = std::size_t{1} << 20U;  // bytes: settings are a few thousand
-// A connection that a tab keeps open has a thread to itself, and a browser keeps six.
-constexpr std::size_t threads = 48;
 constexpr std::size_t requestsOfConnection = 100'000;
 
 HttpRequest requestOf(const httplib::Request& from) {
@@ -30,7 +28,7 @@ HttpRequest requestOf(const httplib::Request& from) {
 std::string serve(int port, const std::function<HttpAnswer(const HttpRequest&)>& answer,
                   const std::function<void(int)>& waiting) {
     httplib::Server server;
-    server.new_task_queue = [] { return new httplib::ThreadPool(threads); };
+    server.new_task_queue = [] { return new httplib::ThreadPool(httpThreads()); };
     server.set_payload_max_length(largestBody);
     server.set_keep_alive_max_count(requestsOfConnection);
     server.set_tcp_nodelay(true);
@@ -52,7 +50,7 @@ std::string serve(int port, const std::function<HttpAnswer(const HttpRequest&)>&
         port = server.bind_to_any_port("127.0.0.1");
         if (port < 0) return "no port of 127.0.0.1 is free";
     } else if (!server.bind_to_port("127.0.0.1", port)) {
-        return "port " + std::to_string(port) + " of 127.0.0.1 is taken";
+        return "port " + std::to_string(port) + " of 127.0.0.1 is taken or not allowed";
     }
     waiting(port);
     server.listen_after_bind();

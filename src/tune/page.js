@@ -5,12 +5,18 @@ let kind = "command";
 let texts = {};
 let asking = 0;
 
+// A flag is not broken at its hyphens.
+function showText() {
+  const parts = kind === "command" ? texts.command.split(/(?<= )(?=--)/) : [texts[kind]];
+  $("text").replaceChildren(...parts.map(part => kind === "command" ? make("span", {textContent: part}) : part));
+}
+
 /// Returns whether the settings are such that they can be taken away.
 async function takeTexts() {
   try {
     const answer = await ask("/texts", values);
     texts = await answer.json();
-    $("text").textContent = texts[kind];
+    showText();
     markIdle(texts.idle);
     return true;
   } catch (error) {
@@ -24,7 +30,7 @@ for (const button of document.querySelectorAll("#kinds button")) {
     kind = button.dataset.kind;
     for (const each of document.querySelectorAll("#kinds button"))
       each.setAttribute("aria-pressed", String(each === button));
-    $("text").textContent = texts[kind];
+    showText();
   };
 }
 
@@ -84,7 +90,7 @@ watchers.push((names, moving) => {
     $("facts").textContent = `${model.triangles.toLocaleString("en")} triangles`;
     $("facts").title = model.warnings.join("\n");
     $("preset").append(make("option", {value: "", textContent: "Preset…"}),
-      ...model.presets.map(preset => make("option", {value: preset.name, textContent: preset.name, title: preset.help})));
+      ...model.presets.map(({name: value, help: title}) => make("option", {value, textContent: value, title})));
     addGroups();
     addLayers();
     put(Object.fromEntries(model.settings.map(setting => [setting.name, setting.value])));

@@ -15,7 +15,8 @@ function addRow(setting) {
   const reset = make("button", {textContent: "reset", title: `${setting.name} as by default`,
     onclick: () => put({[setting.name]: ""})});
   const row = make("div", {className: "row"},
-    make("div", {className: "head"}, make("label", {htmlFor: id, textContent: setting.name, title: "--" + setting.name}),
+    make("div", {className: "head"},
+      make("label", {htmlFor: id, textContent: setting.name, title: "--" + setting.name}),
       make("span", {className: "idle", textContent: "no effect now"}), reset),
     make("div", {className: "control"}, ...control.parts),
     make("div", {className: "help", textContent: setting.help}));

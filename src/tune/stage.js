@@ -49,14 +49,17 @@ async function drawOnce(half, signal) {
   if (!picture) return;
   mark(null);
   if (half) picture.size = picture.size.map(side => side * 2);  // it is shown as large as the full one
+  const last = shown;
   shown = {...picture, half};
   compose();
+  for (const bitmap of last ? last.bitmaps : []) bitmap.close();
   $("time").textContent = `${half ? "half" : "full"} size in ${Math.round(performance.now() - started)} ms`;
   $("warning").textContent = $("warning").title = picture.warnings.join("; ");
   if (kept && !half) {
-    const camera = Object.fromEntries(groupNames("camera").filter(name => name in values).map(name => [name, values[name]]));
-    const others = Object.fromEntries(Object.entries(kept).filter(([name]) => byName[name].group !== "camera"));
-    const before = await pictureOf({...others, ...camera}, {before: true}, signal);
+    const from = (texts, isCamera) => Object.entries(texts)
+      .filter(([name]) => (byName[name].group === "camera") === isCamera);
+    const settings = Object.fromEntries([...from(kept, false), ...from(values, true)]);
+    const before = await pictureOf(settings, {before: true}, signal);
     if (before) paint($("before"), before.bitmaps);
   }
   document.body.dataset.drawn = half ? "half" : "full";
@@ -122,7 +125,8 @@ function angleTexts(camera) {
   }
   const texts = {...defaultsOf(["view", "camera-direction", "camera-index"]),
     "camera-azimuth-angle": short(camera.azimuth), "camera-elevation-angle": short(camera.elevation)};
-  if (camera.orthographic && !("camera-orthographic" in values) && !("scale" in values)) texts["camera-orthographic"] = "0";
+  if (camera.orthographic && !("camera-orthographic" in values) && !("scale" in values))
+    texts["camera-orthographic"] = "0";
   return texts;
 }
 
@@ -213,7 +217,8 @@ function hover(event) {
     const at = [(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height];
     if (at.some(share => share < 0 || share >= 1)) return;
     try {
-      const answer = await ask("/hover", values, {x: Math.floor(at[0] * shown.size[0]), y: Math.floor(at[1] * shown.size[1])});
+      const [x, y] = at.map((share, i) => Math.floor(share * shown.size[i]));
+      const answer = await ask("/hover", values, {x, y});
       if (answer) showHovered(await answer.json(), event);
     } catch { /* the picture says what is wrong */ }
   }, 120);
@@ -230,7 +235,6 @@ $("stage").onpointerleave = () => { clearTimeout(resting); $("hover").hidden = t
 $("compare").onclick = () => {
   kept = kept ? null : {...values};
   $("compare").setAttribute("aria-pressed", String(!!kept));
-  document.body.classList.toggle("comparing", !!kept);
   $("before").hidden = $("slider").hidden = $("divider").hidden = !kept;
   if (kept && shown) paint($("before"), shown.bitmaps);
   slide();

@@ -9,8 +9,8 @@
 
 namespace inkedge::tune {
 
-/// What the page begins with, as JSON: the model, the presets, and the table of settings: of each its name, group, help,
-/// what it takes, its default and its value.
+/// What the page begins with, as JSON: the model, the presets, and the table of settings: of each its name, group,
+/// help, what it takes, its default and its value.
 [[nodiscard]] std::string beginningJson(const Scene&, const std::string& model, const Settings&);
 
 /// Settings of texts by name; what is not named is as by default.

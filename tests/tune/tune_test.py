@@ -78,7 +78,8 @@ class Requests:
         other = "0" * 32
         requests = [("GET", "/", None), ("GET", "/beginning", None), ("POST", "/picture", {"settings": {}}),
                     ("POST", "/texts", {"settings": {}}), ("POST", "/hover", {"settings": {}}),
-                    ("POST", "/file", {"settings": {}}), ("GET", "/nothing", None), ("PUT", "/", {}), ("DELETE", "/", {})]
+                    ("POST", "/file", {"settings": {}}), ("GET", "/nothing", None), ("PUT", "/", {}),
+                    ("DELETE", "/", {})]
         for method, path, body in requests:
             refused = {"X_Inkedge_Token": other}, {"X_Inkedge_Token": None}, {"X_Inkedge_Token": tune.token[:-1]}, \
                 {"Host": f"attacker.example:{tune.port}"}, {"Host": "127.0.0.1"}, {"Host": None}, \
@@ -114,7 +115,8 @@ class Requests:
         assert [layer["map"] for layer in about["layers"]] == ["depth", "ids", "types"], about
         status, _, text = tune.ask("POST", "/picture", {"settings": {"line-width": "99"}})
         assert status == 400 and json.loads(text)["error"].startswith("--line-width: expected"), text
-        for body in ({}, {"settings": {"size": 3}}, {"settings": {"none": "1"}}, {"settings": {}, "output": "../a.png"}):
+        for body in ({}, {"settings": {"size": 3}}, {"settings": {"none": "1"}},
+                     {"settings": {}, "output": "../a.png"}):
             assert tune.ask("POST", "/file", body)[0] == 400, body
         status, _, text = tune.ask("POST", "/texts", {"settings": {"page-size": "A4", "line-style": "outline:width=3"}})
         texts = json.loads(text)
@@ -186,8 +188,8 @@ class Page:
         return self.browser.run("return values[arguments[0]] || ''", name)
 
     def middle(self):
-        box = self.browser.run("const b = $('sheet').getBoundingClientRect(); return [b.left, b.top, b.width, b.height]")
-        return box[0] + box[2] / 2, box[1] + box[3] / 2
+        return self.browser.run("""const b = $('sheet').getBoundingClientRect();
+            return [b.left + b.width / 2, b.top + b.height / 2]""")
 
     def copied(self, kind):
         self.browser.click(f"[data-kind={kind}]")
@@ -220,6 +222,16 @@ class Page:
         self.browser.keys("0")
         self.settled()
         assert not self.value("camera-azimuth-angle") and not self.value("camera-zoom-factor")
+
+    def check_wheel_and_touch(self):
+        self.browser.wheel(*self.middle(), -100)
+        self.browser.wait("a larger picture", "values['camera-zoom-factor'] > 1")
+        self.settled()
+        self.browser.run("frameAll()")
+        self.browser.pinch(*self.middle(), 40, 80)
+        self.browser.wait("a larger picture", "values['camera-zoom-factor'] > 1.5")
+        self.browser.run("frameAll()")
+        self.settled()
 
     def check_pan_keeps_camera(self):
         """Moved there and back, the picture is as it was."""
@@ -325,7 +337,7 @@ class Page:
         self.browser.run("$('reset').click()")
         assert self.browser.run("return document.querySelectorAll('.row.changed').length") == 0
         self.browser.run("put({size: '320x240', 'line-width': '99'})")
-        self.browser.wait("an error", "(document.querySelector('.row.wrong') || {dataset: {}}).dataset.name === 'line-width'")
+        self.browser.wait("an error", "document.querySelector('.row.wrong[data-name=line-width]')")
         self.browser.run("put({'line-width': ''})")
         self.settled()
         assert not self.browser.run("return document.querySelector('.row.wrong')")
@@ -353,8 +365,15 @@ class Page:
         self.browser.wait("word that it has ended", "!$('gone').hidden")
 
     def check(self):
+        layout = "return ['stage', 'status', 'take', 'panel'].map(id => JSON.stringify($(id).getBoundingClientRect()))"
+        before = self.browser.run(layout)
+        self.check_actions()
+        assert self.browser.run(layout) == before, "nothing jumps"
+
+    def check_actions(self):
         self.check_drag()
         self.check_keys()
+        self.check_wheel_and_touch()
         self.check_pan_keeps_camera()
         self.check_slider()
         self.check_downloads()

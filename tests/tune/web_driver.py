@@ -107,8 +107,8 @@ class Browser:
             if value := self.run(f"return {condition}", *arguments):
                 return value
             time.sleep(0.03)
-        raise AssertionError(f"expected {what} within {seconds} s, found none; "
-                             f"the page says: {self.run('return document.getElementById(arguments[0]).innerText', 'status')}")
+        said = self.run("return document.getElementById('status').innerText")
+        raise AssertionError(f"expected {what} within {seconds} s, found none; the page says: {said}")
 
     def point(self, *actions):
         """Moves and presses a mouse: texts "down", "up" and positions (x, y) in the window."""
@@ -120,6 +120,21 @@ class Browser:
                 steps.append({"type": "pointerMove", "duration": 40, "x": int(action[0]), "y": int(action[1])})
         mouse = {"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": steps}
         self.call("POST", "actions", {"actions": [mouse]})
+
+    def wheel(self, x, y, delta):
+        step = {"type": "scroll", "x": int(x), "y": int(y), "deltaX": 0, "deltaY": delta, "duration": 0}
+        self.call("POST", "actions", {"actions": [{"type": "wheel", "id": "wheel", "actions": [step]}]})
+
+    def pinch(self, x, y, begin, end):
+        """Two fingers to the left and the right of a position, at first so far from it, then so far."""
+        fingers = []
+        for side in (-1, 1):
+            at = [{"type": "pointerMove", "duration": 40, "x": int(x + side * away), "y": int(y)}
+                  for away in (begin, end)]
+            fingers.append({"type": "pointer", "id": f"finger{side}", "parameters": {"pointerType": "touch"},
+                            "actions": [at[0], {"type": "pointerDown", "button": 0}, at[1],
+                                        {"type": "pointerUp", "button": 0}]})
+        self.call("POST", "actions", {"actions": fingers})
 
     def click(self, selector):
         self.point(self.run("""const element = document.querySelector(arguments[0]);
