@@ -1,5 +1,6 @@
 #include "tune/layers.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

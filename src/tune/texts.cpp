@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <initializer_list>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -119,11 +118,12 @@ std::string configFileText(const std::string& model, const Settings& settings) {
 
 std::string pythonString(std::string_view text) { return Json(io::validText(text)).dump(); }
 
-// "line_width=\"3\", size=\"64x64\"" of the settings of these groups.
-std::string keywords(const Settings& settings, std::initializer_list<std::string_view> groups) {
+// "line_width=\"3\", size=\"64x64\"" of the settings whose group fits.
+template <class Fits>
+std::string keywords(const Settings& settings, Fits fits) {
     std::string text;
     for (const SettingDescription* row : changed(settings)) {
-        if (std::ranges::find(groups, row->group) == groups.end()) continue;
+        if (!fits(row->group)) continue;
         std::string keyword{row->name};
         std::ranges::replace(keyword, '-', '_');
         text += fmt::format("{}{}={}", text.empty() ? "" : ", ", keyword, pythonString(row->get(settings)));
@@ -132,7 +132,11 @@ std::string keywords(const Settings& settings, std::initializer_list<std::string
 }
 
 std::string pythonText(const std::string& model, const Settings& settings) {
-    const std::string load = keywords(settings, {"model", "limits"});
+    const auto isCamera = [](std::string_view group) { return group == "camera"; };
+    const auto isLoad = [](std::string_view group) { return group == "model" || group == "limits"; };
+    const auto isBackend = [](std::string_view group) { return group == "backend"; };
+    const auto isDrawing = [&](auto group) { return !isCamera(group) && !isLoad(group) && !isBackend(group); };
+    const std::string load = keywords(settings, isLoad);
     return fmt::format(
         "import inkedge\n\n"
         "view = dict({})\n"
@@ -142,8 +146,8 @@ std::string pythonText(const std::string& model, const Settings& settings) {
         "with inkedge.Renderer({}) as renderer:\n"
         "    maps = renderer.render(scene, camera, **drawing)\n"
         "inkedge.write_png(\"{}\", maps[\"picture\"])\n",
-        keywords(settings, {"camera"}), keywords(settings, {"output", "picture", "lines", "style", "detector"}),
-        pythonString(modelText(model)), load.empty() ? "" : ", ", load, keywords(settings, {"backend"}), drawnFile);
+        keywords(settings, isCamera), keywords(settings, isDrawing), pythonString(modelText(model)),
+        load.empty() ? "" : ", ", load, keywords(settings, isBackend), drawnFile);
 }
 
 // By name, why the setting does nothing.
