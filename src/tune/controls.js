@@ -32,6 +32,23 @@ function textField(setting, id) {
   return {parts: [field], refresh: () => { field.value = values[setting.name] ?? ""; }};
 }
 
+// Three numbers: all of them, or none.
+function vectorControl(setting, id) {
+  const fields = ["x", "y", "z"].map(axis => make("input", {type: "text", placeholder: axis, spellcheck: false,
+    autocomplete: "off", title: setting.default, ariaLabel: `${setting.name} ${axis}`}));
+  fields[0].id = id;
+  const set = () => {
+    const numbers = fields.map(field => field.value.trim());
+    const given = numbers.filter(Boolean).length;
+    if (given === 0 || given === 3) put({[setting.name]: given ? numbers.join(",") : ""});
+  };
+  for (const field of fields) field.onchange = set;
+  return {parts: fields, refresh: () => {
+    const numbers = (values[setting.name] || ",,").split(",");
+    fields.forEach((field, i) => { field.value = numbers[i]; });
+  }};
+}
+
 function choiceControl(setting, id) {
   const box = make("select", {id, title: setting.range});
   if (!setting.choices.includes(setting.begin))
@@ -146,6 +163,6 @@ function pensControl(setting, id) {
 
 function controlOf(setting, id) {
   const kinds = {choice: choiceControl, list: listControl, color: colorControl, number: numberControl,
-    count: numberControl, length: numberControl, pens: pensControl};
+    count: numberControl, length: numberControl, pens: pensControl, vector: vectorControl};
   return (kinds[setting.kind] || textField)(setting, id);
 }

@@ -61,6 +61,7 @@ struct ConstraintJson {
     static std::string_view kindOf(std::string_view form) {
         if (form.starts_with("COLOR")) return "color";
         if (form.starts_with("TYPE:")) return "pens";
+        if (form == "X,Y,Z") return "vector";
         return form == "PX" ? "length" : "text";
     }
 };

@@ -201,9 +201,12 @@ class Page:
 
     def check_drag(self):
         before = self.shown()
+        self.browser.run("""window.drawn = [];
+            new MutationObserver(records => drawn.push(...records.map(record => record.oldValue)))
+                .observe(document.body, {attributes: true, attributeOldValue: true})""")
         x, y = self.middle()
         self.browser.point((x, y), "down", (x + 40, y - 10), (x + 80, y - 25))
-        self.browser.wait("a picture of half the size", "shown.half")
+        self.browser.wait("a picture of half the size", "shown.half || drawn.includes('half')")
         self.browser.point("up")
         self.settled()
         assert self.value("camera-azimuth-angle") == "-2" and self.value("camera-elevation-angle") == "10", \
@@ -329,6 +332,7 @@ class Page:
             rows[s.name].row.closest('details').querySelector('summary').firstChild.textContent])""")
         text = subprocess.run([self.command, "render", "--help"], capture_output=True, text=True, check=True).stdout
         assert len(shown) > 60 and all(group == heading and f"--{name}" in text for name, group, heading in shown)
+        layout = self.layout()
         self.browser.run("put({dpi: '50', shade: 'gooch'})")
         self.settled()
         assert self.browser.run("return document.querySelectorAll('.row.changed').length") == 4  # size, line-style
@@ -338,7 +342,14 @@ class Page:
         assert self.browser.run("return document.querySelectorAll('.row.changed').length") == 0
         self.browser.run("put({size: '320x240', 'line-width': '99'})")
         self.browser.wait("an error", "document.querySelector('.row.wrong[data-name=line-width]')")
-        self.browser.run("put({'line-width': ''})")
+        assert self.layout() == layout
+        self.browser.run("""put({'line-width': '', style: 'pencil', hidden: 'dashed', 'page-size': 'A4', only: 'bracket',
+            light: '10,20', shade: 'light', 'camera-view-up': '0,1,0.1', 'line-color': '#123456', background: '#fedcba',
+            'stroke-taper': '3', 'pencil-seed': '7', 'pencil-strokes': '3', tolerance: '0.2', contour: 'smooth'})""")
+        self.settled()
+        self.browser.wait("word of what is idle", "document.querySelector('.row.idle[data-name=page-size]')")
+        assert self.layout() == layout
+        self.browser.run("put(defaultsOf(Object.keys(values).filter(name => name !== 'size')))")
         self.settled()
         assert not self.browser.run("return document.querySelector('.row.wrong')")
 
@@ -365,23 +376,17 @@ class Page:
         self.browser.wait("word that it has ended", "!$('gone').hidden")
 
     def check(self):
-        layout = "return ['stage', 'status', 'take', 'panel'].map(id => JSON.stringify($(id).getBoundingClientRect()))"
-        before = self.browser.run(layout)
-        self.check_actions()
-        assert self.browser.run(layout) == before, "nothing jumps"
+        before = self.layout()
+        for check in (self.check_drag, self.check_keys, self.check_wheel_and_touch, self.check_pan_keeps_camera,
+                      self.check_slider, self.check_downloads, self.check_layers, self.check_hover,
+                      self.check_before_after, self.check_every_setting, self.check_two_tabs):
+            check()
+            assert self.layout() == before, check.__name__
 
-    def check_actions(self):
-        self.check_drag()
-        self.check_keys()
-        self.check_wheel_and_touch()
-        self.check_pan_keeps_camera()
-        self.check_slider()
-        self.check_downloads()
-        self.check_layers()
-        self.check_hover()
-        self.check_before_after()
-        self.check_every_setting()
-        self.check_two_tabs()
+    def layout(self):
+        """Where what stays there is."""
+        return self.browser.run("""return ['bar', 'layers', 'stage', 'status', 'take', 'text', 'panel']
+            .map(id => JSON.stringify($(id).getBoundingClientRect()))""")
 
 
 def read(name):
