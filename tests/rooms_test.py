@@ -34,6 +34,7 @@ LIBRARIES = {  # start of a header's name: what stands for it after LIBRARIES
     "libdeflate.h": "Deflate",
     "embree": "embree",
     "GL/glu.h": "GLU",
+    "httplib.h": "httplib",
     "meshoptimizer.h": "meshoptimizer",
     "nlohmann/": "nlohmann_json",
     "opensubdiv/": "OpenSubdiv",

@@ -95,6 +95,7 @@ int run(CLI::App& app, int argc, char** argv) {
     inkedge::cli::addBatch(app, action);
     inkedge::cli::addGallery(app, action);
     inkedge::cli::addSheet(app, action);
+    inkedge::cli::addTune(app, action);
     inkedge::cli::addCompare(app, action);
     inkedge::cli::addInspect(app, action);
     inkedge::cli::addDoctor(app, action);

@@ -14,6 +14,7 @@ void addRender(CLI::App&, Action&);
 void addBatch(CLI::App&, Action&);
 void addGallery(CLI::App&, Action&);
 void addSheet(CLI::App&, Action&);
+void addTune(CLI::App&, Action&);
 void addCompare(CLI::App&, Action&);
 void addInspect(CLI::App&, Action&);
 void addDoctor(CLI::App&, Action&);

@@ -239,7 +239,7 @@ TEST_F(BadInput, CommandLinesThatAreNone) {
         expectFailure(run(arguments), 2, HasSubstr(text));
     };
     expectRefusal({},
-                  "expected render, batch, gallery, sheet, compare, inspect, doctor, completion or manual, found "
+                  "expected render, batch, gallery, sheet, tune, compare, inspect, doctor, completion or manual, found "
                   "nothing; see inkedge --help");
     expectRefusal({"draw", "a.glb"}, "completion or manual, found 'draw'; see inkedge --help");
     expectRefusal({"render"}, "expected MODEL, found none" + usage);

@@ -45,7 +45,7 @@ struct Call {
 // What would only take long, or end this process: many views, child processes, an alarm.
 bool isFit(const std::string& argument) {
     const auto has = [&](const char* text) { return argument.find(text) != std::string::npos; };
-    if (argument == "doctor" || has("--time")) return false;
+    if (argument == "doctor" || argument == "tune" || has("--time")) return false;
     const std::size_t colon = argument.find(':');
     const bool many = has("turntable") || has("sphere");
     return !many || colon == std::string::npos || argument.size() - colon <= 3;

@@ -1,6 +1,7 @@
 # Installs a build into a folder of its own, builds the project beside this file and the README's examples against it
 # and runs them and the installed command.
-# cmake -DBUILD=... -DWORK=... -DMODEL=... -DREADME=... [-DCXX_COMPILER=... -DC_COMPILER=... -DCXX_FLAGS=...]
+# cmake -DBUILD=... -DWORK=... -DMODEL=... -DOTHER_MODEL=... -DREADME=... [-DCXX_COMPILER=... -DC_COMPILER=...
+#       -DCXX_FLAGS=...]
 #       -P test.cmake
 # With -DPYTHON=... -DPYTHON_FOLDER=... the installed Python module draws, too. With -DPREFIX=/usr instead of -DBUILD
 # what is installed there is used.
@@ -73,8 +74,7 @@ expect_start(${WORK}/drawn.svg ${xml})
 
 # Image tests as README has them, and one of a map: without references they fail, accepted ones hold, and another model
 # fails with a picture of what changed.
-get_filename_component(source ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
-file(READ ${source}/README.md readme)
+file(READ ${README} readme)
 if(NOT readme MATCHES "```cmake\n(find_package[^`]*inkedge_add_image_test[^`]*)```")
   message(FATAL_ERROR "expected an example of inkedge_add_image_test in README.md, found none")
 endif()
@@ -96,7 +96,7 @@ endfunction()
 expect_tests(8 "bracket_iso.png: expected a reference.*inkedge_accept_bracket_iso.*0% tests passed, 3 tests failed")
 run(${CMAKE_COMMAND} --build ${suite}/build --target inkedge_accept)
 expect_tests(0 "100% tests passed")
-file(COPY_FILE ${source}/assets/gear.glb ${suite}/bracket.glb)
+file(COPY_FILE ${OTHER_MODEL} ${suite}/bracket.glb)
 expect_tests(8 "vanished   .*bracket_lines.difference.svg.*0% tests passed, 3 tests failed")
 foreach(left IN ITEMS bracket_iso.png bracket_iso.difference.png bracket_lines.svg bracket_lines.difference.svg
                       bracket_depth.png bracket_depth.difference.png)
