@@ -1,8 +1,7 @@
 # Installs a build into a folder of its own, builds the project beside this file and the README's examples against it
 # and runs them and the installed command.
 # cmake -DBUILD=... -DWORK=... -DMODEL=... -DOTHER_MODEL=... -DREADME=... [-DCXX_COMPILER=... -DC_COMPILER=...
-#       -DCXX_FLAGS=...]
-#       -P test.cmake
+#       -DCXX_FLAGS=...] -P test.cmake
 # With -DPYTHON=... -DPYTHON_FOLDER=... the installed Python module draws, too. With -DPREFIX=/usr instead of -DBUILD
 # what is installed there is used.
 cmake_minimum_required(VERSION 3.24)

@@ -165,10 +165,13 @@ private:
         const auto number = static_cast<std::size_t>(index);
         const tinygltf::Mesh& source = model_.meshes[number];
         const bool isNew = seen_.insert(index).second;
-        base::within(base::label("mesh", number, source.name), [&] { checkElements(source); });
+        const auto label = [&](std::size_t i) {
+            return base::label("mesh", number, source.name) + ", " + base::label("primitive", i);
+        };
+        checkElements(source, label);
         Shape shape;
         for (std::size_t i = 0; i < source.primitives.size(); ++i) {
-            const std::string where = base::label("mesh", number, source.name) + ", " + base::label("primitive", i);
+            const std::string where = label(i);
             base::within(where, [&] {
                 const Mode mode{source.primitives[i].mode};
                 static_cast<void>(name(mode));  // refuses a mode that glTF has not
@@ -187,13 +190,16 @@ private:
     }
 
     // Refuses a mesh of more vertices and indices than may still be read, before any of them is.
-    void checkElements(const tinygltf::Mesh& source) const {
+    // @param label  of its primitives, by their index
+    template <class Label>
+    void checkElements(const tinygltf::Mesh& source, const Label& label) const {
         const auto countOf = [&](int accessor) {
             const auto number = static_cast<std::size_t>(accessor);
             return number < model_.accessors.size() ? std::uint64_t{model_.accessors[number].count} : 0;
         };
         std::uint64_t elements = 0;
-        for (const tinygltf::Primitive& primitive : source.primitives) {
+        for (std::size_t i = 0; i < source.primitives.size(); ++i) {
+            const tinygltf::Primitive& primitive = source.primitives[i];
             const Mode mode{primitive.mode};
             const auto position = primitive.attributes.find("POSITION");
             if ((!drawsTriangles(mode) && !drawsLines(mode)) || isIgnored(materialOf(file_, primitive)) ||
@@ -202,7 +208,7 @@ private:
             elements += countOf(position->second);
             if (mode == Mode::Triangles)
                 elements += countOf(primitive.indices != -1 ? primitive.indices : position->second) / 3 * 3;
-            if (elements > elementsLeft_) refuseElements();
+            if (elements > elementsLeft_) base::within(label(i), [&] { refuseElements(); });
         }
     }
 
