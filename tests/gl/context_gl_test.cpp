@@ -1,6 +1,11 @@
 #include "gl/context.h"
 
 #include <algorithm>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include <dlfcn.h>
 
 #include <gmock/gmock.h>
 
@@ -91,6 +96,26 @@ TEST(Backends, drawTheSamePictureAtOnceInOneProcess) {
         const auto differ = differing(a.edges, b.edges);
         EXPECT_LE(differ, 8U) << "a vertex may round to the other side of a pixel's centre";
     }
+}
+
+// llvmpipe rasterises for one context of a display at a time.
+TEST(Backends, spreadContextsOnTheOnlySoftwareDeviceOverTwoDisplays) {
+    void* const library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) GTEST_SKIP() << "no EGL here";
+    const auto displayOfCurrent = reinterpret_cast<void* (*)()>(dlsym(library, "eglGetCurrentDisplay"));
+    ASSERT_NE(displayOfCurrent, nullptr);
+    const auto all = listBackends();
+    const auto isDevice = [](const BackendInfo& each) { return each.platform.starts_with("device"); };
+    if (std::ranges::count_if(all, isDevice) != 1 || !std::ranges::find_if(all, isDevice)->software)
+        GTEST_SKIP() << "needs a software device alone";
+    std::map<void*, int> contextsOf;
+    std::vector<std::unique_ptr<Context>> contexts;
+    for (int i = 0; i < 4; ++i) {
+        contexts.push_back(createContext({Backend::Egl, {}}));
+        const Current current{*contexts.back()};
+        ++contextsOf[displayOfCurrent()];
+    }
+    EXPECT_EQ(contextsOf.size(), 2U);
 }
 
 TEST(Backends, areReportedInTheOrderInWhichAutoTriesThem) {
