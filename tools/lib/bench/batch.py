@@ -1,12 +1,13 @@
 """Many small models: inkedge batch against a shell loop of inkedge render."""
 
+import importlib.util
 import json
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 
-from lib.bench.processes import CORES, fail, take_turns
+from lib.bench.processes import CORES, fail, say, take_turns
 from lib.bench.table import Row, mb, ms
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -55,6 +56,18 @@ def loop(bench, models):
     return sample
 
 
+def pool(bench, models):
+    """Depth, ids and edges of the same models by worker processes of moderngl and OpenCV."""
+    out = bench.folder / "pool"
+    script = Path(__file__).with_name("peers") / "moderngl_edges.py"
+    sample = bench.measure([sys.executable, script, "--pool", models, out, "512", VIEWS, CORES])
+    pictures = len(list(out.glob("*/*.png")))
+    if sample.status != 0 or pictures < 2 * VIEWS * len(list(models.iterdir())):
+        fail(f"moderngl's pool: expected pictures, found {pictures}: {sample.errors.strip()[-200:]}")
+    shutil.rmtree(out)
+    return sample
+
+
 def batch_rows(bench, count):
     models = corpus(bench, count)
     part = bench.folder / "part"  # of what the loop is given, too
@@ -62,17 +75,28 @@ def batch_rows(bench, count):
     for model in sorted(models.iterdir())[:: max(1, count // 100)]:
         shutil.copyfile(model, part / model.name)
     few = len(list(part.iterdir()))
-    took = take_turns({"batch": lambda: batch(bench, part)[0], "loop": lambda: loop(bench, part)}, 3)
+    rivals = {"batch": lambda: batch(bench, part)[0], "loop": lambda: loop(bench, part)}
+    if all(importlib.util.find_spec(module) for module in ("moderngl", "cv2")):
+        rivals["pool"] = lambda: pool(bench, part)
+    else:
+        say("no moderngl or OpenCV for Python here: batch is not held against a pool of them")
+    took = take_turns(rivals, 3)
     one = take_turns({"one": lambda: batch(bench, part, "--jobs", "1")[0]}, 1)["one"]
     sample, results = batch(bench, models)
     drawn = sum(result["state"] == "drawn" for result in results)
     each = one.cpu / few
     text = f"{count} models x {VIEWS} views x (picture, depth, ids), 512x512"
     rate = count / sample.wall
+    against = [
+        Row(f"  against {what}", f"{few / took['batch'].wall:.1f} models/s", f"{few / took[name].wall:.1f} models/s",
+            took[name].wall / took["batch"].wall, target).judge()
+        for name, what, target in (("loop", "a shell loop of render", ">= 5"),
+                                   ("pool", "worker processes of moderngl and OpenCV", ">= 4"))
+        if name in took
+    ]  # fmt: skip
     return [
         Row(text, f"{rate:.1f} models/s", f"{CORES} cores, CPU time of one {ms(each * 1e3)}", rate * each / CORES,
             ">= 0.95", details={"wall_s": sample.wall, "drawn": drawn}).judge(),
-        Row("  against a shell loop of render", f"{few / took['batch'].wall:.1f} models/s",
-            f"{few / took['loop'].wall:.1f} models/s", took["loop"].wall / took["batch"].wall, ">= 5").judge(),
+        *against,
         Row("  peak memory of a process", mb(sample.peak), "400 MB", sample.peak / 400e6, "<= 1").judge(),
     ]  # fmt: skip

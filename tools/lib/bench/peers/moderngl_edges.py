@@ -1,9 +1,12 @@
 """Draws edges of depth and normals, as scripts do: moderngl for the geometry, OpenCV for Sobel's kernels.
 
 MODEL.glb PICTURE.png SIDE: a model as make_mesh writes it.
+--pool FOLDER OUT SIDE VIEWS JOBS: all models of a folder, by so many processes, with depth and ids.
 """
 
 import json
+import multiprocessing
+import os
 import struct
 import sys
 
@@ -57,33 +60,79 @@ def perspective(degrees, near, far):
                      [0, 0, (far + near) / (near - far), 2 * far * near / (near - far)], [0, 0, -1, 0]])
 
 
+class Drawing:
+    """Pictures of one size, with a context that is kept."""
+
+    def __init__(self, side):
+        self.side = side
+        self.context = moderngl.create_context(standalone=True, backend="egl")
+        self.program = self.context.program(vertex_shader=VERTEX, fragment_shader=FRAGMENT)
+        self.target = self.context.framebuffer([self.context.texture((side, side), 4, dtype="f4")],
+                                               self.context.depth_renderbuffer((side, side)))
+        self.context.enable(moderngl.DEPTH_TEST)
+
+    def surfaces(self, model, azimuths):
+        """For each azimuth, in radians: normals and depths as side x side x 4 floats, 0 where there is nothing; and the
+        model's radius."""
+        positions, indices = read(model)
+        low, high = positions.min(0), positions.max(0)
+        centre, radius = (low + high) / 2, np.linalg.norm(high - low) / 2
+        away = 3.0 * radius
+        mesh = self.context.vertex_array(self.program, [(self.context.buffer(positions.tobytes()), "3f", "position")],
+                                         self.context.buffer(indices.tobytes()))
+        projection = perspective(42.0, away - 1.5 * radius, away + 1.5 * radius)
+        self.program["projection"].write(projection.T.astype("f4").tobytes())
+        self.target.use()
+        for azimuth in azimuths:
+            eye = centre + away * np.array([np.sin(azimuth) * 0.94, 0.34, np.cos(azimuth) * 0.94])
+            self.program["modelView"].write(look_at(eye, centre).T.astype("f4").tobytes())
+            self.target.clear(0.0, 0.0, 0.0, 0.0)
+            mesh.render()
+            values = np.frombuffer(self.target.read(components=4, dtype="f4"), "f4")
+            yield values.reshape(self.side, self.side, 4)[::-1], radius
+
+    def write(self, surface, radius, picture):
+        magnitude = np.zeros((self.side, self.side), "f4")
+        for channel, step in ((0, 1.6), (1, 1.6), (2, 1.6), (3, 0.1 * radius)):
+            values = np.ascontiguousarray(surface[:, :, channel])
+            along, across = cv2.Sobel(values, cv2.CV_32F, 1, 0), cv2.Sobel(values, cv2.CV_32F, 0, 1)
+            magnitude = np.maximum(magnitude, cv2.magnitude(along, across) / step)
+        cv2.imwrite(picture, np.where(magnitude > 1.0, 0, 255).astype("u1"))
+
+
+def draw_views(task):
+    """A picture, its depth and its ids for each view, as `inkedge batch --maps depth,ids`, with one kind of ids."""
+    model, out, views = task
+    os.makedirs(out, exist_ok=True)
+    try:
+        azimuths = 2 * np.pi * np.arange(views) / views
+        for i, (surface, radius) in enumerate(pooled.surfaces(model, azimuths)):
+            pooled.write(surface, radius, f"{out}/{i}.png")
+            depth = np.clip(surface[:, :, 3] / (6.0 * radius) * 65535, 0, 65535).astype("u2")
+            cv2.imwrite(f"{out}/{i}.depth.png", depth)
+            cv2.imwrite(f"{out}/{i}.ids.png", (surface[:, :, 3] > 0).astype("u2"))
+    except Exception as error:  # of a model that nobody can read: the others go on
+        print(f"{model}: {error}", file=sys.stderr)
+
+
+def start(side):
+    global pooled
+    pooled = Drawing(side)
+
+
 def main():
+    if sys.argv[1] == "--pool":
+        models, out, side, views, jobs = *sys.argv[2:4], *map(int, sys.argv[4:7])
+        tasks = [(f"{models}/{name}", f"{out}/{name}", views) for name in sorted(os.listdir(models))]
+        with multiprocessing.get_context("spawn").Pool(jobs, start, (side,)) as pool:
+            for _ in pool.imap_unordered(draw_views, tasks):
+                pass
+        return
     model, picture, side = sys.argv[1], sys.argv[2], int(sys.argv[3])
-    positions, indices = read(model)
-    low, high = positions.min(0), positions.max(0)
-    centre, radius = (low + high) / 2, np.linalg.norm(high - low) / 2
-
-    context = moderngl.create_context(standalone=True, backend="egl")
-    program = context.program(vertex_shader=VERTEX, fragment_shader=FRAGMENT)
-    away = 3.0 * radius
-    eye = centre + away * np.array([np.sin(0.5) * 0.94, 0.34, np.cos(0.5) * 0.94])
-    program["modelView"].write(look_at(eye, centre).T.astype("f4").tobytes())
-    program["projection"].write(perspective(42.0, away - 1.5 * radius, away + 1.5 * radius).T.astype("f4").tobytes())
-    target = context.framebuffer([context.texture((side, side), 4, dtype="f4")], context.depth_renderbuffer((side, side)))
-    target.use()
-    target.clear(0.0, 0.0, 0.0, 0.0)
-    context.enable(moderngl.DEPTH_TEST)
-    mesh = context.vertex_array(program, [(context.buffer(positions.tobytes()), "3f", "position")],
-                                context.buffer(indices.tobytes()))
-    mesh.render()
-    surface = np.frombuffer(target.read(components=4, dtype="f4"), "f4").reshape(side, side, 4)[::-1]
-
-    magnitude = np.zeros((side, side), "f4")
-    for channel, step in ((0, 1.6), (1, 1.6), (2, 1.6), (3, 0.1 * radius)):
-        values = np.ascontiguousarray(surface[:, :, channel])
-        along, across = cv2.Sobel(values, cv2.CV_32F, 1, 0), cv2.Sobel(values, cv2.CV_32F, 0, 1)
-        magnitude = np.maximum(magnitude, cv2.magnitude(along, across) / step)
-    cv2.imwrite(picture, np.where(magnitude > 1.0, 0, 255).astype("u1"))
+    drawing = Drawing(side)
+    for surface, radius in drawing.surfaces(model, [0.5]):
+        drawing.write(surface, radius, picture)
 
 
-main()
+if __name__ == "__main__":
+    main()
