@@ -23,9 +23,7 @@ std::pair<double, double> lengthsNear(const diff::SampledLines& lines, const dif
     double near = 0.0;
     for (const diff::Sample& sample : lines.samples) {
         all += sample.length;
-        bool isNear = false;
-        others.visitNear(sample.at, [&](const diff::Nearest&) { isNear = true; });
-        if (isNear) near += sample.length;
+        if (others.hasNear(sample.at)) near += sample.length;
     }
     return {all, near};
 }

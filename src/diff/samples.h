@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -69,6 +70,13 @@ public:
             const Nearest nearest = nearestOn(segments_[i], i, point);
             if (nearest.squaredDistance <= reach_ * reach_) visit(nearest);
         }
+    }
+
+    /// Whether a segment is within reach of a point of the picture.
+    [[nodiscard]] bool hasNear(glm::dvec2 point) const {
+        return std::ranges::any_of(cells_[indexOf(cellOf(point))], [&](std::uint32_t i) {
+            return nearestOn(segments_[i], i, point).squaredDistance <= reach_ * reach_;
+        });
     }
 
 private:
