@@ -9,7 +9,6 @@
 #include <glm/trigonometric.hpp>
 
 #include <inkedge/camera.h>
-#include <inkedge/error.h>
 
 #include "base/message.h"
 

@@ -8,7 +8,6 @@
 #include <glm/trigonometric.hpp>
 
 #include <inkedge/camera.h>
-#include <inkedge/error.h>
 #include <inkedge/setting_table.h>
 
 #include "base/message.h"

@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include <inkedge/error.h>
 #include <inkedge/setting_table.h>
 #include <inkedge/views.h>
 

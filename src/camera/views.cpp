@@ -17,7 +17,6 @@
 #include <glm/trigonometric.hpp>
 #include <nlohmann/json.hpp>
 
-#include <inkedge/error.h>
 #include <inkedge/setting_table.h>
 
 #include "base/message.h"

@@ -1,7 +1,7 @@
 // Large pages under large arrays that lie beyond the heap of process/large_pages.h, as those of millions of triangles
 // do: these are read at random, and with pages of 4 KiB the processor would look up most accesses' pages anew. The
-// kernel's usual setting is to give them to who asks (madvise(2)). A library does not replace its caller's operator new,
-// so that this is the command's alone.
+// kernel's usual setting is to give them to who asks (madvise(2)). A library does not replace its caller's operator
+// new, so that this is the command's alone.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -9,8 +9,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include <inkedge/error.h>
-
 #include "base/message.h"
 #include "mesh/number_array.h"
 

@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <inkedge/error.h>
-
 #include "base/message.h"
 
 namespace inkedge::mesh {

@@ -9,7 +9,6 @@
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 
-#include <inkedge/error.h>
 #include <inkedge/setting_table.h>
 
 #include "base/message.h"

@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <inkedge/error.h>
-
 #include "base/message.h"
 #include "mesh/number_array.h"
 
