@@ -16,6 +16,7 @@
 #include "formats/cad/program_side.h"
 #include "formats/cad/request.h"
 #include "formats/text.h"
+#include "process/large_pages.h"
 
 namespace inkedge::cad {
 namespace {
@@ -117,5 +118,6 @@ std::string run(const Request& request) {
 }  // namespace inkedge::cad
 
 int main(int count, char** arguments) {
+    inkedge::process::useLargePages();
     inkedge::cad::runProgram([&] { return inkedge::cad::run(inkedge::cad::Request::of(count, arguments)); });
 }
