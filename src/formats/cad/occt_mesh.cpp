@@ -10,6 +10,8 @@
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <IMeshData_Face.hxx>
+#include <IMeshTools_MeshAlgo.hxx>
 #include <IMeshTools_Parameters.hxx>
 #include <Poly_Triangulation.hxx>
 #include <Precision.hxx>
@@ -42,17 +44,34 @@ namespace {
 // bend as those of a crease do.
 constexpr double angularDeflection = 0.45;
 
-// The Delabella algorithm is quicker, by far where a plane has many holes; but on curved faces it makes other triangles.
+// The usual algorithm, but for planes with very many holes Delabella's, which is far quicker there. Over some planes
+// without holes that crashes; on curved faces it makes other triangles.
+constexpr int veryMany = 64;
+class PlaneAlgorithm final : public IMeshTools_MeshAlgo {
+public:
+    explicit PlaneAlgorithm(const IMeshTools_Parameters& parameters)
+        : usual_{BRepMesh_MeshAlgoFactory{}.GetAlgo(GeomAbs_Plane, parameters)},
+          ofManyHoles_{BRepMesh_DelabellaMeshAlgoFactory{}.GetAlgo(GeomAbs_Plane, parameters)} {}
+
+    void Perform(const IMeshData::IFaceHandle& face, const IMeshTools_Parameters& parameters,
+                 const Message_ProgressRange& range) override {
+        (face->WiresNb() > veryMany ? ofManyHoles_ : usual_)->Perform(face, parameters, range);
+    }
+
+private:
+    Handle(IMeshTools_MeshAlgo) usual_;
+    Handle(IMeshTools_MeshAlgo) ofManyHoles_;
+};
+
 class MeshAlgorithms final : public IMeshTools_MeshAlgoFactory {
 public:
     [[nodiscard]] Handle(IMeshTools_MeshAlgo)
         GetAlgo(GeomAbs_SurfaceType surface, const IMeshTools_Parameters& parameters) const override {
-        return surface == GeomAbs_Plane ? ofPlanes_->GetAlgo(surface, parameters)
-                                        : ofOthers_->GetAlgo(surface, parameters);
+        if (surface == GeomAbs_Plane) return new PlaneAlgorithm{parameters};
+        return ofOthers_->GetAlgo(surface, parameters);
     }
 
 private:
-    Handle(IMeshTools_MeshAlgoFactory) ofPlanes_ = new BRepMesh_DelabellaMeshAlgoFactory;
     Handle(IMeshTools_MeshAlgoFactory) ofOthers_ = new BRepMesh_MeshAlgoFactory;
 };
 

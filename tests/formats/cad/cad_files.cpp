@@ -56,6 +56,7 @@
 #include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -177,6 +178,24 @@ TopoDS_Shape manyHoles() {
     return face.Face();
 }
 
+// Of a square of 19 about (x, 0), its corner rounded by 0.4, what lies outside a circle about the same point.
+TopoDS_Shape corner() {
+    constexpr double x = 0.154275;
+    constexpr double half = 9.5;
+    constexpr double rounding = 0.4;
+    constexpr double radius = 9.51;
+    const double cut = std::sqrt(radius * radius - half * half);
+    const auto circle = [](double cx, double cy, double r) { return gp_Circ{gp_Ax2{{cx, cy, 0.0}, gp::DZ()}, r}; };
+    const std::array<gp_Pnt, 4> points{gp_Pnt{x - cut, half, 0.0}, gp_Pnt{x - half, cut, 0.0},
+                                       gp_Pnt{x - half, half - rounding, 0.0}, gp_Pnt{x - half + rounding, half, 0.0}};
+    BRepBuilderAPI_MakeWire wire;
+    wire.Add(BRepBuilderAPI_MakeEdge{circle(x, 0.0, radius), points[0], points[1]});
+    wire.Add(BRepBuilderAPI_MakeEdge{points[1], points[2]});
+    wire.Add(BRepBuilderAPI_MakeEdge{circle(x - half + rounding, half - rounding, rounding), points[3], points[2]});
+    wire.Add(BRepBuilderAPI_MakeEdge{points[3], points[0]});
+    return BRepBuilderAPI_MakeFace{gp_Pln{}, wire.Wire()}.Face();
+}
+
 TopoDS_Shape make(Shape shape) {
     Message::DefaultMessenger()->ChangePrinters().Clear();
     switch (shape) {
@@ -222,6 +241,8 @@ TopoDS_Shape make(Shape shape) {
             return crossing();
         case Shape::ManyHoles:
             return manyHoles();
+        case Shape::Corner:
+            return corner();
     }
     return {};
 }

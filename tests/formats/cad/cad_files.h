@@ -26,6 +26,7 @@ enum class Shape {
     Crossing,       ///< two solids: the box, and a cylinder of radius 4 about (x, 10, 15) for x of -10 to 20
     Moved,          ///< a cylinder of radius 5 and height 12 about the x axis from (100, 0, 0) on
     ManyHoles,      ///< a face of 100 x 100 at z = 0 with 64 square holes of 4, and two of radius 8 that cross
+    Corner,         ///< of a square of 19, rounded, what lies outside a circle of 9.51 about its middle
     Mirrored,       ///< the box with faces turned over, at (-10, 0, 0) to (0, 20, 30)
     CurvesAndPoint  ///< the box with two curves and a point beside it
 };
