@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <string_view>
 #include <unordered_map>
@@ -91,27 +92,66 @@ void appendChunk(Bytes& file, std::string_view type, std::span<const std::uint8_
     appendNumber(file, base::crc32(std::span{file}.subspan(begin)));
 }
 
-/// The rows as differences from the rows above (9.2, filter type Up), samples of 16 bits with the more significant byte
-/// first. In pictures of lines and maps of few values rows repeat each other.
+/// A sample as PNG has it: of 16 bits with the more significant byte first (7.1), less the one to its left (9.2, filter
+/// type Sub) byte by byte.
+std::uint8_t filtered(std::uint8_t sample, std::uint8_t left) { return static_cast<std::uint8_t>(sample - left); }
+std::uint16_t filtered(std::uint16_t sample, std::uint16_t left) {
+    const auto high = static_cast<std::uint16_t>((sample & 0xFF00) - (left & 0xFF00));
+    const auto low = static_cast<std::uint16_t>((sample - left) & 0xFF);
+    if constexpr (std::endian::native == std::endian::big) return static_cast<std::uint16_t>(high | low);
+    return static_cast<std::uint16_t>(high >> 8 | low << 8);
+}
+
+/// Filters rows one after the other.
 template <class Sample>
-Bytes filteredRows(const Image<Sample>& image) {
-    constexpr std::uint8_t up = 2;
-    const std::size_t samples = static_cast<std::size_t>(image.size().width) * image.channels();
-    Bytes filtered(static_cast<std::size_t>(image.size().height) * (samples * sizeof(Sample) + 1));
-    const std::vector<Sample> zeros(samples);
-    const Sample* above = zeros.data();
-    std::uint8_t* to = filtered.data();
-    for (int y = 0; y < image.size().height; ++y) {
-        const Sample* const row = &image.at(0, y);
-        *to++ = up;
-        for (std::size_t i = 0; i < samples; ++i) {
-            if constexpr (sizeof(Sample) == 2) to[2 * i] = static_cast<std::uint8_t>((row[i] >> 8) - (above[i] >> 8));
-            to[sizeof(Sample) * (i + 1) - 1] = static_cast<std::uint8_t>(row[i] - above[i]);
-        }
-        to += sizeof(Sample) * samples;
-        above = row;
+class RowFilter {
+public:
+    RowFilter(std::size_t samples, std::size_t channels) : samples_{samples}, channels_{channels}, row_(samples) {}
+
+    [[nodiscard]] std::size_t bytes() const noexcept { return 1 + samples_ * sizeof(Sample); }
+
+    /// Writes the filter's type and the row. One of long runs, as of lines and of maps of few values, stands as it is;
+    /// another as differences, which are small, and repeat each other where a surface is flat.
+    void write(const Sample* row, std::uint8_t* to) {
+        constexpr std::uint8_t none = 0;
+        constexpr std::uint8_t sub = 1;
+        constexpr std::size_t shortRun = 16;
+        std::size_t changes = 0;
+        for (std::size_t i = channels_; i < samples_; ++i) changes += row[i] != row[i - channels_] ? 1 : 0;
+        const bool runs = shortRun * changes <= samples_;
+        const std::size_t plain = runs ? samples_ : channels_;
+        for (std::size_t i = 0; i < plain; ++i) row_[i] = filtered(row[i], Sample{0});
+        for (std::size_t i = plain; i < samples_; ++i) row_[i] = filtered(row[i], row[i - channels_]);
+        *to = runs ? none : sub;
+        std::memcpy(to + 1, row_.data(), samples_ * sizeof(Sample));
     }
-    return filtered;
+
+private:
+    std::size_t samples_;
+    std::size_t channels_;
+    std::vector<Sample> row_;
+};
+
+/// The image's data (10.1): its filtered rows, compressed.
+template <class Sample>
+Bytes compressedRows(const Image<Sample>& image) {
+    constexpr std::size_t usualBlock = 64 << 10;  // stays in the cache between filter and compressor
+    const auto channels = static_cast<std::size_t>(image.channels());
+    const auto samples = static_cast<std::size_t>(image.size().width) * channels;
+    RowFilter<Sample> filter{samples, channels};
+    const std::size_t bytes = filter.bytes();
+    const auto height = static_cast<std::size_t>(image.size().height);
+    Bytes block(bytes * std::clamp<std::size_t>(usualBlock / bytes, 1, height));
+    base::Deflater deflater{base::DeflateWrapper::Zlib};
+    std::size_t filled = 0;
+    for (std::size_t y = 0; y < height; ++y) {
+        filter.write(&image.pixels()[y * samples], &block[filled]);
+        filled += bytes;
+        if (filled < block.size() && y + 1 < height) continue;
+        deflater.add(std::span{block}.first(filled));
+        filled = 0;
+    }
+    return deflater.finish();
 }
 
 template <class Sample>
@@ -150,7 +190,7 @@ Bytes encoded(const Image<Sample>& image, const Palette* palette, std::optional<
         density.push_back(perMetre);
         appendChunk(file, "pHYs", density);
     }
-    const Bytes compressed = base::deflated(filteredRows(image), base::DeflateWrapper::Zlib);
+    const Bytes compressed = compressedRows(image);
     for (std::size_t at = 0; at < compressed.size(); at += maxNumber) {
         const std::size_t size = std::min<std::size_t>(compressed.size() - at, maxNumber);
         appendChunk(file, "IDAT", std::span{compressed}.subspan(at, size));

@@ -15,22 +15,27 @@ namespace {
 
 constexpr std::uint16_t max16 = std::numeric_limits<std::uint16_t>::max();
 
+/// Rounds a level from 0 to a largest one; NaN counts as 0.
+int rounded(double level, double largest) {
+    const double above = level > 0.0 ? level : 0.0;
+    return static_cast<int>((above < largest ? above : largest) + 0.5);
+}
+
 /// NaN counts as near.
 Image<std::uint16_t> depthPicture(const Image<float>& depth, const Camera& camera) {
     const double perUnit = 1.0 / depthScale(camera);
     Image<std::uint16_t> picture{depth.size(), 1};
-    std::ranges::transform(depth.pixels(), picture.mutablePixels().begin(), [&](float value) {
-        const double level = (value - camera.near) * perUnit;
-        return static_cast<std::uint16_t>(level > 0.0 ? std::min(level, double{max16}) + 0.5 : 0.0);
-    });
+    std::ranges::transform(
+        depth.pixels(), picture.mutablePixels().begin(), [perUnit, near = camera.near](float value) {
+            return static_cast<std::uint16_t>(rounded((value - near) * perUnit, max16));
+        });
     return picture;
 }
 
 Image<std::uint8_t> normalPicture(const Image<float>& normal) {
     Image<std::uint8_t> picture{normal.size(), normal.channels()};
     std::ranges::transform(normal.pixels(), picture.mutablePixels().begin(), [](float value) {
-        const double share = (value + 1.0) / 2.0;
-        return static_cast<std::uint8_t>(share > 0.0 ? 255.0 * std::min(share, 1.0) + 0.5 : 0.0);
+        return static_cast<std::uint8_t>(rounded(255.0 * ((value + 1.0) / 2.0), 255.0));
     });
     return picture;
 }
@@ -42,21 +47,26 @@ Image<std::uint8_t> edgePicture(const Image<std::uint8_t>& mask) {
     return picture;
 }
 
-/// One channel of the ids, which all have at most 16 bits.
-Image<std::uint16_t> idPicture(const Image<std::uint32_t>& ids, int channel) {
+/// One channel of the ids.
+/// @throws Error  as expectIdsUpTo()
+Image<std::uint16_t> idPicture(const Image<std::uint32_t>& ids, const MapLayer& layer,
+                               const std::filesystem::path& target) {
+    constexpr std::size_t channels = idNames.size();
     Image<std::uint16_t> picture{ids.size(), 1};
-    const std::uint32_t* id = ids.pixels().data() + channel;
-    for (std::uint16_t& value : picture.mutablePixels()) {
-        value = static_cast<std::uint16_t>(*id);
-        id += ids.channels();
+    const std::span<std::uint16_t> values = picture.mutablePixels();
+    const std::uint32_t* const id = ids.pixels().data() + layer.values.first;
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        bits |= id[channels * i];
+        values[i] = static_cast<std::uint16_t>(id[channels * i]);
     }
+    if (bits > max16) expectIdsUpTo(max16, "which the 16 bits of a PNG hold", layer, target);
     return picture;
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> pngOf(const Maps& maps, const MapLayer& layer, const std::filesystem::path& target) {
-    expectIdsUpTo(max16, "which the 16 bits of a PNG hold", layer, target);
     switch (layer.map) {
         case Map::Depth:
             return encodePng(depthPicture(maps.depth, maps.camera), maps.dpi);
@@ -65,7 +75,7 @@ std::vector<std::uint8_t> pngOf(const Maps& maps, const MapLayer& layer, const s
         case Map::Types:
             return encodePng(maps.types, maps.dpi);
         case Map::Ids:
-            return encodePng(idPicture(maps.ids, layer.values.first), maps.dpi);
+            return encodePng(idPicture(maps.ids, layer, target), maps.dpi);
         case Map::Shade:
             return encodePng(maps.shade, maps.dpi);
         case Map::DepthEdges:

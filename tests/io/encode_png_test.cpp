@@ -94,6 +94,15 @@ std::vector<std::uint16_t> decodeGrey16(const std::vector<std::uint8_t>& bytes) 
     return values;
 }
 
+// Rows of runs are written as they are, others as differences, and both in blocks.
+TEST(EncodePng, keepsRunsAndSlopes) {
+    Image<std::uint16_t> map{{400, 300}, 1};
+    for (int y = 0; y < 300; ++y)
+        for (int x = 0; x < 400; ++x)
+            map.at(x, y) = static_cast<std::uint16_t>(y % 3 == 0 ? 1000 * (x / 100) : 65535 - 150 * x - 7 * y);
+    EXPECT_EQ(decodeGrey16(encodePng(map)), map.pixels());
+}
+
 TEST(EncodePng, keepsEveryBitOfATypesMap) {
     Image<std::uint16_t> types{{6, 1}, 1, {0, 1, 255, 256, 0x8001, 0xFFFF}};
     const std::vector<std::uint8_t> bytes = encodePng(types);

@@ -1,10 +1,10 @@
-# Deflate::deflate, found by hand: Debian 12's package brings no files for CMake.
-find_path(DEFLATE_INCLUDE_DIR libdeflate.h)
-find_library(DEFLATE_LIBRARY deflate)
-mark_as_advanced(DEFLATE_INCLUDE_DIR DEFLATE_LIBRARY)
-if(NOT DEFLATE_INCLUDE_DIR OR NOT DEFLATE_LIBRARY)
-  message(FATAL_ERROR "expected libdeflate, found none; install libdeflate-dev")
+# Isal::isal (ISA-L), found by hand: Debian's package brings no files for CMake.
+find_path(ISAL_INCLUDE_DIR isa-l/igzip_lib.h)
+find_library(ISAL_LIBRARY isal)
+mark_as_advanced(ISAL_INCLUDE_DIR ISAL_LIBRARY)
+if(NOT ISAL_INCLUDE_DIR OR NOT ISAL_LIBRARY)
+  message(FATAL_ERROR "expected ISA-L, found none; install libisal-dev")
 endif()
-add_library(Deflate::deflate SHARED IMPORTED)
-set_target_properties(Deflate::deflate PROPERTIES
-  IMPORTED_LOCATION "${DEFLATE_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${DEFLATE_INCLUDE_DIR}")
+add_library(Isal::isal SHARED IMPORTED)
+set_target_properties(Isal::isal PROPERTIES
+  IMPORTED_LOCATION "${ISAL_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${ISAL_INCLUDE_DIR}")

@@ -5,6 +5,7 @@ import json
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 from lib.bench.processes import CORES, fail, say, take_turns
@@ -32,39 +33,41 @@ def corpus(bench, count):
     return folder
 
 
+def fresh(bench):
+    """A folder for what one run writes. It stays until all runs are over: just after files were removed ext4 takes
+    several times as long to make others, and the next run would pay for it."""
+    return Path(tempfile.mkdtemp(dir=bench.folder))
+
+
 def batch(bench, models, *more):
-    """A batch, whose output is then removed; some of its models are hostile: it ends with 1."""
-    out = bench.folder / "batch"
+    """A batch; some of its models are hostile: it ends with 1."""
+    out = fresh(bench)
     sample = bench.measure([bench.programs / "inkedge", "batch", models, "-o", out, *FLAGS, "--json", *more])
     if sample.status not in (0, 1):
         fail(f"inkedge batch: expected success, found exit status {sample.status}: {sample.errors.strip()}")
     results = [json.loads(line) for line in (out / "results.jsonl").read_text().splitlines()]
-    shutil.rmtree(out)
     return sample, results
 
 
 def loop(bench, models):
     """The same by a shell loop of render, as many at a time as there are cores."""
-    out = bench.folder / "loop"
+    out = fresh(bench)
     script = (
         f'ls {models} | xargs -P {CORES} -I NAME sh -c \'mkdir -p "{out}/NAME" && '
         f'"{bench.programs}/inkedge" render "{models}/NAME" -o "{out}/NAME/{{view}}.{{map}}.png" '
         f'--metadata "{out}/NAME/{{view}}.json" {" ".join(FLAGS)} 2>/dev/null || true\''
     )
-    sample = bench.measure(["sh", "-c", script])
-    shutil.rmtree(out)
-    return sample
+    return bench.measure(["sh", "-c", script])
 
 
 def pool(bench, models):
     """Depth, ids and edges of the same models by worker processes of moderngl and OpenCV."""
-    out = bench.folder / "pool"
+    out = fresh(bench)
     script = Path(__file__).with_name("peers") / "moderngl_edges.py"
     sample = bench.measure([sys.executable, script, "--pool", models, out, "512", VIEWS, CORES])
     pictures = len(list(out.glob("*/*.png")))
     if sample.status != 0 or pictures < 2 * VIEWS * len(list(models.iterdir())):
         fail(f"moderngl's pool: expected pictures, found {pictures}: {sample.errors.strip()[-200:]}")
-    shutil.rmtree(out)
     return sample
 
 
