@@ -111,12 +111,11 @@ private:
         clock_.finish("lines");
         const Traceable& onPlanes = later.get();
         clock_.finish("thin parts");
-        const std::vector<raster::Rectangle> regions =
-            ids == trace::TraceIds::Keep ? std::vector<raster::Rectangle>{{0, 0, lines.marks.size()}}
-                                         : passes::regionsAround(trace::withThinParts(lines.marks, onPlanes.thinParts,
-                                                                                      lines.tile, samplesPerPixel));
+        const std::vector<raster::Rectangle> regions = passes::regionsAround(
+            trace::withThinParts(lines.marks, onPlanes.thinParts, lines.tile, samplesPerPixel));
+        const std::vector<raster::Rectangle> whole{{0, 0, lines.marks.size()}};
         lines.planes = gl::readFloats(api, buffers.planes, 4, regions);
-        lines.triangles = gl::readIntegers(api, buffers.triangles, regions);
+        lines.triangles = gl::readIntegers(api, buffers.triangles, ids == trace::TraceIds::Keep ? whole : regions);
         clock_.finish("read-back");
         trace::TracedLines traced =
             trace::traceLines(std::move(lines), frame.scene, onPlanes.triangles, onPlanes.thinParts, frame.camera,
