@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <fstream>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -112,7 +114,7 @@ pid_t start(const std::filesystem::path& program, const std::vector<std::string>
 ChildProgram::ChildProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                            std::span<const std::uint8_t> bytes, std::chrono::duration<double> limit,
                            std::function<void()> waiting)
-    : start_{std::chrono::steady_clock::now()}, limit_{limit}, waiting_{std::move(waiting)} {
+    : limit_{limit}, waiting_{std::move(waiting)} {
     const Descriptor file{::memfd_create("inkedge", MFD_CLOEXEC)};
     writeAll(file.number(), bytes);
     ::lseek(file.number(), 0, SEEK_SET);
@@ -133,24 +135,32 @@ ChildProgram::~ChildProgram() {
 }
 
 std::chrono::duration<double> ChildProgram::used() const {
-    constexpr double shareOfClock = 0.125;
-    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - start_;
-    const std::chrono::duration<double> processor = [&] {
-        clockid_t clock{};
-        timespec time{};
-        if (::clock_getcpuclockid(child_, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return since;
-        return std::chrono::duration<double>{static_cast<double>(time.tv_sec) +
-                                             1e-9 * static_cast<double>(time.tv_nsec)};
-    }();
-    return std::max(processor, shareOfClock * since);
+    clockid_t clock{};
+    timespec time{};
+    if (::clock_getcpuclockid(child_, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return slept_;
+    return slept_ + std::chrono::duration<double>{static_cast<double>(time.tv_sec) +
+                                                  1e-9 * static_cast<double>(time.tv_nsec)};
+}
+
+bool ChildProgram::sleeps() const {
+    std::error_code none;
+    for (const auto& thread : std::filesystem::directory_iterator{fmt::format("/proc/{}/task", child_), none}) {
+        std::ifstream file{thread.path() / "stat"};
+        std::string text;
+        std::getline(file, text);
+        const std::size_t nameEnd = text.rfind(") ");  // proc(5): the state follows the program's name
+        if (nameEnd != std::string::npos && std::string_view{"RDTt"}.find(text[nameEnd + 2]) != std::string_view::npos) return false;
+    }
+    return true;
 }
 
 void ChildProgram::waitFor(short event) {
-    constexpr int slice = 20;  // milliseconds
+    constexpr std::chrono::milliseconds slice{20};
     pollfd ready{socket_, event, 0};
     while (true) {
         waiting_();
-        if (::poll(&ready, 1, slice) > 0) return;
+        if (::poll(&ready, 1, static_cast<int>(slice.count())) > 0) return;
+        if (sleeps()) slept_ += slice;
         if (used() > limit_)
             throw Error{Error::Kind::Input, fmt::format("found it still at work after {:.4g} s", limit_.count())};
     }

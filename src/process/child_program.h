@@ -30,8 +30,8 @@ private:
 /// many bytes. Its other streams are closed to it. It ends when this ends.
 class ChildProgram {
 public:
-    /// @param limit    of the program's processor time, or of an eighth of the clock's if that is more, from its start
-    ///                 on: send() and receive() wait no longer
+    /// @param limit    of the program's processor time, and of the clock's while it waits for anything but a processor,
+    ///                 from its start on: send() and receive() wait no longer
     /// @param waiting  called many times a second while the program is waited for; may throw
     /// @throws Error   (Kind::Runtime) if it cannot be started
     ChildProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments,
@@ -56,15 +56,16 @@ public:
     [[nodiscard]] pid_t process() const noexcept { return child_; }
 
 private:
-    /// The program's processor time, so that a busy machine changes no verdict; or, of a program that waits, an eighth
-    /// of the clock's.
+    /// What counts towards the limit: neither a busy machine nor a stop (SIGSTOP) makes a program late.
     [[nodiscard]] std::chrono::duration<double> used() const;
+    /// Whether none of the program's threads runs, could run if there were a processor for it, or is stopped.
+    [[nodiscard]] bool sleeps() const;
     void waitFor(short event);
     void write(std::span<const std::uint8_t> bytes);
     void read(void* to, std::size_t size);
     [[noreturn]] void refuseEnd();
 
-    std::chrono::steady_clock::time_point start_;
+    std::chrono::duration<double> slept_{0.0};
     std::chrono::duration<double> limit_;
     std::function<void()> waiting_;
     int socket_ = -1;

@@ -1,5 +1,12 @@
 #include "process/child_program.h"
 
+#include <sched.h>
+#include <signal.h>
+
+#include <array>
+#include <chrono>
+#include <string>
+
 #include <gmock/gmock.h>
 
 #include <inkedge/error.h>
@@ -48,9 +55,31 @@ TEST(ChildProgram, endsAProgramAtItsLimit) {
     }
 }
 
-TEST(ChildProgram, isNotLateBecauseTheMachineIsBusy) {
-    ChildProgram child = shell(R"(sleep 0.5; printf '\002\0\0\0\0\0\0\0ok' >&4)", "", duration<double>{0.2});
+// It stops, is late by the clock, and goes on.
+TEST(ChildProgram, isNotLateWhileItIsStopped) {
+    const auto start = std::chrono::steady_clock::now();
+    pid_t process = -1;
+    ChildProgram child{"/bin/sh", {"-c", R"(kill -STOP $$; printf '\002\0\0\0\0\0\0\0ok' >&4)"}, {},
+                       duration<double>{0.3}, [&] {
+                           if (process > 0 && std::chrono::steady_clock::now() - start > duration<double>{1.0})
+                               ::kill(process, SIGCONT);
+                       }};
+    process = child.process();
     EXPECT_EQ(child.receive(), bytes("ok"));
+    EXPECT_GT(std::chrono::steady_clock::now() - start, duration<double>{1.0});
+}
+
+// It shares a processor with others that are at work all the time, and has a fifth of it.
+TEST(ChildProgram, isNotLateBecauseTheMachineIsBusy) {
+    const auto start = std::chrono::steady_clock::now();
+    constexpr duration<double> limit{1.5};
+    const std::string alone = "taskset -p -c " + std::to_string(::sched_getcpu()) + " $$ >&2; ";
+    const std::string busy = alone + "while :; do :; done";
+    const std::array<ChildProgram, 4> others{shell(busy), shell(busy), shell(busy), shell(busy)};
+    const std::string work = "i=0; while [ $i -lt 700000 ]; do i=$((i + 1)); done; ";
+    ChildProgram child = shell(alone + work + R"(printf '\002\0\0\0\0\0\0\0ok' >&4)", "", limit);
+    EXPECT_EQ(child.receive(), bytes("ok"));
+    EXPECT_GT(std::chrono::steady_clock::now() - start, limit) << "it had the processor for itself: the test says nothing";
 }
 
 TEST(ChildProgram, isLeftWhenWaitingThrows) {
