@@ -1,7 +1,7 @@
 """Draws edges of depth and normals, as scripts do: moderngl for the geometry, OpenCV for Sobel's kernels.
 
 MODEL.glb PICTURE.png SIDE: a model as make_mesh writes it.
---pool FOLDER OUT SIDE VIEWS JOBS: all models of a folder, by so many processes, with depth and ids.
+--pool FOLDER OUT SIDE VIEWS JOBS [maps]: all models of a folder, by so many processes; maps: with depth and ids.
 """
 
 import json
@@ -101,13 +101,16 @@ class Drawing:
 
 
 def draw_views(task):
-    """A picture, its depth and its ids for each view, as `inkedge batch --maps depth,ids`, with one kind of ids."""
-    model, out, views = task
+    """A picture for each view, as `inkedge batch`; its depth and its ids, too, as with `--maps depth,ids`, but one kind
+    of ids."""
+    model, out, views, maps = task
     os.makedirs(out, exist_ok=True)
     try:
         azimuths = 2 * np.pi * np.arange(views) / views
         for i, (surface, radius) in enumerate(pooled.surfaces(model, azimuths)):
             pooled.write(surface, radius, f"{out}/{i}.png")
+            if not maps:
+                continue
             depth = np.clip(surface[:, :, 3] / (6.0 * radius) * 65535, 0, 65535).astype("u2")
             cv2.imwrite(f"{out}/{i}.depth.png", depth)
             cv2.imwrite(f"{out}/{i}.ids.png", (surface[:, :, 3] > 0).astype("u2"))
@@ -123,7 +126,8 @@ def start(side):
 def main():
     if sys.argv[1] == "--pool":
         models, out, side, views, jobs = *sys.argv[2:4], *map(int, sys.argv[4:7])
-        tasks = [(f"{models}/{name}", f"{out}/{name}", views) for name in sorted(os.listdir(models))]
+        maps = sys.argv[7:] == ["maps"]
+        tasks = [(f"{models}/{name}", f"{out}/{name}", views, maps) for name in sorted(os.listdir(models))]
         with multiprocessing.get_context("spawn").Pool(jobs, start, (side,)) as pool:
             for _ in pool.imap_unordered(draw_views, tasks):
                 pass
