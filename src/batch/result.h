@@ -21,7 +21,7 @@ struct Result {
     std::string model = {};
     std::string key = {};                 ///< keyOf() it
     std::vector<std::string> files = {};  ///< within the output or its shard
-    double seconds = 0.0;
+    double seconds = 0.0;  ///< of work on it, without those in which it waited for other items
     std::uint64_t triangles = 0;
     LineLengths lengths{};  ///< of all views
     std::optional<Agreement> score = {};

@@ -45,7 +45,6 @@ using io::Json;
 // An item under way. Each thread that it comes to has members of its own.
 struct Work {
     Item item{};
-    base::Stopwatch watch{};
     Plan plan{};
 
     std::optional<Scene> scene{};  // of the thread that draws, once it is read
@@ -66,6 +65,7 @@ struct Drawn {
     std::optional<job::DrawnView> drawn{};
     std::exception_ptr failure{};
     std::optional<Agreement> score{};
+    double seconds = 0.0;  // that it took
 };
 
 Json vectorJson(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
@@ -127,6 +127,7 @@ public:
         const std::jthread writing{[this] { write(); }};
         while (true) {
             const std::vector<std::uint8_t> message = process::receiveMessage();  // at the end it ends the process
+            const base::Stopwatch watch;
             const auto work = std::make_shared<Work>();
             work->item = itemFrom(base::textOf(message));
             try {
@@ -134,11 +135,14 @@ public:
             } catch (...) {
                 work->failure = std::current_exception();
             }
+            work->result.seconds = secondsOf(watch);
             loaded_.put(work);
         }
     }
 
 private:
+    static double secondsOf(const base::Stopwatch& watch) { return watch.milliseconds() / 1000.0; }
+
     void load(Work& work) {
         work.result.id = work.item.id;
         work.result.model = work.item.model.string();
@@ -161,16 +165,18 @@ private:
             const WorkPointer work = loaded_.take();
             const std::size_t views = work->failure ? 0 : work->plan.views.size();
             for (std::size_t i = 0; i < views && !work->givenUp; ++i) {
-                const View& view = work->plan.views[i];
+                const base::Stopwatch watch;
+                Drawn drawn{work, &work->plan.views[i]};
                 try {
-                    Drawn drawn{work, &view, drawView(*work, i)};
+                    drawn.drawn = drawView(*work, i);
                     if (work->plan.score) drawn.score = scoreOf(*work, *drawn.drawn, work->framed[i]);
-                    drawn_.put(std::move(drawn));
                 } catch (...) {
                     renderer_.giveUp();
-                    drawn_.put({work, nullptr, {}, std::current_exception()});
+                    drawn = {work, nullptr, {}, std::current_exception()};
                     work->givenUp = true;
                 }
+                drawn.seconds = secondsOf(watch);
+                drawn_.put(std::move(drawn));
             }
             work->scene.reset();
             drawn_.put({work});
@@ -198,6 +204,7 @@ private:
     void write() {
         while (true) {
             Drawn drawn = drawn_.take();
+            const base::Stopwatch watch;
             Work& work = *drawn.work;
             if (drawn.failure) work.failure = drawn.failure;
             if (work.failure) work.givenUp = true;
@@ -207,6 +214,7 @@ private:
                 work.failure = std::current_exception();
                 work.givenUp = true;
             }
+            work.result.seconds += drawn.seconds + secondsOf(watch);
             if (!drawn.drawn && !drawn.failure) answer(work);
         }
     }
@@ -248,7 +256,6 @@ private:
             result.files.clear();
             result.lengths = {};
         }
-        result.seconds = work.watch.milliseconds() / 1000.0;
         process::sendMessage(packed(reply, result.state, reply == Reply::Done ? lineOf(result) : result.error));
     }
 

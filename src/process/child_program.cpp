@@ -134,22 +134,23 @@ ChildProgram::~ChildProgram() {
     }
 }
 
-std::chrono::duration<double> ChildProgram::used() const {
+std::chrono::duration<double> ChildProgram::processorTime() const {
     clockid_t clock{};
     timespec time{};
-    if (::clock_getcpuclockid(child_, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return slept_;
-    return slept_ + std::chrono::duration<double>{static_cast<double>(time.tv_sec) +
-                                                  1e-9 * static_cast<double>(time.tv_nsec)};
+    if (::clock_getcpuclockid(child_, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return {};
+    return std::chrono::duration<double>{static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec)};
 }
 
 bool ChildProgram::sleeps() const {
-    std::error_code none;
-    for (const auto& thread : std::filesystem::directory_iterator{fmt::format("/proc/{}/task", child_), none}) {
-        std::ifstream file{thread.path() / "stat"};
+    constexpr std::string_view awake = "RDTt";  // proc(5): runs or could, waits for a disk, is stopped
+    std::error_code ended;
+    std::filesystem::directory_iterator thread{fmt::format("/proc/{}/task", child_), ended};
+    for (; !ended && thread != std::filesystem::directory_iterator{}; thread.increment(ended)) {
+        std::ifstream file{thread->path() / "stat"};
         std::string text;
         std::getline(file, text);
-        const std::size_t nameEnd = text.rfind(") ");  // proc(5): the state follows the program's name
-        if (nameEnd != std::string::npos && std::string_view{"RDTt"}.find(text[nameEnd + 2]) != std::string_view::npos) return false;
+        const std::size_t state = text.rfind(") ") + 2;  // after the program's name
+        if (state < text.size() && awake.find(text[state]) != std::string_view::npos) return false;
     }
     return true;
 }
@@ -159,9 +160,11 @@ void ChildProgram::waitFor(short event) {
     pollfd ready{socket_, event, 0};
     while (true) {
         waiting_();
+        const auto before = processorTime();
         if (::poll(&ready, 1, static_cast<int>(slice.count())) > 0) return;
-        if (sleeps()) slept_ += slice;
-        if (used() > limit_)
+        const auto used = processorTime();
+        if (used == before && sleeps()) slept_ += slice;
+        if (used + slept_ > limit_)
             throw Error{Error::Kind::Input, fmt::format("found it still at work after {:.4g} s", limit_.count())};
     }
 }

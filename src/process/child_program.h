@@ -56,16 +56,16 @@ public:
     [[nodiscard]] pid_t process() const noexcept { return child_; }
 
 private:
-    /// What counts towards the limit: neither a busy machine nor a stop (SIGSTOP) makes a program late.
-    [[nodiscard]] std::chrono::duration<double> used() const;
-    /// Whether none of the program's threads runs, could run if there were a processor for it, or is stopped.
+    [[nodiscard]] std::chrono::duration<double> processorTime() const;
+    /// Whether none of the program's threads runs, could run if there were a processor for it, or is stopped: neither a
+    /// busy machine nor SIGSTOP makes a program late.
     [[nodiscard]] bool sleeps() const;
     void waitFor(short event);
     void write(std::span<const std::uint8_t> bytes);
     void read(void* to, std::size_t size);
     [[noreturn]] void refuseEnd();
 
-    std::chrono::duration<double> slept_{0.0};
+    std::chrono::duration<double> slept_{0.0};  // while it was waited for
     std::chrono::duration<double> limit_;
     std::function<void()> waiting_;
     int socket_ = -1;

@@ -114,6 +114,16 @@ TEST_F(BatchTest, DrawsEveryModelOfAFolder) {
                     "a/cube.glb/001.json", "a/cube.glb/001.outline.png"));
 }
 
+// The second waits for the first to be drawn.
+TEST_F(BatchTest, CountsTheSecondsOfWorkOnAnItemAlone) {
+    const json large = {{"id", "large"},
+                        {"model", asset("bracket.glb")},
+                        {"settings", {{"size", "512x512"}, {"supersampling", 4}}}};
+    expectSuccess(batch(list({large.dump(), item(asset("cube.glb"), "small")}), {"--jobs", "1"}));
+    const double seconds = results().at("large")["seconds"];
+    EXPECT_LT(results().at("small")["seconds"], 0.5 * seconds);
+}
+
 TEST_F(BatchTest, WritesWhatRenderWrites) {
     const std::string model = asset("bracket.glb");
     const Arguments flags{"--views", "sphere:3", "--maps", "depth,types", "--lines-from", "image"};
