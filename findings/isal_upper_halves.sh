@@ -41,7 +41,8 @@ double milliseconds() {
       const double share = (from[i] + 1.0) / 2.0;
       to[i] = static_cast<unsigned char>(share > 0.0 ? 255.0 * std::min(share, 1.0) + 0.5 : 0.0);
     }
-    least = std::min(least, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    least = std::min(least, took.count());
   }
   return least;
 }

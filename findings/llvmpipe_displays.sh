@@ -69,7 +69,8 @@ int main() {
     apart = std::min(apart, secondsOf({one, other}, 20));
   }
   std::fprintf(stderr, "one display %.3f s, two displays %.3f s\n", same, apart);
-  std::printf("two threads on one display take over 1.4 times as long as on two: %s\n", same > 1.4 * apart ? "yes" : "no");
+  const char* answer = same > 1.4 * apart ? "yes" : "no";
+  std::printf("two threads on one display take over 1.4 times as long as on two: %s\n", answer);
 }
 CPP
 for suite in bookworm trixie; do

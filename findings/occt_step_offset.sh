@@ -1,8 +1,8 @@
 #!/bin/bash
 # A face on an offset of a B-spline surface (ISO 10303-42, offset_surface) is written to STEP by OpenCASCADE's
-# STEPControl_Writer, which reports success. Its STEPControl_Reader reports success, too: one root, transferred; but what
-# it gives is a shell without a face. The same face on an offset of a torus comes back whole. A reader that counts roots
-# loses the face without a word; whether one is missing shows only in the area, or in the checks of the transfer.
+# STEPControl_Writer, which reports success. Its STEPControl_Reader reports success, too: one root, transferred; but
+# what it gives is a shell without a face. The same face on an offset of a torus comes back whole. A reader that counts
+# roots loses the face without a word; whether one is missing shows only in the area, or in the checks of the transfer.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=lib.sh
 source "$(dirname "$0")/lib.sh"

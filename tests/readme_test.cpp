@@ -1,5 +1,5 @@
-// The README's tables of settings and presets and its list of formats are written from their tables, so that they cannot go
-// stale. With INKEDGE_UPDATE_README set (tools/update_readme) the tests write them instead of comparing.
+// The README's tables of settings and presets and its list of formats are written from their tables, so that they
+// cannot go stale. With INKEDGE_UPDATE_README set (tools/update_readme) the tests write them instead of comparing.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

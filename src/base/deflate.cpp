@@ -18,8 +18,8 @@ namespace {
 // Larger pieces than this have sizes that ISA-L's fields cannot hold.
 constexpr std::size_t maxPiece = std::numeric_limits<std::uint32_t>::max();
 
-// ISA-L 2.30 and 2.31 leave the upper halves of vector registers in use, with which code that knows the lower ones alone
-// runs four times as long: to be called after each of its functions.
+// ISA-L 2.30 and 2.31 leave the upper halves of vector registers in use, with which code that knows the lower ones
+// alone runs four times as long: to be called after each of its functions.
 #ifdef __x86_64__
 [[gnu::target("avx")]] void zeroUpperHalves() { _mm256_zeroupper(); }
 void giveBackVectors() {

@@ -27,8 +27,8 @@ struct View {
 ///   it is left out;
 /// - a JSON file: a list of objects, each with camera settings by their names ("camera-azimuth-angle": 30,
 ///   "camera-position": [1, 2, 3] or "1,2,3") and optionally "name" (letters, digits, -, _ and .).
-/// Turntables, spheres and random views of one list are numbered on. Beside a named view they are orthographic as it is,
-/// unless base.viewAngle is given. What a view does not set is as in base.
+/// Turntables, spheres and random views of one list are numbered on. Beside a named view they are orthographic as it
+/// is, unless base.viewAngle is given. What a view does not set is as in base.
 /// @param base    must have neither position nor direction nor index nor view but for a file; for named views no angles
 /// @throws Error  (Kind::Usage) if the text or the file is not as described, or two views have one name; (Kind::Input)
 ///                if the file cannot be read

@@ -28,7 +28,8 @@ struct SurfaceForm {
     std::vector<std::uint32_t> fans;   ///< one per corner: an index into points
     std::vector<PointForm> points;     ///< one per fan: corners at one position with no crease between them
     std::vector<double> featureSizes;  ///< one per patch: that of its surface, in the mesh's unit; 0: it has no area
-    /// One per patch: over what its surface is smoothed: the feature size, or the mean length of an edge if that is more.
+    /// One per patch: over what its surface is smoothed: the feature size, or the mean length of an edge if that is
+    /// more.
     std::vector<double> resolutions;
 };
 

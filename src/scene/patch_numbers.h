@@ -20,8 +20,8 @@ struct PatchNumbers {
 ///
 /// A seam is where the borders of two surfaces run along each other (T-junctions, surfaces cut along a line, meshes
 /// split by material or node) and the surfaces do not meet in a crease: they are drawn as one surface. A layer is
-/// a face that overlaps a face of another patch in one plane. The depth test cannot choose between the two faces, so the
-/// lines of both are drawn.
+/// a face that overlaps a face of another patch in one plane. The depth test cannot choose between the two faces, so
+/// the lines of both are drawn.
 [[nodiscard]] PatchNumbers numberPatches(const InstancedMeshes&, const LoadSettings&);
 
 }  // namespace inkedge::scene

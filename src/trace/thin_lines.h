@@ -35,7 +35,8 @@ struct ThinLine {
 [[nodiscard]] std::vector<ThinLine> seeThinParts(const LineBuffers&, std::span<const ThinStretch>, const Scene&,
                                                  const ScreenTriangles&, const Camera&, int samplesPerPixel);
 
-/// The samples that see these thin parts, or through these gaps. They are to show what is beside, so that lines behind go on there.
+/// The samples that see these thin parts, or through these gaps. They are to show what is beside, so that lines behind
+/// go on there.
 [[nodiscard]] std::vector<Replacement> samplesOn(std::span<const ThinLine>, const LineBuffers&, const ScreenTriangles&,
                                                  const Camera&, int samplesPerPixel);
 

@@ -13,9 +13,9 @@
 
 namespace inkedge::trace {
 
-/// A stretch, up to a pixel long, of what is thinner than a pixel in the picture: a part, as a wire or a plate seen from
-/// its edge, or a gap, as a slit in a leaf. Samples see it, or through it, here and there only, or nowhere. Coordinates
-/// are samples of the whole picture.
+/// A stretch, up to a pixel long, of what is thinner than a pixel in the picture: a part, as a wire or a plate seen
+/// from its edge, or a gap, as a slit in a leaf. Samples see it, or through it, here and there only, or nowhere.
+/// Coordinates are samples of the whole picture.
 struct ThinStretch {
     std::array<glm::dvec2, 2> ends;   ///< of the line in its middle
     glm::dvec2 across;                ///< unit, from the contour that it was found at to the opposite one

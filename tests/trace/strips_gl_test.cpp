@@ -1,5 +1,5 @@
-// Strips narrower than a sample, between a crease and where its surface ends: both lines are whole, the crease as wide as
-// the strip.
+// Strips narrower than a sample, between a crease and where its surface ends: both lines are whole, the crease as wide
+// as the strip.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

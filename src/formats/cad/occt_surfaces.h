@@ -6,7 +6,8 @@
 
 namespace inkedge::cad {
 
-/// The surface of a face by its numbers. SurfaceKind::None: it is of a kind that has none here, swept along a hyperbola say.
+/// The surface of a face by its numbers. SurfaceKind::None: it is of a kind that has none here, swept along a hyperbola
+/// say.
 [[nodiscard]] SurfaceData surfaceOf(const TopoDS_Face&);
 
 }  // namespace inkedge::cad
