@@ -143,14 +143,18 @@ private:
     double size_ = 1.0;
 };
 
+// Without nodes where OpenCASCADE has lost them, as on a seam whose sides lie two turns apart: they are 0 then, where they
+// count from 1.
 std::optional<Run> runOf(const TopoDS_Edge& edge, const TopoDS_Face& face, std::size_t index) {
     TopLoc_Location location;
     const Handle(Poly_Triangulation) triangles = BRep_Tool::Triangulation(face, location);
     const Handle(Poly_PolygonOnTriangulation) polygon = BRep_Tool::PolygonOnTriangulation(edge, triangles, location);
     if (polygon.IsNull() || polygon->NbNodes() < 2) return {};
     Run run{index, {}};
-    for (int i = 1; i <= polygon->NbNodes(); ++i)
-        run.nodes.push_back(static_cast<std::uint32_t>(polygon->Nodes().Value(i) - 1));
+    for (const int node : polygon->Nodes()) {
+        if (node < 1 || node > triangles->NbNodes()) return Run{index, {}};
+        run.nodes.push_back(static_cast<std::uint32_t>(node - 1));
+    }
     return run;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "formats/cad/cad_scenes.h"
+#include "formats/cad/lost_nodes.h"
 #include "scene/prepared.h"
 
 namespace inkedge::cad {
@@ -215,6 +216,12 @@ TEST(LoadCad, mendsAFaceOfManyHolesOfWhichTwoCross) {
     constexpr double chords = 10.0;  // what polygons miss of both circles
     EXPECT_NEAR(area, 10'000.0 - squares - both, chords);
     EXPECT_THAT(scene.warnings(), IsEmpty());
+}
+
+TEST(EdgeTable, bearsNodesThatAreLost) {
+    const cad_files::LostNodes found = cad_files::boxOfLostNodes();
+    EXPECT_EQ(found.borders, 23) << "12 edges on two faces each, but for one";
+    EXPECT_EQ(found.onOther, EdgeKind::Sharp) << "it is no free end of the surface";
 }
 
 // ---- assemblies
