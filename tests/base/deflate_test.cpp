@@ -15,6 +15,7 @@
 
 #ifdef __x86_64__
 #include <cpuid.h>
+#include <immintrin.h>
 #endif
 
 namespace inkedge::base {
@@ -86,6 +87,8 @@ TEST(Crc32, isThatOfZip) {
 }
 
 #ifdef __x86_64__
+[[gnu::target("avx"), gnu::noinline]] void zeroUpperHalves() { _mm256_zeroupper(); }
+
 // Bit 2 of the state that is in use (Intel SDM 1, 13.6): the upper halves of the vector registers. With them code that
 // knows the lower ones alone takes four times as long on some processors.
 TEST(Deflate, leavesVectorsAsTheyWere) {
@@ -99,6 +102,8 @@ TEST(Deflate, leavesVectorsAsTheyWere) {
         asm volatile("xgetbv" : "=a"(low), "=d"(high) : "c"(1));
         return low & 4U;
     };
+    zeroUpperHalves();
+    if (inUse() != 0) GTEST_SKIP() << "the processor says that they are in use after vzeroupper, too";
     const Bytes bytes = ofValues(65536, 17);
     static_cast<void>(deflated(bytes, DeflateWrapper::Zlib));
     EXPECT_EQ(inUse(), 0U);
