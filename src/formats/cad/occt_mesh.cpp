@@ -49,25 +49,20 @@ constexpr double angularDeflection = 0.45;
 constexpr int veryMany = 64;
 class PlaneAlgorithm final : public IMeshTools_MeshAlgo {
 public:
-    explicit PlaneAlgorithm(const IMeshTools_Parameters& parameters)
-        : usual_{BRepMesh_MeshAlgoFactory{}.GetAlgo(GeomAbs_Plane, parameters)},
-          ofManyHoles_{BRepMesh_DelabellaMeshAlgoFactory{}.GetAlgo(GeomAbs_Plane, parameters)} {}
-
     void Perform(const IMeshData::IFaceHandle& face, const IMeshTools_Parameters& parameters,
                  const Message_ProgressRange& range) override {
-        (face->WiresNb() > veryMany ? ofManyHoles_ : usual_)->Perform(face, parameters, range);
+        const Handle(IMeshTools_MeshAlgo) algorithm =
+            face->WiresNb() > veryMany ? BRepMesh_DelabellaMeshAlgoFactory{}.GetAlgo(GeomAbs_Plane, parameters)
+                                       : BRepMesh_MeshAlgoFactory{}.GetAlgo(GeomAbs_Plane, parameters);
+        algorithm->Perform(face, parameters, range);
     }
-
-private:
-    Handle(IMeshTools_MeshAlgo) usual_;
-    Handle(IMeshTools_MeshAlgo) ofManyHoles_;
 };
 
 class MeshAlgorithms final : public IMeshTools_MeshAlgoFactory {
 public:
     [[nodiscard]] Handle(IMeshTools_MeshAlgo)
         GetAlgo(GeomAbs_SurfaceType surface, const IMeshTools_Parameters& parameters) const override {
-        if (surface == GeomAbs_Plane) return new PlaneAlgorithm{parameters};
+        if (surface == GeomAbs_Plane) return new PlaneAlgorithm;
         return ofOthers_->GetAlgo(surface, parameters);
     }
 
