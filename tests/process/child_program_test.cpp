@@ -69,8 +69,9 @@ TEST(ChildProgram, isNotLateWhileItIsStopped) {
     EXPECT_GT(std::chrono::steady_clock::now() - start, duration<double>{1.0});
 }
 
-// It shares a processor with others that are at work all the time, and has a tenth of it: its work takes longer than the
-// limit by the clock, but not by the processor's, on processors from a third to three times as fast as an EPYC of 2024.
+// It shares a processor with others that are at work all the time, and has a tenth of it: its work takes longer than
+// the limit by the clock, but not by the processor's, on processors from a third to three times as fast as an EPYC of
+// 2024.
 TEST(ChildProgram, isNotLateBecauseTheMachineIsBusy) {
     const auto start = std::chrono::steady_clock::now();
     constexpr duration<double> limit{1.5};

@@ -143,8 +143,8 @@ private:
     double size_ = 1.0;
 };
 
-// Without nodes where OpenCASCADE has lost them, as on a seam whose sides lie two turns apart: they are 0 then, where they
-// count from 1.
+// Without nodes where OpenCASCADE has lost them, as on a seam whose sides lie two turns apart: they are 0 then, where
+// they count from 1.
 std::optional<Run> runOf(const TopoDS_Edge& edge, const TopoDS_Face& face, std::size_t index) {
     TopLoc_Location location;
     const Handle(Poly_Triangulation) triangles = BRep_Tool::Triangulation(face, location);

@@ -39,6 +39,14 @@ inline glm::dvec3 position(const Mesh& mesh, std::size_t corner) {
     return glm::dvec3{mesh.positions[mesh.indices[corner]]} + mesh.origin;
 }
 
+inline double areaOf(const Mesh& mesh) {
+    double area = 0.0;
+    for (std::size_t c = 0; c < mesh.indices.size(); c += 3)
+        area += 0.5 * glm::length(glm::cross(position(mesh, c + 1) - position(mesh, c),
+                                             position(mesh, c + 2) - position(mesh, c)));
+    return area;
+}
+
 inline void expectNear(const glm::dvec3& a, const glm::dvec3& b, double within) {
     EXPECT_NEAR(a.x, b.x, within);
     EXPECT_NEAR(a.y, b.y, within);

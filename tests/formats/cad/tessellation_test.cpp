@@ -70,16 +70,12 @@ TEST(Tessellation, fillsACornerOutsideACircle) {
     LoadSettings settings = forViews({{}}, {512, 512});
     settings.tolerance = 0.04;
     const Scene scene = sceneOf(Shape::Corner, settings);
-    const Mesh& mesh = scene.meshes().front();
-    double area = 0.0;
-    for (std::size_t c = 0; c < mesh.indices.size(); c += 3)
-        area += 0.5 * glm::length(glm::cross(position(mesh, c + 1) - position(mesh, c),
-                                             position(mesh, c + 2) - position(mesh, c)));
     const double turn = std::acos(9.5 / 9.51);
     const double sector = 0.5 * 9.51 * 9.51 * (std::numbers::pi / 2.0 - 2.0 * turn);
     const double triangles = 9.5 * std::sqrt(9.51 * 9.51 - 9.5 * 9.5);
     const double rounding = 0.4 * 0.4 * (1.0 - std::numbers::pi / 4.0);
-    EXPECT_NEAR(area, 9.5 * 9.5 - sector - triangles - rounding, 0.05) << "but for what chords of the circle miss";
+    EXPECT_NEAR(areaOf(scene.meshes().front()), 9.5 * 9.5 - sector - triangles - rounding, 0.05)
+        << "but for what chords of the circle miss";
 }
 
 TEST(Tessellation, followsTheSizeOfThePicture) {
